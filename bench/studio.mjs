@@ -154,6 +154,31 @@ async function open_first(browser, address) {
   return { first, weight };
 }
 
+/// Median time from the wish to see the board to the frame that shows it, ms.
+async function board_time(page, text) {
+  await page.evaluate((said) => {
+    window.studio.connection.tell('pause', { paused: true });
+    return window.studio.open({ text: said, path: null });
+  }, text);
+  const times = [];
+  for (let k = 0; k < (is_small ? 2 : 20); k += 1) {
+    times.push(
+      await page.evaluate(async () => {
+        const { shell } = window.studio;
+        shell.merge({ left: 'outline' });
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50)));
+        const begin = performance.now();
+        shell.merge({ left: 'board' });
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        if (document.querySelectorAll('.board-node').length < Object.keys(window.studio.document.state.get().tree.value.components).length) throw new Error('the board is not whole');
+        return performance.now() - begin;
+      }),
+    );
+  }
+  await page.evaluate(() => window.studio.connection.tell('pause', { paused: false }));
+  return times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
+}
+
 const place = await temporary_folder();
 const browser = await start_browser();
 const load = os.loadavg()[0];
@@ -187,6 +212,8 @@ try {
     tell(`follow/${name}/median`, median, 'ms', 50, reference);
     tell(`follow/${name}/95th_of_100`, late, 'ms', 90);
   }
+
+  tell('board/garden', await board_time(page, await model('garden')), 'ms', 100);
 
   await open_file(page, 'oak.json');
   tell('bytes/oak_leaf', (await bytes_of(page, () => set(page, 'leaf.fold', 12))) / 1e6, 'MB', 1.3);

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws the pictures of the documentation that have moved, and writes the gallery page.
 
-In:  the built program, models/*.json, docs/manual/figures/figures.txt, docs/pictures.txt.
-Out: docs/gallery/*.jpg, docs/manual/figures/*.jpg, docs/pictures.txt with the fingerprint of each, docs/gallery.md.
+In:  the built program, models/*.json, docs/manual/figures/figures.txt and graphs.txt, apps/studio/parts/*.json,
+     docs/pictures.txt.
+Out: docs/gallery/*.jpg, docs/manual/figures/*.jpg and *.svg, apps/studio/parts/*.jpg, docs/pictures.txt with the
+     fingerprint of each picture, docs/gallery.md.
 
 A picture is drawn again only where its fingerprint, which `meristem render --fingerprint` tells without drawing, is not
 the one that docs/pictures.txt has. `--check` draws and writes nothing and ends with 1 where something has moved;
@@ -47,6 +49,8 @@ def planned_pictures() -> list[Picture]:
     pictures = [Picture(gallery / f"{model.stem}.jpg", model, []) for model in models]
     pictures += [Picture(gallery / f"{name}.jpg", ROOT / "models" / f"{model}.json", options)
                  for name, model, options in FURTHER]
+    pictures += [Picture(part.with_suffix(".jpg"), part, [])
+                 for part in sorted((ROOT / "apps" / "studio" / "parts").glob("*.json"))]
     for line in (FIGURES / "figures.txt").read_text(encoding="utf-8").splitlines():
         if line.strip() and not line.startswith("#"):
             name, document, *options = line.split()
@@ -98,6 +102,24 @@ def update_pictures(program: str, wanted: list[str], check: bool, accept: bool) 
             write_manifest({**fingerprints, **kept})
     if not check:
         write_manifest(kept)
+    return moved
+
+
+def update_graphs(program: str, check: bool) -> int:
+    """Draws the manual's graphs that are other ones than before, or only counts them: to draw is to compare."""
+    moved = 0
+    for line in (FIGURES / "graphs.txt").read_text(encoding="utf-8").splitlines():
+        if not line.strip() or line.startswith("#"):
+            continue
+        name, document, *options = line.split()
+        path = FIGURES / f"{name}.svg"
+        drawing = run(program, "graph", str(FIGURES / f"{document}.json"), "--quiet", *options)
+        if path.is_file() and path.read_text(encoding="utf-8") == drawing:
+            continue
+        moved += 1
+        print(f"{path.relative_to(ROOT)}{' has moved' if check else ''}", flush=True)
+        if not check:
+            path.write_text(drawing, encoding="utf-8")
     return moved
 
 
@@ -164,7 +186,8 @@ def main() -> int:
     parser.add_argument("names", nargs="*", help="pictures to draw in any case, such as `oak`")
     arguments = parser.parse_args()
     program = str(Path(arguments.program).resolve())
-    moved = update_pictures(program, arguments.names, arguments.check, arguments.accept)
+    moved = update_graphs(program, arguments.check)
+    moved += update_pictures(program, arguments.names, arguments.check, arguments.accept)
     if arguments.check:
         return 1 if moved else 0
     print(f"{moved} pictures {'accepted' if arguments.accept else 'drawn'}")

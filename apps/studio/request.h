@@ -67,7 +67,7 @@ struct InstanceRequest {
   Frame frame;       ///< of what is seen of it; the world's own for stems
   Vec3 position{0};  ///< on its surface
 };
-/// Of which components a shipped model consists.
+/// Asks for the components of a shipped model.
 struct PartsRequest {
   std::string model;
 };

@@ -592,6 +592,74 @@ TEST(StudioSession, MeasuresAsTheCommandLineDoes) {
   EXPECT_EQ(*studio.ask("measures").find("measures")->find("leaf_count")->number(), 40);
 }
 
+TEST(StudioSession, TellsWhichInstanceIsSeenWithItsValues) {
+  Studio studio;
+  studio.ask(
+      "open",
+      R"json("text": "{\"meristem\": 1, \"components\": {\"line\": {\"type\": \"places\", \"line\": {\"points\": [[0, 0], [8, 0]], \"spacing\": 2}}, \"ball\": {\"type\": \"simple\", \"size\": [1, 1, 1], \"colours\": [\"#112233\", \"#ffffff\"], \"colour_at\": \"i/4\"}}, \"links\": [[\"line\", \"ball\"]]}")json");
+  studio.mailbox().packet(0);
+  const Value answer =
+      studio.ask("instance", R"("component": "ball", "frame": [1,0,0,4, 0,1,0,0, 0,0,1,0], "position": [4, 1, 0])");
+  const Value* instance = answer.find("instance");
+  ASSERT_NE(instance, nullptr);
+  EXPECT_EQ(*instance->find("i")->number(), 2);
+  EXPECT_EQ(*instance->find("n")->number(), 5);
+  const Value& value = (*instance->find("values")->list())[0];
+  EXPECT_EQ(Studio::text_of(value, "path"), "components.ball.colour_at");
+  EXPECT_EQ(*value.find("value")->number(), 0.5);
+  EXPECT_TRUE(
+      studio.ask("instance", R"("component": "no", "frame": [1,0,0,4, 0,1,0,0, 0,0,1,0], "position": [0, 0, 0])")
+          .find("instance")
+          ->is_null());
+}
+
+TEST(StudioSession, TellsTheShootThatIsSeen) {
+  Studio studio;
+  studio.open_bush();
+  studio.mailbox().packet(0);
+  const Value answer =
+      studio.ask("instance", R"("component": "stem", "frame": [1,0,0,0, 0,1,0,0, 0,0,1,0], "position": [0, 1, 0.01])");
+  ASSERT_NE(answer.find("instance"), nullptr);
+  EXPECT_EQ(Studio::text_of(*answer.find("instance"), "shoot"), "main");
+}
+
+TEST(StudioSession, CountsInstancesOfTheGraph) {
+  Studio studio;
+  studio.open_bush();
+  const Value grown = studio.mailbox().wait_for(
+      [](const Value& message) { return Studio::text_of(message, "is") == "grown" && message.find("placed"); });
+  EXPECT_EQ(*grown.find("placed")->find("leaf")->number(), 40);
+  EXPECT_EQ(*grown.find("placed")->find("stem")->number(), 1);
+}
+
+TEST(StudioSession, MakesAnEditOnlyIfTheTextStaysGood) {
+  Studio studio;
+  studio.open_bush();
+  const std::string before = studio.hash();
+  const Value refused = studio.ask("edit", "\"base\": \"" + before + R"(", "only_if_good": true,
+      "edits": [{"insert": "links[]", "value": ["leaf", "stem"]}])");
+  EXPECT_EQ(Studio::text_of(refused, "is"), "refused");
+  EXPECT_FALSE(refused.find("faults")->list()->empty());
+  EXPECT_NE(Studio::text_of(refused, "message").find("endless circle"), std::string::npos);
+  // The server still has the text of before.
+  EXPECT_EQ(Studio::text_of(studio.edit(R"([{"set": "leaf.length", "value": 0.2}])"), "is"), "done");
+}
+
+TEST(StudioSession, GivesPartsAndPutsThemInElsewhere) {
+  Studio studio;
+  studio.open_bush();
+  const Value part = studio.ask("part", R"("components": ["leaf"])");
+  EXPECT_EQ(*(*part.find("roots")->list())[0].text(), "leaf");
+  const std::string text = Studio::text_of(part, "text");
+  EXPECT_NE(text.find("\"size\": {\"value\": 0.1"), std::string::npos) << text;
+  const Value edited = studio.edit("[{\"paste\": " + write_json_line(Value(text)) +
+                                   R"(, "names": {"leaf": "petal"}, "index": 1, "link_index": 0}])");
+  EXPECT_EQ(Studio::text_of(edited, "is"), "done");
+  EXPECT_NE(edited.find("tree")->find("components")->find("petal"), nullptr);
+  const Value noted = studio.edit(R"([{"note": "components.petal", "text": "Yellow."}])");
+  EXPECT_EQ(Studio::text_of(*noted.find("notes"), "petal"), "Yellow.");
+}
+
 TEST(StudioSession, ReadsNothingOutsideOfItsFolder) {
   Studio studio;
   const Value answer = studio.ask(

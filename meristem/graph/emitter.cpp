@@ -16,6 +16,7 @@
 #include "meristem/base/math.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
+#include "meristem/graph/omission.h"
 #include "meristem/graph/vanished.h"
 
 namespace meristem {
@@ -79,8 +80,7 @@ RandomKey Emitter::component_key() const { return context_->key; }
 
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,
                        FunctionRef<void(const Site&)> expand) {
-  const bool omitted = (base.omit && base.omit->contains(site, context_->time)) ||
-                       (base.only && !base.only->contains(site, context_->time));
+  const bool omitted = is_left_out(base, site, context_->time);
   if (omitted && !base.omit_keeps_children) return;
   instance_ = index;
   visible_ = !omitted && !base.hidden;

@@ -23,6 +23,7 @@
 #include "meristem/graph/grow_plantings.h"
 #include "meristem/graph/instances.h"
 #include "meristem/graph/link_sites.h"
+#include "meristem/graph/omission.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/plant_variant.h"
@@ -283,7 +284,7 @@ class Expansion {
       results_.store(key, result);
     }
     nodes_ += result->nodes;
-    if (!counts_.empty()) counts_[batch.component] += batch.sites().size();
+    if (!counts_.empty()) count_instances(batch);
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
     for (const LinkIndex link : links) follow(link, batch, key, *result);
@@ -440,7 +441,7 @@ class Expansion {
     enqueue(std::move(children));
   }
 
-  /// Adds the batch's instances to the tree, so many on each of the parents; gives their numbers.
+  /// Adds the batch's instances to the tree, on each parent as many as `per_parent` says; gives their numbers.
   std::vector<std::uint32_t> note_instances(const Batch& batch, const std::vector<std::size_t>& per_parent,
                                             const std::vector<std::uint32_t>& parents, LinkIndex link) {
     std::vector<InstanceTree::Instance>& all = tree_->instances;
@@ -491,6 +492,12 @@ class Expansion {
       if (site != nullptr) found_ = described(prototype, *site);
       return;
     }
+  }
+
+  void count_instances(const Batch& batch) {
+    const ComponentBase& base = graph_.components[batch.component].base();
+    const auto is_there = [&](const Site& site) { return !is_left_out(base, site, time_); };
+    counts_[batch.component] += static_cast<std::uint64_t>(std::ranges::count_if(batch.sites(), is_there));
   }
 
   FoundInstance described(const Prototype& prototype, const Site& site) const {

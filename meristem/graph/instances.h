@@ -21,19 +21,19 @@ struct InstanceTree {
   struct Instance {
     ComponentIndex component = 0;
     std::uint32_t parent = kNoIndex;  ///< index into instances; kNoIndex for the root
-    LinkIndex link = kNoIndex;        ///< by which it stands on its parent
+    LinkIndex link = kNoIndex;        ///< from its parent to it
     std::uint32_t i = 0;              ///< number among its siblings by that link
     std::uint32_t n = 1;              ///< siblings by that link, itself included
   };
   std::vector<Instance> instances;  ///< parents before children, those of one parent and link in their order
 };
 
-/// Expands the graph, one instance after another, and notes who stands on whom. Throws an InputError where there are more
-/// than `most` instances, and as expand() does.
+/// Expands the graph, one instance after another, and notes who stands on whom. Throws an InputError where there are
+/// more than `most` instances, and as expand() does.
 InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most, Progress& progress);
 
-/// How many instances each component of the graph has, in their order. With the cache of an expansion of the same
-/// arguments, nothing is made anew. Throws as expand() does.
+/// How many instances each component of the graph has, in their order; those that are left out do not count. With the
+/// cache of an expansion of the same arguments, nothing is made anew. Throws as expand() does.
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                            Cache* cache = nullptr);
 
@@ -51,15 +51,15 @@ struct InstanceWish {
 /// An instance with what it is given.
 struct FoundInstance {
   Site site;
-  /// The parameters that differ from instance to instance, by their path in the document, with their values here, in the
-  /// units of the document.
+  /// The parameters that differ from instance to instance, by their path in the document, with their values here, in
+  /// the units of the document.
   std::vector<std::pair<std::string, double>> values;
 };
 
-/// The instance that made a part of the plant that expand() gives for the same arguments; nothing where there is no such
-/// part, or several instances made it together. With the cache of that expansion, nothing is grown anew. Throws as
+/// The instance that made a part of the plant that expand() gives for the same arguments; nothing where there is no
+/// such part, or several instances made it together. With the cache of that expansion, nothing is grown anew. Throws as
 /// expand() does.
-std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time, const InstanceWish& wish,
-                                           Progress& progress, Cache* cache = nullptr);
+std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
+                                           const InstanceWish& wish, Progress& progress, Cache* cache = nullptr);
 
 }  // namespace meristem

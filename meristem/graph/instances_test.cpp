@@ -77,11 +77,21 @@ TEST(Instances, EachOrganAndStemHasItsInstance) {
   }
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "leaf", .number = organs}, progress, &cache));
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "nobody"}, progress, &cache));
-  const auto pole = find_instance(
-      graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem, .number = 271}, progress, &cache);
+  const auto pole = find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem, .number = 271},
+                                  progress, &cache);
   ASSERT_TRUE(pole);
   EXPECT_EQ(pole->site.i, 271U);
   EXPECT_DOUBLE_EQ(pole->values[0].second, 1 + 271.0 / 300);
+}
+
+TEST(Instances, AreCountedWithoutThoseThatAreLeftOut) {
+  const Graph graph = poles_with_sticks();
+  const Scene scene = still_scene();
+  Progress progress;
+  Cache cache;
+  const Plant plant = expand(graph, scene, 0, progress, &cache);
+  const std::vector<std::uint64_t> counts = instance_counts(graph, scene, 0, progress, &cache);
+  EXPECT_EQ(counts, (std::vector<std::uint64_t>{1, 1, 300, organs_of(plant, "leaf").size()}));
 }
 
 TEST(Instances, AskingLeavesTheCacheAsItWas) {

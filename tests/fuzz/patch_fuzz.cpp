@@ -6,6 +6,8 @@
 #include <string>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/document/edit/note.h"
+#include "meristem/document/edit/plant_part.h"
 #include "meristem/document/edit/text_edit.h"
 #include "meristem/document/json.h"
 #include "tests/fuzz/require.h"
@@ -35,7 +37,7 @@ std::string chosen_path(const Value& root, std::uint8_t way) {
 }
 
 Patch edit(const LocatedTree& tree, std::uint8_t kind, const std::string& path, const Value& value) {
-  switch (kind % 8) {
+  switch (kind % 10) {
     case 0:
       return set_value(tree, path, value);
     case 1:
@@ -45,11 +47,15 @@ Patch edit(const LocatedTree& tree, std::uint8_t kind, const std::string& path, 
     case 3:
       return insert_value(tree, path + "[]", value);
     case 4:
-      return insert_value(tree, path + ".new", value, kind / 8);
+      return insert_value(tree, path + ".new", value, kind / 10);
     case 5:
       return remove_value(tree, path);
     case 6:
-      return move_value(tree, path, kind / 8);
+      return move_value(tree, path, kind / 10);
+    case 8:
+      return set_note(tree, path, value.text() != nullptr ? *value.text() : "a note\nof two lines");
+    case 9:
+      return insert_plant_part(tree, LocatedTree(write_json(value)), {.component = kind / 20, .link = kind / 20});
     default:
       return rename_member(tree, path, "new");
   }

@@ -113,13 +113,17 @@ LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std:
   std::map<std::string, std::string> first_names;  // by those that they have now
   const auto rename = [&](const std::string& id, const std::string& name) {
     const std::string& first = first_names.contains(id) ? first_names[id] : id;
-    const auto placed_by = [&](const std::string& placer) { return places(document ? &*document : nullptr, placer, first); };
+    const auto placed_by = [&](const std::string& placer) {
+      return places(document ? &*document : nullptr, placer, first);
+    };
     part = LocatedTree(apply_patch(part.text(), rename_component(part, id, name, context.registry, placed_by)));
     first_names[name] = first;
   };
   while (!names.empty()) {
     const Value* components = part.root().value->find("components");
-    const auto is_free = [&](const auto& name) { return components == nullptr || components->find(name.second) == nullptr; };
+    const auto is_free = [&](const auto& name) {
+      return components == nullptr || components->find(name.second) == nullptr;
+    };
     auto next = std::find_if(names.begin(), names.end(), is_free);
     if (next == names.end()) {
       // Names that go round in a circle: one steps aside.

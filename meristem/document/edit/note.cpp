@@ -106,7 +106,8 @@ Patch without_note(std::string_view text, const NotePlace& place, std::size_t me
   return {{begin, place.comments.back().end - begin, ""}};
 }
 
-/// Above the member of a container that begins at that byte; one that shares its line with others gets a line of its own.
+/// Above the member of a container that begins at that byte; one that shares its line with others gets a line of its
+/// own.
 Patch with_note_above(std::string_view text, std::size_t container, std::size_t member, std::string_view note) {
   const std::string end(line_end_of(text));
   if (begins_line(text, member)) {

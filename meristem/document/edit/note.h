@@ -20,8 +20,8 @@ std::string note_on(const LocatedTree& tree, LocatedValue container, std::size_t
 /// The notes on the members of an object at the top of the document, such as "components", by name.
 std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object);
 
-/// Has the note on the member at `path` say `note`: where one stands, or else above the member; an empty one goes. Throws
-/// an InputError for paths that lead nowhere.
+/// Has the note on the member at `path` say `note`: where one stands, or else above the member; an empty one goes.
+/// Throws an InputError for paths that lead nowhere.
 Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view note);
 
 }  // namespace meristem

@@ -77,9 +77,7 @@ TEST(Note, KeepsTheEndsOfLines) {
             "{\r\n\t\"components\": {\r\n\t\t// x\r\n\t\t// y\r\n\t\t\"a\": {}\r\n\t}\r\n}");
 }
 
-TEST(Note, IsRefusedWhereThereIsNothing) {
-  EXPECT_THROW(noted(kPlant, "components.root", "x"), InputError);
-}
+TEST(Note, IsRefusedWhereThereIsNothing) { EXPECT_THROW(noted(kPlant, "components.root", "x"), InputError); }
 
 }  // namespace
 }  // namespace meristem

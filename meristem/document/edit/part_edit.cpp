@@ -197,6 +197,15 @@ class Container {
     }
     const std::size_t column = next.first() - line_begin(text_, next.first());
     const std::string_view indent = indent_at(text_, next.first());
+    const std::size_t line = std::min(text_.find('\n', next.first()), text_.size()) - line_begin(text_, next.first());
+    const std::string own = indent_like(next);
+    const std::string alone = written(part, own, own.size(), ",");
+    const bool is_too_long = line + alone.size() > kLongestLine && own.size() < column;
+    if (is_too_long && alone.find('\n') == std::string::npos && !ends_in_line_comment(part)) {
+      std::size_t begin = next.first();
+      while (text_[begin - 1] == ' ' || text_[begin - 1] == '\t') --begin;
+      return {{begin, next.first() - begin, new_line(own) + alone + " "}};
+    }
     const std::string tail = ends_in_line_comment(part) ? new_line(indent_like(next)) : std::string(" ");
     return {{next.first(), 0, written(part, indent, column, ",") + tail}};
   }

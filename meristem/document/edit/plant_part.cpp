@@ -21,11 +21,19 @@ namespace {
 
 constexpr const char* kEmptyPart = "{\n  \"meristem\": 1,\n  \"components\": {},\n  \"links\": []\n}\n";
 
-/// A list or object at the top of the document; its value is null where there is none.
+/// An object, or the list of links, at the top of the document; its value is null where there is none. Throws where
+/// something else stands there.
 LocatedValue top_member(const LocatedTree& tree, std::string_view name) {
   const Value::Object* top = tree.root().value->object();
-  for (std::size_t k = 0; top != nullptr && k < top->size(); ++k) {
-    if ((*top)[k].first == name) return tree.part(tree.root(), k);
+  if (top == nullptr) throw InputError(Diagnostic{.message = "the text is no document", .expected = "an object"});
+  for (std::size_t k = 0; k < top->size(); ++k) {
+    if ((*top)[k].first != name) continue;
+    const LocatedValue found = tree.part(tree.root(), k);
+    const bool is_list = name == "links";
+    if (is_list ? found.value->list() != nullptr : found.value->object() != nullptr) return found;
+    throw InputError(Diagnostic{.message = fmt::format("the {} cannot be taken along", name),
+                                .expected = is_list ? "a list" : "an object",
+                                .path = std::string(name)});
   }
   return {};
 }
@@ -143,7 +151,10 @@ void add_variables(const LocatedTree& tree, const Value& value, std::set<std::st
   for_each_mention(value, [&](std::string_view name) {
     const std::optional<std::size_t> index = index_in(variables, name);
     if (!index || !named.insert(std::string(name)).second) return;
-    add_variables(tree, (*variables.value->object())[*index].second, named);
+    // A variable's sentence names nothing.
+    const Value& variable = (*variables.value->object())[*index].second;
+    const Value* expression = variable.object() != nullptr ? variable.find("value") : &variable;
+    if (expression != nullptr) add_variables(tree, *expression, named);
   });
 }
 
@@ -165,7 +176,7 @@ std::string part_text(const LocatedTree& tree, const std::vector<std::string>& c
     add_variables(tree, (*all.value->object())[k].second, named);
   }
   const LocatedValue links = top_member(tree, "links");
-  for (std::size_t k = 0; links.value != nullptr && links.value->list() != nullptr && k < part_count(*links.value); ++k) {
+  for (std::size_t k = 0; links.value != nullptr && k < part_count(*links.value); ++k) {
     const Value& link = (*links.value->list())[k];
     const auto [from, to] = ends_of(link);
     if (!wanted.contains(from) || !wanted.contains(to)) continue;
@@ -195,7 +206,8 @@ Patch insert_plant_part(const LocatedTree& tree, const LocatedTree& part, const 
                                   .expected = "a name that is free",
                                   .path = path_below("components", id)});
     }
-    insert_component(builder, part, components, k, place.component ? std::optional(*place.component + k) : std::nullopt);
+    insert_component(builder, part, components, k,
+                     place.component ? std::optional(*place.component + k) : std::nullopt);
   }
   const LocatedValue links = top_member(part, "links");
   for (std::size_t k = 0; links.value != nullptr && k < part_count(*links.value); ++k) {

@@ -14,8 +14,8 @@
 
 namespace meristem {
 
-/// A document of its own with these components as they are written in `tree`, their notes included. Throws an InputError
-/// for names that no component has.
+/// A document of its own with these components as they are written in `tree`, their notes included. Throws an
+/// InputError for names that no component has.
 std::string part_text(const LocatedTree& tree, const std::vector<std::string>& components);
 
 /// Where the components and links of a part stand among those of a document; nothing: behind all others.
@@ -25,7 +25,7 @@ struct PartPlace {
 };
 
 /// Puts all components of `part`, whose names must be free, into the document with their notes, links and variables.
-/// Of a variable that the document has too, the document's holds.
+/// Where both have a variable, the document's holds.
 Patch insert_plant_part(const LocatedTree& tree, const LocatedTree& part, const PartPlace& place);
 
 }  // namespace meristem

@@ -13,7 +13,7 @@ namespace {
 const std::string kFlower = R"json({
   "meristem": 1,
   "variables": {
-    "size": {"value": 0.1, "min": 0, "max": 1}, // of all
+    "size": {"value": 0.1, "min": 0, "max": 1, "doc": "No other."}, // of all
     "half": "size/2",
     "other": {"value": 3, "min": 0, "max": 9}
   },
@@ -46,7 +46,7 @@ TEST(PlantPart, HasComponentsNotesLinksAndVariablesAsWritten) {
     ["ring", "petal"] // five of them
   ],
   "variables": {
-    "size": {"value": 0.1, "min": 0, "max": 1}, // of all
+    "size": {"value": 0.1, "min": 0, "max": 1, "doc": "No other."}, // of all
     "half": "size/2"
   }
 }
@@ -68,19 +68,21 @@ TEST(PlantPart, IsWrittenAsTheOtherDocumentIs) {
   const std::string text =
       "{\n\t\"meristem\": 1,\n\t\"components\": {\n\t\t\"pole\": {\"type\": \"tree\"},\n\t\t\"ball\": {\"type\": "
       "\"simple\"}\n\t},\n\t\"links\": [[\"pole\", \"ball\"]]\n}\n";
-  EXPECT_EQ(pasted(text, {.text = plant_part(kFlower, {"ring", "petal"}), .index = 1, .link_index = 0}),
-            "{\n\t\"meristem\": 1,\n\t\"components\": {\n\t\t\"pole\": {\"type\": \"tree\"},\n\t\t// The ring of petals.\n"
-            "\t\t\"ring\": {\n\t\t\t\"type\": \"wreath\", // round\n\t\t\t\"diameter\": \"half\"\n\t\t},\n\t\t\"petal\": "
-            "{\"type\": \"leaf\", \"length\": 0.05},\n\t\t\"ball\": {\"type\": \"simple\"}\n\t},\n\t\"links\": "
-            "[[\"ring\", \"petal\"], // five of them\n\t\t[\"pole\", \"ball\"]],\n\t\"variables\": {\n\t\t\"size\": {\"value\": 0.1, \"min\": "
-            "0, \"max\": 1}, // of all\n\t\t\"half\": \"size/2\"\n\t}\n}\n");
+  EXPECT_EQ(
+      pasted(text, {.text = plant_part(kFlower, {"ring", "petal"}), .index = 1, .link_index = 0}),
+      "{\n\t\"meristem\": 1,\n\t\"components\": {\n\t\t\"pole\": {\"type\": \"tree\"},\n\t\t// The ring of petals.\n"
+      "\t\t\"ring\": {\n\t\t\t\"type\": \"wreath\", // round\n\t\t\t\"diameter\": \"half\"\n\t\t},\n\t\t\"petal\": "
+      "{\"type\": \"leaf\", \"length\": 0.05},\n\t\t\"ball\": {\"type\": \"simple\"}\n\t},\n\t\"links\": "
+      "[[\"ring\", \"petal\"], // five of them\n\t\t[\"pole\", \"ball\"]],\n\t\"variables\": {\n\t\t\"size\": "
+      "{\"value\": 0.1, \"min\": "
+      "0, \"max\": 1, \"doc\": \"No other.\"}, // of all\n\t\t\"half\": \"size/2\"\n\t}\n}\n");
 }
 
 TEST(PlantPart, GetsOtherNamesWithAllThatNamesThem) {
   // Names that go round in a circle, too.
-  const std::string changed = pasted(
-      R"json({"meristem": 1, "components": {"ring": {"type": "tree"}}})json",
-      {.text = plant_part(kFlower, {"ring", "petal"}), .names = {{"ring", "petal"}, {"petal", "ring_2"}}});
+  const std::string changed =
+      pasted(R"json({"meristem": 1, "components": {"ring": {"type": "tree"}}})json",
+             {.text = plant_part(kFlower, {"ring", "petal"}), .names = {{"ring", "petal"}, {"petal", "ring_2"}}});
   EXPECT_NE(changed.find(R"(["petal", "ring_2"])"), std::string::npos) << changed;
   EXPECT_NE(changed.find(R"("petal": {)"), std::string::npos) << changed;
   const std::string swapped =
@@ -107,6 +109,16 @@ TEST(PlantPart, IsRefusedWhereANameIsTaken) {
   Session session(kFlower, "plant.json", builtin_components());
   EXPECT_THROW(session.edit({InsertPart{.text = plant_part(kFlower, {"ring"})}}), InputError);
   EXPECT_EQ(session.text(), kFlower);
+}
+
+TEST(PlantPart, WhatWouldMakeALineTooLongBeginsALineOfItsOwn) {
+  const std::string links =
+      R"(["a", "b1"], ["a", "b2"], ["a", "b3"], ["a", "b4"], ["a", "b5"], ["a", "b6"], ["a", "b7"])";
+  const std::string text = "{\n  \"meristem\": 1,\n  \"links\": [" + links + ", [\"a\", \"b8\"]]\n}\n";
+  Session session(text, "plant.json", builtin_components());
+  session.edit({InsertValue{.path = "links[7]", .value = Value::List{"a", "another"}}});
+  EXPECT_EQ(session.text(),
+            "{\n  \"meristem\": 1,\n  \"links\": [" + links + ",\n    [\"a\", \"another\"], [\"a\", \"b8\"]]\n}\n");
 }
 
 TEST(PlantPart, AListThatIsNotThereIsMadeForItsFirstElement) {

@@ -54,8 +54,8 @@ struct MoveValue {
   std::string path;
   std::size_t index = 0;
 };
-/// Has the comment on a member say `note`: on lines of its own directly above it, or behind it in its last line where one
-/// stands there. An empty note takes the comment away.
+/// Has the comment on a member say `note`: on lines of its own directly above it, or behind it in its last line where
+/// one stands there. An empty note takes the comment away.
 struct SetNote {
   std::string path;
   std::string note;
@@ -68,8 +68,7 @@ struct InsertPart {
   std::optional<std::size_t> index{};                        ///< of the first among the components; not given: last
   std::optional<std::size_t> link_index{};                   ///< of its first link among the links; not given: last
 };
-using Edit =
-    std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote, InsertPart>;
+using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote, InsertPart>;
 
 /// A part of a document: a text that is a document too, with these components, the links among them and the variables
 /// that they name, all as they are written. Throws an InputError where the text is not JSON or has no such component.

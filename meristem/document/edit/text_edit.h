@@ -24,8 +24,8 @@ namespace meristem {
 /// be there. Within lists and objects only what differs is written anew.
 Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value);
 
-/// Puts an element before that of the path's index (or behind the last; a list that is not there is made), or adds a member that is not there yet, behind
-/// all others or so that it is number `index` among them.
+/// Puts an element before that of the path's index (or behind the last; a list that is not there is made), or adds a
+/// member that is not there yet, behind all others or so that it is number `index` among them.
 Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
                    std::optional<std::size_t> index = {});
 

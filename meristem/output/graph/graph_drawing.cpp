@@ -20,7 +20,7 @@ constexpr double kHeight = 26;
 constexpr double kHeightWithType = 38;
 constexpr double kGap = 16;    // between boxes
 constexpr double kLevel = 34;  // between the levels
-constexpr double kMargin = 10;
+constexpr double kSheetMargin = 10;
 
 struct DrawnNode {
   std::string name;
@@ -57,7 +57,8 @@ std::string escaped(const std::string& text) {
 }
 
 double width_of(const DrawnNode& node) {
-  const double name = kLetter * static_cast<double>(node.name.size()) + kSmallLetter * static_cast<double>(node.below.size());
+  const double name =
+      kLetter * static_cast<double>(node.name.size()) + kSmallLetter * static_cast<double>(node.below.size());
   return std::max({kLeastWidth, name + kPadding, 0.86 * kLetter * static_cast<double>(node.type.size()) + kPadding});
 }
 
@@ -86,9 +87,9 @@ std::string line_text(const std::string& way, const DrawnLine& line) {
 }
 
 std::string node_text(const DrawnNode& node, double x, double y, double width, double height) {
-  std::string made = fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" rx=\"6\"{}/>\n",
-                                 x - width / 2, y - height / 2, width, height,
-                                 node.is_end ? " stroke-dasharray=\"3 3\"" : "");
+  std::string made =
+      fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" rx=\"6\"{}/>\n", x - width / 2,
+                  y - height / 2, width, height, node.is_end ? " stroke-dasharray=\"3 3\"" : "");
   const double name_y = node.type.empty() ? y + 4.5 : y - 2;
   const std::string below =
       node.below.empty() ? "" : fmt::format("<tspan dy=\"3.5\" font-size=\"8.5\">{}</tspan>", escaped(node.below));
@@ -111,10 +112,13 @@ std::string svg_of(const Drawing& drawing, const std::string& title) {
   }
   const TreePlaces places = place_tree(parents);
   const double height = has_types ? kHeightWithType : kHeight;
-  const auto x_of = [&](std::uint32_t node) { return kMargin + width / 2 + places.across[node] * (width + kGap); };
-  const auto y_of = [&](std::uint32_t node) { return kMargin + height / 2 + places.level[node] * (height + kLevel); };
-  const double sheet_width = 2 * kMargin + width + places.breadth * (width + kGap);
-  const double sheet_height = 2 * kMargin + height + std::max(1U, places.levels) * (height + kLevel) - (height + kLevel);
+  const auto x_of = [&](std::uint32_t node) { return kSheetMargin + width / 2 + places.across[node] * (width + kGap); };
+  const auto y_of = [&](std::uint32_t node) {
+    return kSheetMargin + height / 2 + places.level[node] * (height + kLevel);
+  };
+  const double sheet_width = 2 * kSheetMargin + width + places.breadth * (width + kGap);
+  const double sheet_height =
+      2 * kSheetMargin + height + std::max(1U, places.levels) * (height + kLevel) - (height + kLevel);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12.5\" text-anchor=\"middle\">\n<title>{2}</title>\n"
@@ -237,10 +241,10 @@ class GraphTree {
 
   const Graph& graph_;
   const DrawingOptions& options_;
-  std::vector<std::uint32_t> level_;                         // by component
-  std::vector<std::uint32_t> node_of_;                       // by component
-  std::vector<ComponentIndex> taken_;                        // that have a parent in the tree
-  std::vector<std::pair<std::uint32_t, LinkIndex>> ends_;    // of recursions: node and link
+  std::vector<std::uint32_t> level_;                       // by component
+  std::vector<std::uint32_t> node_of_;                     // by component
+  std::vector<ComponentIndex> taken_;                      // that have a parent in the tree
+  std::vector<std::pair<std::uint32_t, LinkIndex>> ends_;  // of recursions: node and link
   Drawing drawing_;
 };
 

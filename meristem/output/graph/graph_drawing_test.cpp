@@ -30,11 +30,11 @@ TEST(GraphDrawing, DrawsARecursionsFirstComponentTwiceAndItsLinesDoubled) {
   const std::string svg = draw_graph(first_example().graph);
   EXPECT_EQ(count(svg, ">D<"), 2U);
   for (const char* id : {"A", "B", "C", "E", "F"}) EXPECT_EQ(count(svg, std::string(">") + id + "<"), 1U) << id;
-  EXPECT_EQ(count(svg, "stroke-width=\"4.8\""), 1U);            // one doubled line,
-  EXPECT_EQ(count(svg, "stroke=\"#fff\" stroke-width"), 1U);    // with its white middle
-  EXPECT_EQ(count(svg, "stroke-width=\"3.6\""), 1U);            // branch
-  EXPECT_EQ(count(svg, "stroke-dasharray=\"6 4\""), 1U);        // leaf
-  EXPECT_EQ(count(svg, "<rect"), 8U);                           // the paper, seven boxes
+  EXPECT_EQ(count(svg, "stroke-width=\"4.8\""), 1U);          // one doubled line,
+  EXPECT_EQ(count(svg, "stroke=\"#fff\" stroke-width"), 1U);  // with its white middle
+  EXPECT_EQ(count(svg, "stroke-width=\"3.6\""), 1U);          // branch
+  EXPECT_EQ(count(svg, "stroke-dasharray=\"6 4\""), 1U);      // leaf
+  EXPECT_EQ(count(svg, "<rect"), 8U);                         // the paper, seven boxes
 }
 
 TEST(GraphDrawing, WritesTypesWhereAskedFor) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the pictures of the manual's chapter on the studio, as `./dev gallery studio` has them drawn:
 // node tests/studio/page/pictures.mjs [FOLDER]
-import { mkdir, stat } from 'node:fs/promises';
+import { cp, mkdir, stat } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 
-import { choose, open_model, point_at, retype, row } from './hands.mjs';
+import { click_node, draw_link, open_board } from './board_hands.mjs';
+import { choose, open_file, open_model, point_at, retype, row } from './hands.mjs';
 import { kSource, open_page, start_browser, start_server, temporary_folder } from './support.mjs';
 
 export const kMostBytes = 250_000;
@@ -98,6 +99,47 @@ export const kPictures = [
       await page.waitForFunction(() => [...document.querySelectorAll('.model img')].slice(0, 18).every((one) => one.complete));
     },
   },
+  {
+    name: 'palette',
+    theme: 'light',
+    act: async (page) => {
+      await page.getByRole('button', { name: 'New plant', exact: true }).click();
+      await page.waitForFunction(() => window.studio.document.state.get().text.includes('"New plant"'));
+      await open_board(page);
+      await click_node(page, 'view');
+      await page.keyboard.press('a');
+      await page.waitForFunction(() => [...document.querySelectorAll('.dialog .model img')].slice(0, 18).every((one) => one.complete && one.naturalWidth > 0));
+    },
+  },
+  {
+    name: 'board-head',
+    theme: 'light',
+    act: async (page) => {
+      await open_file(page, 'sunflower-head.json');
+      await open_board(page);
+      await click_node(page, 'disc');
+    },
+  },
+  {
+    name: 'board-refused',
+    theme: 'dark',
+    act: async (page) => {
+      await open_file(page, 'sunflower-stem.json');
+      await open_board(page);
+      await draw_link(page, 'blade', 'stem');
+    },
+  },
+  {
+    name: 'board-sunflower',
+    theme: 'light',
+    act: async (page) => {
+      await open_model(page, 'sunflower');
+      await open_board(page);
+      const box = await page.locator('.view canvas').boundingBox();
+      await page.mouse.click(box.x + 0.43 * box.width, box.y + 0.56 * box.height);
+      await page.locator('.instance').waitFor();
+    },
+  },
 ];
 
 /// Draws a picture as good as its size allows, and gives its path.
@@ -119,6 +161,7 @@ async function draw(browser, address, out, { name, theme, act }) {
 
 export async function draw_all(browser, out, tell = () => undefined) {
   const place = await temporary_folder();
+  for (const name of ['sunflower-head', 'sunflower-stem']) await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
   const server = await start_server(place.folder);
   await mkdir(out, { recursive: true });
   try {

@@ -186,10 +186,11 @@ export class RowHand {
     if (row.kind === 'object') return this.give_members(path, this.tables.tables[row.table], value);
     if (row.kind === 'list') return this.give_elements(path, row, value);
     if (row.kind === 'map') return this.give_names(path, row, value);
-    if (same(await said_at(this.page, path), value)) return undefined;
+    const said = await said_at(this.page, path);
+    if (same(said, value)) return undefined;
     const element = at_path(this.page, path);
     // What the default shows is given by the menu.
-    if (same(row.default, value)) return changes(this.page, () => pick_own(this.page, element, 'Set'));
+    if (same(row.default, value)) return changes(this.page, () => pick_own(this.page, element, said === undefined ? 'Set' : 'Set to default'));
     return kHands[row.kind](this.page, element, row, value);
   }
 

@@ -43,7 +43,7 @@ export class Board {
     return new Set([...hidden, ...drawn.filter((one) => !shown.has(one))]);
   }
 
-  /// Of the component that is drawn alone, all that stands on it; of none, nothing.
+  /// The component that is drawn alone, with all that stands on it; nothing where none is.
   solo_components(): ReadonlySet<string> {
     const { solo } = this.studio_.view_state.get();
     return solo === null ? new Set() : standing_on(this.actions.graph, solo);

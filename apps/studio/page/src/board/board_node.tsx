@@ -70,7 +70,6 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
       style={{ width: kNode.width, height: kNode.height, transform: `translate(${place.x - kNode.width / 2 + shift.x}px, ${place.y - kNode.height / 2 + shift.y}px)` }}
       data-node={node.key}
       data-tip={tip_of(node, facts, component?.is_written !== false)}
-      aria-label={label_of(node, facts, component?.type ?? '')}
       aria-level={node.level + 1}
       aria-selected={is_chosen || is_end_of_link}
       aria-expanded={node.hides > 0 ? false : undefined}
@@ -83,16 +82,16 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
         <Icon name={icon_of(studio.tables.components, component?.type ?? '')} />
       </span>
       <span className="board-name">
-        <b>{node.id}</b>
-        <small>{component?.is_written === false ? 'added' : component?.type}</small>
+        <b>{node.id}</b> <small>{component?.is_written === false ? 'added' : component?.type}</small>
       </span>
-      {facts.count !== null && facts.count !== 1 && !node.is_end && <span className={facts.count === 0 ? 'board-count none' : 'board-count'}>{short_count(facts.count)}</span>}
+      <span className="spoken">{spoken_of(node, facts)}</span>
+      {facts.count !== null && facts.count !== 1 && !node.is_end && <span aria-hidden="true" className={facts.count === 0 ? 'board-count none' : 'board-count'}>{short_count(facts.count)}</span>}
       <span className="board-marks">
         {facts.note !== undefined && <Icon name="note" />}
         {facts.is_hidden && <Icon name="eye_off" />}
         {facts.faults > 0 && <Icon name={facts.errors > 0 ? 'fault' : 'warning'} />}
       </span>
-      {node.hides > 0 && <span className="board-hides">+{node.hides}</span>}
+      {node.hides > 0 && <span aria-hidden="true" className="board-hides">+{node.hides}</span>}
       {!node.is_end && component?.is_written !== false && (
         <span className="board-port" data-port={node.key} onPointerDown={(event) => gesture.hold(event, 'link', node.key)} onClick={(event) => event.stopPropagation()} />
       )}
@@ -129,13 +128,14 @@ function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
   };
 }
 
-function label_of(node: BoardNode, facts: NodeFacts, type: string): string {
-  const words = [node.is_end ? `${node.id} again, where its recursion ends` : node.id, type];
+/// What a reader of screens says besides name and type.
+function spoken_of(node: BoardNode, facts: NodeFacts): string {
+  const words = ['', node.is_end ? 'again, where its recursion ends' : ''];
   if (facts.count !== null) words.push(facts.count === 1 ? '1 instance' : `${facts.count.toLocaleString('en')} instances`);
   if (facts.is_hidden) words.push('hidden');
   if (node.hides > 0) words.push(`${node.hides} folded away`);
   if (facts.faults > 0) words.push(facts.faults === 1 ? '1 fault' : `${facts.faults} faults`);
-  return words.filter(Boolean).join(', ');
+  return words.filter((word, k) => k === 0 || word !== '').join(', ');
 }
 
 function tip_of(node: BoardNode, facts: NodeFacts, is_written: boolean): string | undefined {

@@ -7,7 +7,7 @@ export const kNode = { width: 108, height: 38 };
 const kMargin = 16;
 const kSteps: Record<Direction, { level: number; across: number }> = {
   down: { level: 68, across: 120 },
-  right: { level: 146, across: 48 },
+  right: { level: 146, across: 52 },
 };
 
 export interface Place {
@@ -64,7 +64,7 @@ function nearest(nodes: BoardNode[], across: number): BoardNode | undefined {
   return nodes.reduce<BoardNode | undefined>((best, one) => (best && Math.abs(best.across - across) <= Math.abs(one.across - across) ? best : one), undefined);
 }
 
-/// The link by which a node stands under its parent.
+/// The link from a node's parent to the node.
 export function edge_above(layout: BoardLayout, key: string): BoardEdge | undefined {
   const node = layout.nodes.find((one) => one.key === key);
   return layout.edges.find((edge) => edge.to === key && edge.from === node?.parent) ?? layout.edges.find((edge) => edge.to === key);

@@ -53,7 +53,7 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
         <span className="quiet">Link</span>
         <Segments label="Kind of the link" value={kind ?? ('usual' as LinkKind)} choices={[['usual' as LinkKind, 'Usual'], ...kKinds]} choose={(one) => set_kind(one === ('usual' as LinkKind) ? null : one)} />
       </div>
-      {tab === 'types' && <Types is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} show_plants={() => set_tab('plants')} />}
+      {tab === 'types' && <Types words={words.toLowerCase()} is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} show_plants={() => set_tab('plants')} />}
       {tab === 'parts' && <Parts is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} />}
       {tab === 'plants' && <Plants is_wanted={is_wanted} kind={kind ?? 'child'} below={below} close={close} />}
     </Dialog>
@@ -74,13 +74,14 @@ interface TabProps {
   close: () => void;
 }
 
-function Types({ is_wanted, kind_for, below, close, show_plants }: TabProps & { show_plants: () => void }): ReactElement {
+function Types({ words, is_wanted, kind_for, below, close, show_plants }: TabProps & { words: string; show_plants: () => void }): ReactElement {
   const studio = use_studio();
   const { graph } = studio.board.actions;
   const has_camera = [...graph.components.values()].some((one) => one.is_camera && one.is_written);
   const types = Object.entries(studio.tables.components).filter(([name, { doc, is_camera }]) => is_wanted(`${name} ${doc}`) && !(has_camera && is_camera === true));
-  // A word in a name counts for more than one in a sentence.
-  types.sort(([a], [b]) => Number(is_wanted(b)) - Number(is_wanted(a)));
+  // A name counts for more than a word in a sentence.
+  const rank = (name: string): number => (name === words ? 0 : name.startsWith(words) ? 1 : name.includes(words) ? 2 : 3);
+  if (words !== '') types.sort(([a], [b]) => rank(a) - rank(b));
   const add = (type: string) => (): void => {
     // Which plant it is, its own list says.
     if (studio.tables.components[type]?.is_whole_plant === true) return show_plants();

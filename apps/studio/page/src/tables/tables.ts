@@ -103,7 +103,8 @@ export function has_meaning(table: ParameterTable, row: string, value: Json | un
 }
 
 function gives(table: ParameterTable, giver: { row: string; values?: Json[] }, value: Json | undefined): boolean {
-  const said = member_of(value, giver.row);
+  // A giver may lie deeper: "sun.day".
+  const said = giver.row.split('.').reduce<Json | undefined>(member_of, value);
   if (!giver.values) return said !== undefined;
   const held = said ?? table.rows.find((row) => row.name === giver.row)?.default;
   return giver.values.some((one) => JSON.stringify(one) === JSON.stringify(held));

@@ -9,7 +9,7 @@ import { bytes, floats, shorts, signed_bytes, words } from '../server/packet.ts'
 import type { Placing } from './instances.ts';
 import { copies_for, frames_texture, tints_texture } from './instances.ts';
 
-/// Arrays that several batches may draw from: a mesh, so many times.
+/// Arrays that several batches may draw from: copies of a mesh.
 interface Arrays {
   attributes: Record<string, three.BufferAttribute>;
   index: three.BufferAttribute;
@@ -156,7 +156,7 @@ export class Buffers {
   }
 }
 
-/// The arrays of a mesh with so many copies of it, one after the other.
+/// The arrays of this number of copies of a mesh, one copy after the other.
 function arrays_of(mesh: Mesh, copies: number): Arrays {
   const known = mesh.copied.get(copies);
   if (known) return known;

@@ -44,7 +44,7 @@ export function placing_uniforms(): PlacingUniforms {
   return { frames: { value: null }, tints: { value: null }, instances: { value: 0 }, copies: { value: 1 } };
 }
 
-/// Copies of a mesh of this many vertices that serve so many instances: a power of two.
+/// Copies of a mesh of this many vertices for this number of instances: a power of two.
 export function copies_for(vertices: number, instances: number): number {
   const most = Math.min(kVerticesAtOnce / Math.max(vertices, 1), instances);
   return most <= 1 ? 1 : 2 ** Math.floor(Math.log2(most));

@@ -28,7 +28,7 @@ export function Dialogs(): ReactElement | null {
 function ShortcutsDialog({ close }: { close: () => void }): ReactElement {
   return (
     <Dialog title="Shortcuts" width="wide" close={close}>
-      <div className="shortcuts">
+      <div className="shortcuts" role="group" aria-label="All keys" tabIndex={0}>
         {kShortcuts.map((group) => (
           <section key={group.title}>
             <h3>{group.title}</h3>

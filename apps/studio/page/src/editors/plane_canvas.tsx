@@ -2,7 +2,8 @@
 // Points of a plane that hands move: dragged, drawn to the grid and to each other, added by a double click, moved by the
 // arrow keys and removed by Delete. It knows no documents; who shows it says what a moved point means.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
-import { useRef } from 'react';
+import type { RefObject } from 'react';
+import { useEffect, useRef, useState } from 'react';
 
 import type { PictureSize, Snapped } from './plane.ts';
 import { grid_lines, levels_of, Scale, snapped } from './plane.ts';
@@ -52,8 +53,9 @@ interface HeldPoint {
 }
 
 export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
-  const { points, size, chosen } = props;
+  const { points, chosen } = props;
   const picture = useRef<SVGSVGElement>(null);
+  const size = use_size(picture, props);
   const held = use_held<HeldPoint>();
   const scale = new Scale(held.shown?.frame ?? props.frame, size, props.is_even);
   const grid_pixels = props.is_numbered ? kGridPixels.numbered : kGridPixels.plain;
@@ -157,6 +159,19 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
       })}
     </svg>
   );
+}
+
+/// Large pictures are as large as there is room for, row by row of pixels; small ones are scaled.
+function use_size(picture: RefObject<SVGSVGElement | null>, { size, is_numbered }: PlaneCanvasProps): PictureSize {
+  const [room, measure] = useState<{ wide: number; high: number } | null>(null);
+  useEffect(() => {
+    const element = picture.current;
+    if (!is_numbered || !element) return undefined;
+    const observer = new ResizeObserver(() => measure({ wide: element.clientWidth, high: element.clientHeight }));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [picture, is_numbered]);
+  return room && room.wide > 0 && room.high > 0 ? { ...size, ...room } : size;
 }
 
 interface GridProps {

@@ -49,7 +49,7 @@ void FallenShoots::note(const Metamers& metamers, MetamerIndex first, int iterat
   }
 }
 
-void FallenShoots::forget(std::span<const std::uint8_t> gone) {
+void FallenShoots::forget(const std::vector<std::uint8_t>& gone) {
   number_all(gone.size());
   erase_marked(numbers_, gone);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "meristem/grow/metamer/metamers.h"
@@ -17,7 +16,7 @@ class FallenShoots {
   /// Takes note of a metamer and all that it bears, which are about to be cut off in an iteration.
   void note(const Metamers& metamers, MetamerIndex first, int iteration);
   /// Metamers have been cleared away: those whose mark in `gone`, one per metamer, is not 0.
-  void forget(std::span<const std::uint8_t> gone);
+  void forget(const std::vector<std::uint8_t>& gone);
 
   /// The skeleton that these metamers have made, with the shoots that have fallen in the order in which all have come.
   /// They hang where they hung, by the angles that they had, with the pipe model's radii. The column `falls` (see

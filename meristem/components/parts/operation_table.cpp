@@ -40,8 +40,7 @@ const ParameterTable& common_table() {
                   "share of the growth, before the rest.")
           .text("shoots", &OperationParameters::shoots,
                 "Shoots that the operation acts on: 'leader', a label (main.4.2) or a condition over rank, length, "
-                "age, light, resource, radius, height, inclination, azimuth, clearance, inward, marked and the "
-                "states of 'mark'.")
+                "age, light, resource, radius, height, inclination, azimuth, clearance, inward, marked or states.")
           .integer("tree", &OperationParameters::tree, {.min = 0, .max = 1e6, .usual = {0, 10}},
                    "Number of the root whose tree the operation is for, from 0; by default, it is for all trees.")
           .never_with("at", {"from", "every", "to", "once"});
@@ -235,7 +234,7 @@ const ParameterTable& mark_table() {
           .number("chance", &MarkParameters::chance, {.min = 0, .max = 1},
                   "Probability that a shoot is marked; raised, more marked shoots.")
           .text("state", &MarkParameters::state,
-                "Word for the state, such as dead or diseased, by which the conditions of operations ask for it.")
+                "Word for the state, such as dead or diseased; conditions of other operations ask for it.")
           .elsewhere({operation_kinds().key})
           .check(check_mark)
           .prepare(prepare<MarkParameters>);
@@ -294,10 +293,9 @@ const ParameterTable& tie_table() {
       Table<TieParameters>("a tie", "Strings that draw shoots to others or to the ground, and hold them there.")
           .include<OperationParameters>(common_table())
           .integer("below", &TieParameters::below, {.min = 1, .max = 1e6, .usual = {1, 20}}, kBelowDoc)
-          .text(
-              "anchor", &TieParameters::anchor,
-              "Where the string leads: 'ground', straight down; or to the nearest of other shoots: 'leader', a label, "
-              "or a condition.")
+          .text("anchor", &TieParameters::anchor,
+                "Place that the string leads to: 'ground' straight below, or the nearest of other shoots: 'leader', a "
+                "label, or a condition.")
           .number("length", &TieParameters::length, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 2}},
                   "Length of the string that is left; raised, shoots are drawn less far.")
           .integer("iterations", &TieParameters::iterations, kDuration, kDurationDoc)

@@ -193,8 +193,8 @@ const ParameterTable& organize_growth_table() {
                   "Share of an iteration's growth that comes before its summer operations; raised, less grows after "
                   "them.")
           .number("callus", &OrganizeParameters::callus, {.min = 0, .max = 100, .usual = {0, 1}},
-                  "Share of the cross-sections of cuts by which wood swells about them; raised, thicker knuckles and "
-                  "heads where shoots are cut back again and again.")
+                  "Swelling of the wood about cuts, as a share of the cross-sections of the cuts; raised, knuckles and "
+                  "heads are thicker.")
           .boolean("plan", &OrganizeParameters::plans,
                    "Whether the last iteration's winter operations are only planned: they are recorded, and the tree "
                    "stays as it was before them.")

@@ -70,6 +70,8 @@ const std::map<std::string, std::string>& circumstances() {
       {"a resource model.lambda_curve", "it may change shares that make no metamer more or less"},
       {"a resource model.pass_back", "terminal buds may be cut that claim nothing"},
       {"an organize.takeover", "no bud beside a cut may open"},
+      {"a sequence.speed", "the clock may not have started"},
+      {"a sequence.waits", "the clock may have started"},
       {"MTG features.x", "a table has columns of its own"},
       {"MTG features.y", "as x"},
       {"MTG features.z", "as x"},

@@ -47,7 +47,8 @@ after(async () => {
 
 /// The pixel of the page at which a point of the world is seen, by the camera's matrices.
 async function seen_at([x, y, z]) {
-  return page.evaluate((point) => {
+  return page.evaluate(async (point) => {
+    await window.studio.view.drawn(); // a panel may just have become wider
     const { camera } = window.studio.view.orbit;
     const times = (m, [a, b, c, d]) => [0, 1, 2, 3].map((k) => m[k] * a + m[k + 4] * b + m[k + 8] * c + m[k + 12] * d);
     const [u, v, , w] = times(camera.projectionMatrix.elements, times(camera.matrixWorldInverse.elements, [...point, 1]));

@@ -73,8 +73,8 @@ export class Studio {
     this.keeper = new Keeper(this);
   }
 
-  tell(text: string, is_fault = false): void {
-    this.toasts.add(text, is_fault);
+  tell(text: string, is_fault = false, kind = ''): void {
+    this.toasts.add(text, is_fault, kind);
   }
 
   choose(path: string): void {
@@ -199,7 +199,7 @@ export class Studio {
   private take_back(step: { label: string; chosen: string } | null, what: string): void {
     this.dragged.set({});
     if (step && step.chosen !== this.chosen.get()) this.choose(step.chosen);
-    if (step) this.tell(`${what}: ${step.label}`);
+    if (step) this.tell(`${what}: ${step.label}`, false, 'undo');
   }
 
   private hear(news: News): void {

@@ -6,6 +6,7 @@ export interface Toast {
   id: number;
   text: string;
   is_fault: boolean;
+  kind: string; // of news of one kind only the newest stays; empty: of no kind
 }
 
 const kTime = 6000;
@@ -15,10 +16,11 @@ export class ToastList {
   readonly shown = new Store<Toast[]>([]);
   private next_ = 1;
 
-  add(text: string, is_fault: boolean): void {
-    const toast = { id: this.next_, text, is_fault };
+  add(text: string, is_fault: boolean, kind = ''): void {
+    const toast = { id: this.next_, text, is_fault, kind };
     this.next_ += 1;
-    this.shown.set([...this.shown.get().slice(1 - kMost), toast]);
+    const others = this.shown.get().filter((one) => kind === '' || one.kind !== kind);
+    this.shown.set([...others.slice(1 - kMost), toast]);
     setTimeout(() => this.dismiss(toast.id), kTime);
   }
 

@@ -352,7 +352,7 @@ test('20 clicks in the view tell which instance it is, with the values that it h
     const { buffers } = plant;
     const box = document.querySelector('.view canvas').getBoundingClientRect();
     const set = plant.seen.find((one) => one.component === 'ball');
-    const frames = set.geometry.attributes.frame_0.data.array;
+    const frames = set.batch.frames.image.data;
     const camera = orbit.camera;
     const points = [];
     for (let k = 0; k < 20; k += 1) {
@@ -380,7 +380,7 @@ test('instances are clicked into omit and only, as one step each', async () => {
     const [x, y] = await page.evaluate((number) => {
       const { plant, orbit } = window.studio.view;
       const box = document.querySelector('.view canvas').getBoundingClientRect();
-      const frames = plant.seen.find((one) => one.component === 'ball').geometry.attributes.frame_0.data.array;
+      const frames = plant.seen.find((one) => one.component === 'ball').batch.frames.image.data;
       const v = orbit.camera.position.clone().set(frames[12 * number + 3], frames[12 * number + 7] + 0.5, frames[12 * number + 11]).project(orbit.camera);
       return [box.left + ((v.x + 1) / 2) * box.width, box.top + ((1 - v.y) / 2) * box.height];
     }, k);
@@ -440,7 +440,7 @@ for (const theme of ['light', 'dark']) {
     await reopen();
     await page.emulateMedia({ colorScheme: theme });
     await click_node(page, 'ring');
-    await page.addScriptTag({ path: kAxe });
+    await page.evaluate(await readFile(kAxe, 'utf8'));
     for (const opens of [false, true]) {
       if (opens) await page.keyboard.press('a');
       const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.filter((one) => ['serious', 'critical'].includes(one.impact)).map((one) => `${one.id}: ${one.nodes.map((node) => node.target).join(' ')}`));

@@ -219,6 +219,7 @@ try {
   tell('bytes/oak_leaf', (await bytes_of(page, () => set(page, 'leaf.fold', 12))) / 1e6, 'MB', 1.3);
   tell('bytes/oak_near_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#5a7b31'))) / 1000, 'kB', 2);
   tell('bytes/oak_far_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#a04020'))) / 1000, 'kB', 2);
+  await page.evaluate(() => window.studio.view.drawn()); // what is seen has been acknowledged
   const sent = (await counts(page)).sent;
   const turned = await bytes_of(page, async () => {
     await point_at(page, page.locator('.view canvas'));

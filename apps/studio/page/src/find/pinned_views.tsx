@@ -88,7 +88,7 @@ function show_pin(studio: Studio, pin: Pin, canvas: HTMLCanvasElement, say: (not
       view.follow(main);
       dress();
       say('');
-      requestAnimationFrame(() => connection.tell('shown', { packet: packet.head.packet }));
+      void view.drawn().then(() => connection.tell('shown', { packet: packet.head.packet }));
     },
     on_lost: () => say('The server is gone'),
   });

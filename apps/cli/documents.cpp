@@ -30,6 +30,7 @@ std::deque<Registry>& registries() {
 std::vector<Override> overrides_of(const DocumentOptions& options) {
   std::vector<Override> overrides;
   for (const std::string& set : options.sets) overrides.push_back(parse_override(set));
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   return overrides;
 }
 

@@ -33,6 +33,7 @@ void add_plugin_option(CLI::App& command);
 struct DocumentOptions {
   std::string path;
   std::vector<std::string> sets;
+  std::vector<Override> overrides;  ///< what a command sets besides, after `sets`
   std::optional<std::uint64_t> seed;
   int threads = 0;
   bool quiet = false;

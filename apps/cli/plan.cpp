@@ -32,6 +32,19 @@ struct PlanOptions {
   std::vector<std::string> rules;
 };
 
+constexpr const char* kRule = "--rule";  // what messages call it
+
+/// An operation that was asked for, as it is written.
+Value rule_value(const std::string& text) {
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = kRule;
+    throw InputError(std::move(diagnostics));
+  }
+}
+
 /// The components that could have operations, and the iteration of the last.
 std::vector<std::pair<std::string, int>> pruned_components(const Document& document) {
   std::vector<std::pair<std::string, int>> found;
@@ -52,7 +65,7 @@ Value with_rules(const Document& document, const std::string& id, int last, cons
   const Value* given = own != nullptr ? own->find("operations") : nullptr;
   Value::List operations = given != nullptr && given->list() != nullptr ? *given->list() : Value::List();
   for (const std::string& rule : rules) {
-    Value operation = parse_json(rule);
+    Value operation = rule_value(rule);
     if (operation.object() == nullptr) {
       throw InputError(
           Diagnostic{.message = fmt::format("--rule cannot be {}", operation.description()),
@@ -90,11 +103,12 @@ void plan(const PlanOptions& options) {
   quiet.quiet = true;
   for (const auto& [id, last] : pruned_components(asked)) {
     if (options.rules.empty()) continue;
-    quiet.sets.push_back(
-        fmt::format("{}.operations={}", id, write_json_line(with_rules(asked, id, last, options.rules))));
+    quiet.overrides.push_back(
+        {fmt::format("components.{}.operations", id), with_rules(asked, id, last, options.rules), kRule});
   }
   const Document done = options.rules.empty() ? asked : open_document(quiet);
-  for (const auto& [id, last] : pruned_components(asked)) quiet.sets.push_back(id + ".plan=true");
+  for (const auto& [id, last] : pruned_components(asked))
+    quiet.overrides.push_back({fmt::format("components.{}.plan", id), true, ""});
   const Document planned = open_document(quiet);
   for (const std::string& path : {options.output, options.before, options.after}) {
     if (!path.empty()) check_grown_output(asked, path);

@@ -58,6 +58,7 @@ class Plan(cli_case.Case):
     def test_a_wrong_rule_is_a_fault(self):
         wrong = '{"do": "prune", "shoots": "rank == 1"}'
         self.assertIn("operations[1].do", self.assert_ends(WRONG_INPUT, "plan", "pruned.json", "--rule", wrong))
+        self.assertIn("--rule:1:7:", self.assert_ends(WRONG_INPUT, "plan", "pruned.json", "--rule", '{"do":'))
         self.assertIn("--rule cannot be", self.assert_ends(WRONG_INPUT, "plan", "pruned.json", "--rule", "7"))
 
     def test_rules_act_after_all_growth(self):

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The editor of a grammar that stands in the document. What is typed goes into the document's text at once; the undo
 // list is the document's, so the editor has none of its own.
-import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
-import { defaultKeymap, indentWithTab } from '@codemirror/commands';
-import { bracketMatching } from '@codemirror/language';
 import type { Diagnostic } from '@codemirror/lint';
-import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { EditorView } from '@codemirror/view';
 
 import { patch_between } from '../document/patch.ts';
 import { node_at } from '../document/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Fault } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
+import { code_extensions } from '../text/code_extensions.ts';
 import { kGrammarLanguage } from './grammar_language.ts';
 import { offset_in_text, text_in, with_text } from './grammar_source.ts';
 
@@ -72,18 +69,8 @@ export class GrammarEditor {
 
   private extensions(label: string) {
     return [
-      EditorState.lineSeparator.of('\n'),
-      lineNumbers(),
-      lintGutter(),
-      drawSelection(),
-      highlightActiveLine(),
-      highlightSelectionMatches(),
-      bracketMatching(),
-      closeBrackets(),
-      search({ top: true }),
+      code_extensions(label),
       kGrammarLanguage,
-      keymap.of([...closeBracketsKeymap, ...lintKeymap, ...searchKeymap, ...defaultKeymap, indentWithTab]),
-      EditorView.contentAttributes.of({ 'aria-label': label, tabindex: '0' }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged && !update.transactions.some((one) => one.annotation(kFromDocument))) this.take();
       }),

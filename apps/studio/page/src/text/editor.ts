@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The editor of the whole text. Its undo list is the document's, so it has none of its own.
-import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete';
-import { defaultKeymap, indentWithTab } from '@codemirror/commands';
-import { bracketMatching, indentUnit } from '@codemirror/language';
+import { autocompletion, completionKeymap } from '@codemirror/autocomplete';
+import { indentUnit } from '@codemirror/language';
 import type { Diagnostic } from '@codemirror/lint';
-import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { EditorView, keymap } from '@codemirror/view';
 
 import { patch_between } from '../document/patch.ts';
 import { node_at, path_at } from '../document/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Studio } from '../studio.ts';
+import { code_extensions } from './code_extensions.ts';
 import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
 import { with_line_ends } from './line_ends.ts';
@@ -48,21 +47,11 @@ export class TextEditor {
 
   private extensions() {
     return [
-      // Only \n ends a line here, so that \r\n comes back as it was; see with_line_ends.
-      EditorState.lineSeparator.of('\n'),
       indentUnit.of('  '),
-      lineNumbers(),
-      lintGutter(),
-      drawSelection(),
-      highlightActiveLine(),
-      highlightSelectionMatches(),
-      bracketMatching(),
-      closeBrackets(),
-      search({ top: true }),
-      kDocumentLanguage,
       autocompletion({ override: [completion_source(this.studio_.tables, () => this.studio_.document.state.get().tree)] }),
-      keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...defaultKeymap, indentWithTab]),
-      EditorView.contentAttributes.of({ 'aria-label': 'Text of the document', tabindex: '0' }),
+      keymap.of(completionKeymap),
+      code_extensions('Text of the document'),
+      kDocumentLanguage,
       EditorView.updateListener.of((update) => {
         const is_own = update.transactions.some((one) => one.annotation(kFromDocument));
         if (update.docChanged && !is_own) this.take();

@@ -55,13 +55,6 @@ void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
   if (bud.is_open()) bud = closed;
 }
 
-void StandingTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
-  for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
-    if (gone[metamer] != 0 && !metamers_.is_loose(metamer)) cut_off(metamer, after);
-  }
-  if (std::vector<std::uint8_t> cleared = clear_away(); !cleared.empty()) gone = std::move(cleared);
-}
-
 void StandingTree::cut_off(MetamerIndex first, const BudsLeft& after) {
   if (space_.is_felt()) {
     std::vector<MetamerIndex> beyond{first};

@@ -45,9 +45,7 @@ class StandingTree {
   void move(Pose pose);
   /// Bends the branches by what their load has grown; see BranchLoad.
   void sag(int iteration);
-  /// Takes metamers away as Metamers::remove().
-  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
-  /// The same in two steps, as Metamers::cut_off() and Metamers::clear_away().
+  /// Takes metamers away in two steps, as Metamers::cut_off() and Metamers::clear_away().
   void cut_off(MetamerIndex first, const BudsLeft& after);
   std::vector<std::uint8_t> clear_away();
   /// Damages a metamer's terminal or lateral bud if that is open.

@@ -123,11 +123,11 @@ RC_GTEST_PROP(StandingTree, WhatIsRemovedAfterAMoveLeavesNothing, ()) {
   Grown moved(scene, form, random_pose(key.child("here"), form), key);
   moved.tree->move(there);
   Grown built(scene, form, there, key);
-  std::vector<std::uint8_t> gone(form.count(), 0);
-  gone[static_cast<std::size_t>(key.uniform(0, 1, static_cast<double>(form.count())))] = 1;
-  std::vector<std::uint8_t> also_gone = gone;
-  moved.tree->remove(gone, Bud::damaged());
-  built.tree->remove(also_gone, Bud::damaged());
+  const auto first = static_cast<MetamerIndex>(key.uniform(0, 1, static_cast<double>(form.count())));
+  for (StandingTree* tree : {moved.tree.get(), built.tree.get()}) {
+    tree->cut_off(first, Bud::damaged());
+    EXPECT_FALSE(tree->clear_away().empty());
+  }
   expect_the_same(moved, built, key);
 }
 

@@ -133,7 +133,7 @@ test('one instance is marked, until it is another one or gone; nothing stays beh
   await open_file(page, 'row.json');
   await page.keyboard.press('7');
   const counts = () => page.evaluate(async () => {
-    for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+    await window.studio.view.drawn();
     const { batches, instance_sets, geometries } = window.studio.view.counts;
     return { batches, instance_sets, geometries };
   });

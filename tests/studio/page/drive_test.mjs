@@ -390,7 +390,7 @@ test('what is drawn goes when it is gone, and comes back after a lost context', 
   await reopen();
   // Buffers are counted once what is shown has been drawn.
   const counts = () => page.evaluate(async () => {
-    for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+    await window.studio.view.drawn();
     return window.studio.view.counts;
   });
   const first = await counts();

@@ -89,8 +89,8 @@ export class Orbit {
 
   /// How far from its middle the eye stands where the box fills the picture.
   distance_for(box: three.Box3): number {
-    // Seen from where the camera is, turned as it is.
-    const inverse = new three.Matrix4().extractRotation(this.camera.matrixWorld).transpose();
+    // Seen as the camera is turned, wherever it stands, so that fitting again changes nothing.
+    const inverse = new three.Matrix4().lookAt(this.way_to_eye(), new three.Vector3(), this.camera.up).transpose();
     const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.94;
     const tan_x = tan_y * this.camera.aspect;
     // The corners of the box about a crown are empty; those about a field or a row of trees are not.
@@ -107,15 +107,14 @@ export class Orbit {
     return distance;
   }
 
-  private place(): void {
+  /// The unit vector from the target to the eye. North is -z and east +x.
+  private way_to_eye(): three.Vector3 {
     const [azimuth, altitude] = [this.azimuth_ * kRadians, this.altitude_ * kRadians];
-    const flat = Math.cos(altitude) * this.distance_;
-    // North is -z and east +x.
-    this.camera.position.set(
-      this.target_.x + flat * Math.sin(azimuth),
-      this.target_.y + this.distance_ * Math.sin(altitude),
-      this.target_.z - flat * Math.cos(azimuth),
-    );
+    return new three.Vector3(Math.cos(altitude) * Math.sin(azimuth), Math.sin(altitude), -Math.cos(altitude) * Math.cos(azimuth));
+  }
+
+  private place(): void {
+    this.camera.position.copy(this.target_).addScaledVector(this.way_to_eye(), this.distance_);
     this.camera.near = this.distance_ / 200;
     this.camera.far = this.distance_ * 60;
     this.camera.lookAt(this.target_);

@@ -36,6 +36,7 @@ export class View {
   private readonly scene_ = new three.Scene();
   private readonly ground_ = new Ground();
   private readonly box_ = new three.Box3();
+  private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
   private readonly picker_: Picker;
   private readonly drawn_: (() => void)[] = []; // who waits until all is drawn
   private waiting_ = 0; // for the next picture
@@ -115,8 +116,10 @@ export class View {
     return this.orbit.distance_for(this.box_);
   }
 
+  /// The plant fills the view, also when its frame changes, until a hand moves the camera.
   fit(): void {
-    this.orbit.fit(this.box_);
+    this.fitted_.copy(this.box_);
+    this.orbit.fit(this.fitted_);
     this.ask();
   }
 
@@ -211,6 +214,7 @@ export class View {
   }
 
   private move(): void {
+    this.fitted_.makeEmpty();
     clearTimeout(this.moves_until_);
     this.moves_until_ = window.setTimeout(() => {
       this.moves_until_ = 0;
@@ -245,6 +249,7 @@ export class View {
     if (width === 0 || height === 0) return;
     this.renderer_.setSize(width, height, false);
     this.orbit.resize(width, height);
+    this.orbit.fit(this.fitted_);
     this.ask();
   }
 }

@@ -38,21 +38,14 @@ function leave_the_wheel(canvas: HTMLCanvasElement): void {
   canvas.addEventListener('wheel', leave, { capture: true, passive: true });
 }
 
-/// The plant fills the frame, whose size may be told late, until a hand has moved the camera.
-function fit_until_touched(view: View, canvas: HTMLCanvasElement): void {
-  let is_touched = false;
-  const touch = () => {
-    is_touched = true;
-    element('hint').hidden = true;
-  };
+/// The hint goes with the first touch; F fits.
+function listen_to_hands(view: View, canvas: HTMLCanvasElement): void {
+  const touch = () => (element('hint').hidden = true);
   for (const kind of ['pointerdown', 'keydown'] as const) canvas.addEventListener(kind, touch);
   canvas.addEventListener('wheel', () => document.activeElement === canvas && touch(), { passive: true });
   canvas.addEventListener('keydown', (event) => {
     if (event.key.toLowerCase() === 'f' && !event.ctrlKey && !event.metaKey && !event.altKey) view.fit();
   });
-  new ResizeObserver(() => {
-    if (!is_touched) view.fit();
-  }).observe(canvas);
 }
 
 function follow_theme(view: View): void {
@@ -76,7 +69,8 @@ function open_page(bytes: ArrayBuffer): void {
   if (azimuth !== undefined && altitude !== undefined) view.look_from(azimuth, altitude);
   view.apply(packet);
   follow_theme(view);
-  fit_until_touched(view, canvas);
+  view.fit();
+  listen_to_hands(view, canvas);
   const { triangles, of } = packet.head;
   element('note').textContent = triangles < of.triangles ? `${kNumbers.format(triangles)} of ${kNumbers.format(of.triangles)} triangles` : '';
   if (triangles === 0) element('note').textContent = 'Nothing of this plant can be seen.';

@@ -227,12 +227,10 @@ Value shade_value(const ShadePlan& plan, const ShadeOfSurface& shade) {
     row.emplace_back("shade_without_plants", number_or_null(is_day, moment.shade_without_plants));
     moments.emplace_back(std::move(row));
   }
-  Value::Object object;
-  object.reserve(5);
-  object.emplace_back("area", plan.surface.area);
-  object.emplace_back("points", static_cast<double>(plan.surface.positions.size()));
-  object.emplace_back("clock_time", plan.is_clock_time);
-  object.emplace_back("moments", std::move(moments));
+  Value::Object object{{"area", plan.surface.area},
+                       {"points", static_cast<double>(plan.surface.positions.size())},
+                       {"clock_time", plan.is_clock_time},
+                       {"moments", std::move(moments)}};
   if (plan.surface.columns > 0) {
     Value::Object grid;
     grid.emplace_back("columns", static_cast<double>(plan.surface.columns));

@@ -10,6 +10,7 @@ import { kFieldOfView, Orbit } from './orbit.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
 import { Picker } from './picker.ts';
+import { PictureQueue } from './picture_queue.ts';
 import { listen } from './pointer.ts';
 import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
@@ -38,11 +39,8 @@ export class View {
   private readonly box_ = new three.Box3();
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
   private readonly picker_: Picker;
-  private readonly drawn_: (() => void)[] = []; // who waits until all is drawn
-  private waiting_ = 0; // for the next picture
-  private is_drawing_ = false; // the card has not finished the last picture
+  private readonly queue_: PictureQueue;
   private is_draft_ = false;
-  private is_gone_ = false; // nothing is drawn any more
   private moves_until_ = 0; // a timer; 0: the camera rests
 
   constructor(
@@ -53,6 +51,7 @@ export class View {
     this.is_software = draws_by_software(this.renderer_.getContext());
     this.renderer_.setPixelRatio(this.is_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer_.setClearColor(0, 0);
+    this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
     this.plant = new PlantScene(this.light_, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root);
     this.scene_.matrixWorldAutoUpdate = false;
@@ -128,24 +127,14 @@ export class View {
     this.ask();
   }
 
-  /// A picture at the next chance; asked often, drawn once. Pictures do not queue: the next begins when the card has
-  /// finished the last, so that a hand never waits for pictures of what is over.
+  /// A picture at the next chance; asked often, drawn once.
   ask(): void {
-    if (this.waiting_ !== 0 || this.is_gone_) return;
-    this.waiting_ = requestAnimationFrame(() => {
-      if (this.is_drawing_) {
-        this.waiting_ = -1;
-        return;
-      }
-      this.waiting_ = 0;
-      this.draw();
-    });
+    this.queue_.ask();
   }
 
   /// When a person can see what was asked for until now.
   drawn(): Promise<void> {
-    this.ask();
-    return new Promise((resolve) => this.drawn_.push(resolve));
+    return this.queue_.drawn();
   }
 
   /// A picture now; `ask` is for all but measuring.
@@ -158,31 +147,7 @@ export class View {
     this.frames_drawn += 1;
     const height = 2 * this.orbit.distance * Math.tan((kFieldOfView / 360) * Math.PI);
     this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: height / Math.max(1, this.canvas_.clientHeight) });
-    this.watch_card();
-  }
-
-  private watch_card(): void {
-    const context = this.renderer_.getContext() as WebGL2RenderingContext;
-    const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    context.flush();
-    this.is_drawing_ = true;
-    const look = () => {
-      const is_over = !fence || context.isContextLost() || context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
-      if (is_over) this.finish(fence);
-      else setTimeout(look, 1);
-    };
-    setTimeout(look);
-  }
-
-  private finish(fence: WebGLSync | null): void {
-    (this.renderer_.getContext() as WebGL2RenderingContext).deleteSync(fence);
-    this.is_drawing_ = false;
-    if (this.waiting_ === -1) {
-      this.waiting_ = 0;
-      this.ask();
-    } else if (this.waiting_ === 0) {
-      for (const tell of this.drawn_.splice(0)) tell();
-    }
+    this.queue_.watch_card();
   }
 
   /// Looks as another view does.
@@ -199,7 +164,7 @@ export class View {
 
   /// Lets go what the view holds; it draws no more.
   destroy(): void {
-    this.is_gone_ = true;
+    this.queue_.stop();
     this.plant.clear();
     this.renderer_.dispose();
     this.renderer_.forceContextLoss();

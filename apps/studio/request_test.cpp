@@ -5,8 +5,7 @@
 
 #include "refusal.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::request_test {
 
 template <class Kind>
 Kind read(const std::string& message) {
@@ -97,5 +96,4 @@ TEST(Request, OfNoGoodStillHasANumber) {
   EXPECT_EQ(request_id("{"), std::nullopt);
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::request_test

@@ -14,8 +14,7 @@
 #include "tests/support/shown_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::studio_session_test {
 
 namespace fs = std::filesystem;
 
@@ -676,5 +675,4 @@ TEST(StudioSession, EndsInTheMiddleOfWork) {
   studio.page().receive(studio.request("export", R"("format": ".glb")"));
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::studio_session_test

@@ -16,8 +16,12 @@ import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
 export type { SeenInstance, ViewEvents, ViewFacts };
 
-// A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time.
+// A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time. At rest it
+// draws four for each, as long as they are not too many: several samples per pixel, which cards have, would make each
+// triangle three times as dear while hands move too.
 const kCoarse = 0.5;
+const kFine = 2;
+const kFinePixels = 4e6;
 const kAfterMove = 200; // ms without a move of the camera until all pixels are drawn
 
 export class View {
@@ -47,12 +51,12 @@ export class View {
     private readonly canvas_: HTMLCanvasElement,
     private readonly events_: ViewEvents,
   ) {
-    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: true, alpha: true, powerPreference: 'high-performance' });
-    this.is_software = draws_by_software(this.renderer_.getContext());
+    this.is_software = draws_by_software();
+    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: !this.is_software, alpha: true, powerPreference: 'high-performance' });
     this.renderer_.setPixelRatio(this.is_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer_.setClearColor(0, 0);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
-    this.plant = new PlantScene(this.light_, () => this.ask());
+    this.plant = new PlantScene(this.light_, this.is_software ? 1 : 4, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root);
     this.scene_.matrixWorldAutoUpdate = false;
     this.picker_ = new Picker(this.renderer_);
@@ -191,7 +195,8 @@ export class View {
   /// Just before a picture is drawn, since it clears the last one.
   private suit_pixels(): void {
     if (!this.is_software) return;
-    const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : 1;
+    const fine = Math.sqrt(kFinePixels / Math.max(1, this.canvas_.clientWidth * this.canvas_.clientHeight));
+    const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : Math.min(kFine, fine);
     if (ratio !== this.renderer_.getPixelRatio()) this.renderer_.setPixelRatio(ratio);
   }
 

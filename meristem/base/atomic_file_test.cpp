@@ -16,8 +16,7 @@
 #include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::atomic_file_test {
 
 namespace fs = std::filesystem;
 
@@ -276,5 +275,4 @@ TEST_F(AtomicFileTest, StandardOutputWaitsForNoSet) {
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "to the screen");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::atomic_file_test

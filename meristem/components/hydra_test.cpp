@@ -8,8 +8,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::hydra_test {
 
 std::vector<Organ> rays(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -104,5 +103,4 @@ TEST(Hydra, WithoutANumberHasNoChildren) {
   EXPECT_TRUE(rays({{"number", 0}, {"angle", "40 + 10 * rand()"}, {"radius", Value::List{0, 1}}}).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::hydra_test

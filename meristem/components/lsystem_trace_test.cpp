@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::lsystem_trace_test {
 
 using testing::HasSubstr;
 
@@ -92,5 +91,4 @@ TEST(LsystemTrace, SaysTheLineOfAFault) {
   EXPECT_THAT(faults[0].message, HasSubstr("line 3"));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::lsystem_trace_test

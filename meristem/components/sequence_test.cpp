@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sequence_test {
 
 const Value::Object kShowsTime{{"frame", Value::Object{{"translate", Value::List{0, "t", 0}}}}};
 
@@ -110,5 +109,4 @@ TEST(Counts, NothingJumpsAsACountRises) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sequence_test

@@ -8,8 +8,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::text_edit_test {
 
 std::string set(const std::string& text, const std::string& path, const Value& value) {
   return apply_patch(text, set_value(LocatedTree(text), path, value));
@@ -220,5 +219,4 @@ TEST(TextEdit, RefusesValuesThatTextCannotSay) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::text_edit_test

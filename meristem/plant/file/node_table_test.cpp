@@ -10,8 +10,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::node_table_test {
 
 Skeleton skeleton(const std::string& text, const NodeTablePlacement& placement = {}) {
   return skeleton_of(read_node_table(text, "t.csv"), placement, "t.csv");
@@ -178,5 +177,4 @@ TEST(NodeTable, MoreNodesThanMayBeAreRefusedWhileTheyAreRead) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::node_table_test

@@ -23,7 +23,7 @@ export function Strip({ label, path, value, states, take }: StripProps): ReactEl
   return (
     <div className="strip" role="group" aria-label={`Plants over ${label}`} aria-busy={is_working}>
       {states.map((state, k) => (
-        <button key={k} type="button" aria-pressed={state.value === value} aria-label={`${label} ${state.text}`} onClick={() => take(state.value)}>
+        <button key={k} type="button" aria-pressed={JSON.stringify(state.value) === JSON.stringify(value)} aria-label={`${label} ${state.text}`} data-tip={state.tip} onClick={() => take(state.value)}>
           <StillPicture still={stills[k]} is_working={is_working} />
           <span>{state.text}</span>
         </button>

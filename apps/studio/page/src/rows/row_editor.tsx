@@ -19,9 +19,11 @@ import type { EditorSize } from '../editors/sizes.ts';
 import { Strip } from '../find/strip.tsx';
 import { strip_states } from '../find/strip_states.ts';
 import { use_studio } from '../studio_context.ts';
+import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
 import { excluded_by } from './exclusion.ts';
+import { names_pictures } from './file_endings.ts';
 import { FileRow } from './file_row.tsx';
 import { NestedRow } from './nested_rows.tsx';
 import type { NumberForm } from './number_form.ts';
@@ -66,8 +68,8 @@ export const kEditors: Record<string, (props: RowEditorProps) => ReactElement> =
 /// Those that need the whole width of the panel.
 const kTall = new Set(['lines', 'curve', 'points', 'positions', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
 
-/// Those that can be had large.
-const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour']);
+/// Those that can be had large; files only where they are pictures.
+const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour', 'colours']);
 
 interface RowViewProps {
   table: ParameterTable; // the row's
@@ -92,9 +94,10 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
-  const enlarge = kCanBeLarge.has(row.kind) ? (): void => studio.bench.enlarged.set(path) : null;
+  const enlarge = kCanBeLarge.has(row.kind) || names_pictures(row) ? (): void => studio.bench.enlarged.set(path) : null;
   return (
     <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
+      {can_have_keys(row, path) && <RowKeyButton row={row} path={path} value={shown} />}
       <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
         {label}
         {row.required && <span aria-hidden="true"> *</span>}

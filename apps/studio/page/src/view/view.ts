@@ -6,6 +6,7 @@ import type { Packet } from '../server/packet.ts';
 import { draws_by_software } from './budgets.ts';
 import { Ground } from './ground.ts';
 import type { Light } from './materials.ts';
+import type { CameraState } from './orbit.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
@@ -128,6 +129,13 @@ export class View {
 
   look_from(azimuth: number, altitude: number): void {
     this.orbit.look_from(azimuth, altitude);
+    this.ask();
+  }
+
+  /// Looks as a camera did before.
+  look(state: CameraState): void {
+    this.fitted_.makeEmpty();
+    this.orbit.look(state);
     this.ask();
   }
 

@@ -345,7 +345,7 @@ TEST(StudioSession, MeasuresOverTheValuesOfAHandle) {
   const auto height = [&](std::size_t k) { return *sweep.list()->at(k).find("measures")->find("height")->number(); };
   EXPECT_NEAR(height(0), 1, 1e-6);
   EXPECT_NEAR(height(1), 2, 1e-6);
-  EXPECT_NE(sweep.list()->at(2).find("faults"), nullptr);
+  EXPECT_NE(sweep.list()->at(2).find("faults"), nullptr);  // no stem is shorter than nothing
   EXPECT_FALSE(studio.ask("measures", R"("light": true)").find("measures")->find("leaf_irradiance")->is_null());
 }
 

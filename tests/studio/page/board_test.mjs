@@ -476,14 +476,14 @@ test('the plant of a component is chosen from the shipped ones with their pictur
   await click_node(page, 'tree');
   const file = page.locator('.inspector [data-path="components.tree.file"]');
   await file.locator('img.thumbnail').waitFor();
-  await file.getByRole('button', { name: 'Choose a file for file' }).click();
+  await file.getByRole('button', { name: 'Choose a plant for file' }).click();
   const dialog = page.getByRole('dialog');
   await dialog.locator('[data-add="crocus"] img').waitFor();
   assert.ok(await dialog.locator('.file', { hasText: 'flower.json' }).isVisible());
   await dialog.getByRole('searchbox').fill('crocus');
   await is_one_step(() => dialog.locator('[data-add="crocus"]').click());
   assert.equal((await said()).components.tree.file, 'crocus');
-  await file.getByRole('button', { name: 'Choose a file for file' }).click();
+  await file.getByRole('button', { name: 'Choose a plant for file' }).click();
   await changes(page, () => dialog.locator('.file', { hasText: 'flower.json' }).click());
   assert.equal((await said()).components.tree.file, 'flower.json');
   await leave_fields(page);

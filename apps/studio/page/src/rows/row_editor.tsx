@@ -29,6 +29,7 @@ import { NestedRow } from './nested_rows.tsx';
 import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
 import { NumberRow } from './number_row.tsx';
+import { names_plant, PlantRow } from './plant_row.tsx';
 import { BooleanRow, BoxRow, ChoiceRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
 import type { RowActions } from './row_actions.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
@@ -90,7 +91,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
   const has_strip = use_store(studio.bench.strip) === path;
   const is_faulty = faults.some((fault) => fault.severity === 'error');
   if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
-  const Editor = kEditors[row.kind] ?? WrittenRow;
+  const Editor = names_plant(studio.tables, studio.document.state.get().tree, row, path) ? PlantRow : (kEditors[row.kind] ?? WrittenRow);
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);

@@ -18,6 +18,7 @@ export interface TimeState {
 }
 
 const kAtStart: TimeState = { time: 0, is_playing: false, is_open: false, track: null, key: 0 };
+const kHeads = ['variables', 'components', 'links', 'animation', 'limits']; // further names at the top of documents
 const kStill = 150; // ms after the last move until all detail is asked for
 const kLongestWait = 400; // ms for a picture, while playing
 
@@ -45,7 +46,7 @@ export class TimeModel {
   /// Names at the top of documents, which components' names must not be taken for.
   get tops(): ReadonlySet<string> {
     const { tables } = this.studio_;
-    return new Set(tables.tables[tables.document]?.rows.map((row) => row.name) ?? []);
+    return new Set([...(tables.tables[tables.document]?.rows.map((row) => row.name) ?? []), ...kHeads]);
   }
 
   /// Worked out once per text.

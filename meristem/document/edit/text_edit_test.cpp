@@ -177,7 +177,7 @@ TEST(TextEdit, MovesAMemberWithTheNoteAboveIt) {
             "{\n  // the last,\n  /* of all */\n  \"c\": 3,\n  // the first\n  \"a\": 1, // one\n  \"b\": 2\n\n}\n");
   // A comment that an empty line parts from the member is none of its own, nor is one above several.
   EXPECT_EQ(move("{\n  // all\n\n  \"a\": 1,\n  \"b\": 2\n}\n", "b", 0), "{\n  \"b\": 2,\n  // all\n\n  \"a\": 1\n}\n");
-  EXPECT_EQ(move("{\n  // both\n  \"a\": 1, \"b\": 2\n}\n", "a", 1), "{\n  // both\n  \"b\": 2, \"a\": 1\n}\n");
+  EXPECT_EQ(move("{\n  // both\n  \"a\": 1, \"b\": 2\n}\n", "a", 1), "{\n  // both\n  \"b\": 2,\n  \"a\": 1\n}\n");
 }
 
 TEST(TextEdit, RenamesAMember) {

@@ -478,11 +478,11 @@ test('the plant of a component is chosen from the shipped ones with their pictur
   await file.locator('img.thumbnail').waitFor();
   await file.getByRole('button', { name: 'Choose a plant for file' }).click();
   const dialog = page.getByRole('dialog');
-  await dialog.locator('[data-add="crocus"] img').waitFor();
+  await dialog.locator('[data-add="lilac"] img').waitFor();
   assert.ok(await dialog.locator('.file', { hasText: 'flower.json' }).isVisible());
-  await dialog.getByRole('searchbox').fill('crocus');
-  await is_one_step(() => dialog.locator('[data-add="crocus"]').click());
-  assert.equal((await said()).components.tree.file, 'crocus');
+  await dialog.getByRole('searchbox').fill('lilac');
+  await is_one_step(() => dialog.locator('[data-add="lilac"]').click());
+  assert.equal((await said()).components.tree.file, 'lilac');
   await file.getByRole('button', { name: 'Choose a plant for file' }).click();
   await changes(page, () => dialog.locator('.file', { hasText: 'flower.json' }).click());
   assert.equal((await said()).components.tree.file, 'flower.json');

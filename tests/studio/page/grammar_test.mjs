@@ -151,7 +151,7 @@ test('the module under the pointer is marked in word and picture', async () => {
 test('a click in the view chooses the instance whose word is told', async () => {
   const three = JSON.stringify({
     meristem: 1,
-    components: { ring: { type: 'hydra', number: 3, radius: 1 }, weed: { type: 'lsystem', steps: 4, length: 0.2, angle: 30, radius: 0.02, grammar: ['F', '#rules', 'F : 1 -> F[+F]F', 'F : 1 -> F[-F]FF'] } },
+    components: { ring: { type: 'hydra', number: 3, radius: 1 }, weed: { type: 'lsystem', steps: 4, length: 0.2, angle: 30, width: 0.05, grammar: ['F', '#rules', 'F : 1 -> F[+F]F', 'F : 1 -> F[-F]FF'] } },
     links: [['ring', 'weed']],
   });
   await write_document(place.folder, 'three.json', three);

@@ -102,6 +102,7 @@ test('a row is keyed where the time stands; its number is that of the keys, and 
   await one_step(() => type_into(page, length.getByRole('textbox', { name: 'length', exact: true }), '0.9'));
   assert.equal((await keys('stem.length'))[1][1], 0.9);
   // A drag is shown and is one step; the comments stay.
+  await leave_fields(page);
   await one_step(() => drag(page, length.getByRole('textbox', { name: 'length', exact: true }), [-40, 0]));
   assert.ok((await keys('stem.length'))[1][1] < 0.9);
   assert.ok((await text_of(page)).includes('// How it opens.') && (await text_of(page)).includes('// it grows'));

@@ -8,7 +8,7 @@ export const kNode = { width: 108, height: 38 };
 const kMargin = 16;
 const kSteps: Record<Direction, { level: number; across: number }> = {
   down: { level: 68, across: 120 },
-  right: { level: 146, across: 52 },
+  right: { level: 146, across: 47 },
 };
 
 export interface Place {

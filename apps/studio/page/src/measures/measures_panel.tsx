@@ -70,7 +70,12 @@ function Measure({ row, value }: { row: MeasureRow; value: Json | undefined }): 
           </>
         )}
       </dd>
-      {typeof value === 'number' && facts.map((fact) => <Band key={fact.of} fact={fact} value={value} />)}
+      {typeof value === 'number' &&
+        facts.map((fact) => (
+          <dd key={fact.of} className="of-real">
+            <Band fact={fact} value={value} />
+          </dd>
+        ))}
     </div>
   );
 }

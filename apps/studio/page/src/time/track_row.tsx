@@ -50,7 +50,8 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
     if (event.button !== 0) return;
     event.stopPropagation();
     lane.current?.setPointerCapture(event.pointerId);
-    choose(index);
+    model.stop();
+    // The editor below opens when the hand lets go, so that nothing moves under it.
     held.set({ index, keys: track.keys, now: track.keys, x: event.clientX, moved: false });
   };
   const move = (event: PointerEvent): void => {

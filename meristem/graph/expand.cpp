@@ -454,7 +454,7 @@ class Expansion {
     enqueue(std::move(children));
   }
 
-  /// Notes the clocks by which the children of a component that begins some live.
+  /// Notes the clocks that a component has begun for its children.
   void note_clocks(ComponentIndex component, const Batch& children) {
     const Clock* last = nullptr;
     for (const Site& site : children.sites()) {

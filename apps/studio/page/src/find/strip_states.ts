@@ -24,8 +24,8 @@ export function values_over(low: number, high: number, is_whole: boolean): numbe
   return [...new Set(values.map((one) => (is_whole ? Math.round(one) : rounded(one, step))))];
 }
 
-/// Nothing where the row is neither a number nor a choice, or has no usual range. Of a range of numbers the middle
-/// moves and the width stays; an expression gives way to a number.
+/// Nothing where the row is neither a number nor a choice, or has no usual range. The middle of a range moves and its
+/// width stays; an expression gives way to a number.
 export function strip_states(row: Row, value: Json | undefined): StripState[] {
   if (row.kind === 'boolean') return [false, true].map((one) => ({ value: one, text: one ? 'yes' : 'no' }));
   if (row.kind === 'choice') return (row.choices ?? []).length <= kMostChoices ? (row.choices ?? []).map(plain_state) : [];

@@ -46,7 +46,7 @@ export function ClockRows(): ReactElement {
   );
 }
 
-/// The delay with all of its numbers later by so many seconds; null where it is an expression.
+/// The delay with all of its numbers later by `by` seconds; null where it is an expression.
 export function moved_delay(delay: Json | undefined, by: number): Json | null {
   const later = (one: Json): Json | null => (typeof one === 'number' ? Number((one + by).toFixed(3)) : null);
   if (delay === undefined) return later(0);

@@ -38,7 +38,7 @@ export class TimeModel {
     return this.studio_.document.state.get().tree?.value;
   }
 
-  /// Of the document; a usual one where it has no animation.
+  /// The document's animation; a usual one where it has none.
   get animation(): AnimationFacts {
     return animation_of(this.document) ?? { length: 10, fps: 25 };
   }

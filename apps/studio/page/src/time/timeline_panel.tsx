@@ -30,13 +30,15 @@ function Timeline(): ReactElement {
   return (
     <section className="timeline" aria-label="Timeline">
       <TimelineHead />
-      <div className="timeline-lanes">
-        <Ruler />
-        {tracks.map((one) => (
-          <TrackRow key={one.name} track={one} />
-        ))}
-        <ClockRows />
-        <span className="timeline-now" aria-hidden="true" style={{ left: `calc(var(--names) + (100% - var(--names) - var(--end)) * ${time / animation.length})` }} />
+      <div className="timeline-scroll">
+        <div className="timeline-lanes">
+          <Ruler />
+          {tracks.map((one) => (
+            <TrackRow key={one.name} track={one} />
+          ))}
+          <ClockRows />
+          <span className="timeline-now" aria-hidden="true" style={{ left: `calc(var(--names) + (100% - var(--names) - var(--end)) * ${time / animation.length})` }} />
+        </div>
       </div>
       {tracks.length === 0 && (
         <p className="empty">

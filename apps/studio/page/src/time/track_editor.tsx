@@ -71,7 +71,7 @@ interface KeysProps {
   cancel: () => void;
 }
 
-/// Of numbers alone.
+/// The curve of keys that are numbers; others have none.
 function KeyCurve({ label, keys, index, length, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
   const root = useRef<HTMLDivElement>(null);
   const { snaps } = use_snapping();

@@ -20,6 +20,7 @@ import { Strip } from '../find/strip.tsx';
 import { strip_states } from '../find/strip_states.ts';
 import { use_studio } from '../studio_context.ts';
 import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
+import { commit_keys, use_keyed } from '../time/use_keyed.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
 import { excluded_by } from './exclusion.ts';
@@ -89,12 +90,15 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
   const faults = use_faults(path, !is_nested);
   const studio = use_studio();
   const has_strip = use_store(studio.bench.strip) === path;
+  const keyed = use_keyed(path);
   const is_faulty = faults.some((fault) => fault.severity === 'error');
   if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
   const Editor = names_plant(studio.tables, studio.document.state.get().tree, row, path) ? PlantRow : (kEditors[row.kind] ?? WrittenRow);
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
+  const items = menu_of(row, value, actions, () => first_value(studio.tables, row));
+  if (keyed) items.push({ text: 'Remove its keys', act: () => commit_keys(studio, keyed.track.name, [], `Remove the keys of ${label}`) });
   const enlarge = kCanBeLarge.has(row.kind) || names_pictures(row) ? (): void => studio.bench.enlarged.set(path) : null;
   return (
     <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
@@ -106,7 +110,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
       <div className="row-control">
         <Editor row={row} label={label} path={path} value={shown} actions={actions} is_faulty={is_faulty} />
       </div>
-      <Menu label={`More for ${label}`} items={menu_of(row, value, actions, () => first_value(studio.tables, row))} />
+      <Menu label={`More for ${label}`} items={items} />
       {states.length > 1 && (
         <span className="row-extra">
           <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : path)} />

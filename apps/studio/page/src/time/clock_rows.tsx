@@ -31,7 +31,11 @@ export function ClockRows(): ReactElement {
     let is_wanted = true;
     studio.connection
       .request<{ clocks: BegunClocks[] }>('clocks', { up_to: length })
-      .then((answer) => is_wanted && set_clocks(answer.clocks))
+      .then((answer) => {
+        if (!is_wanted) return;
+        set_clocks(answer.clocks);
+        studio.bench.time.clocks.set(answer.clocks.map((one) => one.component));
+      })
       .catch(() => undefined); // what has not grown has no clocks
     return () => {
       is_wanted = false;

@@ -23,6 +23,16 @@ export function RowKeyButton({ row, path, value }: { row: Row; path: string; val
   const studio = use_studio();
   const keyed = use_keyed(path);
   const label = row.name.replaceAll('_', ' ');
+  const { time: model } = studio.bench;
+  const element = keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined;
+  // Keys of a vector as a whole cannot stand beside those of its elements.
+  if (element) {
+    const show = (): void => {
+      if (!model.state.get().is_open) model.toggle();
+      model.choose(element.name);
+    };
+    return <Diamond label={label} state="others" tip={`${element.name} has keys of its own; shows them`} press={show} />;
+  }
   return <KeyButton label={label} path={path} keyed={keyed} value={() => keyed?.value ?? first_key_value(value, row, first_value(studio.tables, row))} />;
 }
 
@@ -38,8 +48,12 @@ export function KeyButton({ label, path, keyed, value }: KeyButtonProps): ReactE
   const state = keyed === null ? 'none' : keyed.index >= 0 ? 'here' : 'others';
   const at = `${shown_number(studio.bench.time.time)} s`;
   const text = state === 'here' ? `Remove the key of ${label} at ${at}` : `Key ${label} at ${at}`;
+  return <Diamond label={label} state={state} tip={text} press={() => toggle_key(studio, path, keyed, value())} />;
+}
+
+function Diamond({ label, state, tip, press }: { label: string; state: 'none' | 'others' | 'here'; tip: string; press: () => void }): ReactElement {
   return (
-    <button type="button" className={`key-button ${state}`} aria-label={`Key of ${label}`} aria-pressed={state === 'here'} data-tip={text} onClick={() => toggle_key(studio, path, keyed, value())}>
+    <button type="button" className={`key-button ${state}`} aria-label={`Key of ${label}`} aria-pressed={state === 'here'} data-tip={tip} onClick={press}>
       <svg viewBox="0 0 10 10" aria-hidden="true">
         <path d="M5 1L9 5 5 9 1 5z" />
       </svg>

@@ -24,6 +24,7 @@ const kLongestWait = 400; // ms for a picture, while playing
 
 export class TimeModel {
   readonly state = new Store<TimeState>(kAtStart);
+  readonly clocks = new Store<readonly string[]>([]); // components that begin clocks
   private readonly sender_ = new LatestSender(() => this.send());
   private moves_until_ = 0; // a timer; 0: the time rests
   private known_: { document: Json | undefined; tracks: Track[] } = { document: undefined, tracks: [] };

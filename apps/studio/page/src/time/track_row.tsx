@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A parameter's keys in its lane: chosen by a click, moved by a drag and by the arrow keys, taken away by Delete.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
-import { useRef } from 'react';
+import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { component_of } from '../board/board_edits.ts';
+import { standing_on } from '../board/plant_graph.ts';
+import { Icon } from '../controls/icon.tsx';
 import { shown_number } from '../controls/number_field.tsx';
 import { write_json } from '../document/json.ts';
 import { use_document, use_studio } from '../studio_context.ts';
@@ -33,11 +36,17 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
   use_document();
   const { length, fps } = model.animation;
   const lane = useRef<HTMLDivElement>(null);
+  const row = useRef<HTMLDivElement>(null);
   const held = use_held<HeldKey>();
   const track = with_dragged(written, dragged, model.document, model.tops);
   const { name, path } = track;
   const is_chosen = state.track === name;
+  const has_own_clock = use_own_clock(path);
   const label = name.replaceAll('_', ' ');
+  useEffect(() => {
+    // The editor that opens below takes room.
+    if (is_chosen) row.current?.scrollIntoView({ block: 'nearest' });
+  }, [is_chosen]);
   const choose = (index: number): void => {
     model.choose(name, index);
     model.stop();
@@ -85,9 +94,10 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
     studio.choose(path.replace(/^((?:components|variables)\.(?:[^.[]+|\["[^"]*"\])|links\[\d+\]|scene).*$/, '$1'));
   };
   return (
-    <div className={`lane-row${is_chosen ? ' chosen' : ''}`} data-track={name}>
-      <button type="button" className="lane-name" aria-pressed={is_chosen} data-tip={path} onClick={open}>
+    <div ref={row} className={`lane-row${is_chosen ? ' chosen' : ''}`} data-track={name}>
+      <button type="button" className="lane-name" aria-pressed={is_chosen} data-tip={has_own_clock ? `${path}\nby the seconds of the clock that each instance lives by` : path} onClick={open}>
         {label}
+        {has_own_clock && <Icon name="clock" />}
       </button>
       <div ref={lane} className="lane" role="group" aria-label={`Keys of ${label}`} onPointerMove={move} onPointerUp={() => let_go(true)} onPointerCancel={() => let_go(false)}>
         <TrackPicture keys={track.keys} length={length} />
@@ -106,6 +116,14 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
       </div>
     </div>
   );
+}
+
+/// Whether what stands at a path lives by clocks of its own: those that a component above it begins.
+function use_own_clock(path: string): boolean {
+  const studio = use_studio();
+  const clocks = use_store(studio.bench.time.clocks);
+  const component = component_of(path);
+  return component !== null && clocks.some((clock) => clock !== component && standing_on(studio.board.actions.graph, clock).has(component));
 }
 
 /// What the keys give over time, behind them: a curve, or a band of colours.

@@ -106,7 +106,7 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
       ) : (
         <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : typeof keyed?.value === 'number' ? keyed.value : variable.value} unit={unit} keyed={keyed} />
       )}
-      {has_strip && <Strip label={label} path={name} value={expression === null ? variable.value : expression} states={states} take={(value) => studio.set_value(name, value, `Set ${label}`)} />}
+      {has_strip && <Strip label={label} path={name} value={expression === null ? variable.value : expression} states={states} keyed={keyed} take={(value) => (keyed ? commit_keys(studio, name, with_key(keyed.track.keys, studio.bench.time.time, value), `Key ${label}`) : studio.set_value(name, value, `Set ${label}`))} />}
       {doc && <p className="handle-doc">{doc}</p>}
       <Faults faults={faults} />
     </div>

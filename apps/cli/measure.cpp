@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "frames.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/read_file.h"
@@ -90,7 +90,7 @@ void check_organs(const MeasureCommand& command, std::span<const std::string> in
 }
 
 StandMeasures measure_document(const MeasureCommand& command) {
-  const double time = checked_time(command.time);
+  const double time = film::checked_time(command.time);
   const Document document = open_document(command.document, time);
   // The light that is measured need not be that of growth.
   const Scene scene = command.sun.empty() ? document.scene : scene_under(document, command.document, command.sun);

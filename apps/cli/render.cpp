@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/film.h"
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "film.h"
-#include "frames.h"
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/version.h"
@@ -56,9 +56,9 @@ struct Picture {
 };
 
 void check_turntable(const RenderOptions& options, const std::vector<double>& times) {
-  if (options.turntable && (*options.turntable < 1 || *options.turntable > kMostFrames)) {
+  if (options.turntable && (*options.turntable < 1 || *options.turntable > film::kMostFrames)) {
     throw InputError(Diagnostic{.message = fmt::format("--turntable cannot be {}", *options.turntable),
-                                .expected = fmt::format("1 to {} frames", kMostFrames)});
+                                .expected = fmt::format("1 to {} frames", film::kMostFrames)});
   }
   if (options.turntable && times.size() > 1) {
     throw InputError(
@@ -80,25 +80,25 @@ std::vector<Picture> pictures_of_film(const RenderOptions& options, const std::v
 
 /// The times of a film: those that are asked for, or all of the document's animation.
 std::vector<double> film_times(const RenderOptions& options, const Document& document) {
-  if (options.time) return frame_times(*options.time);
+  if (options.time) return film::frame_times(*options.time);
   if (!document.graph.animation) {
     throw InputError(Diagnostic{.message = "the document has no animation that tells how long a film of it is",
                                 .expected = "--time FROM:TO:STEP"});
   }
   const Animation& animation = *document.graph.animation;
-  return frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
+  return film::frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
 }
 
 /// One picture, or one for each time or each side. Those of a film are numbered in its folder.
 std::vector<Picture> planned_pictures(const RenderOptions& options, const Document& document) {
-  const std::vector<double> times = is_film(options.output) && !options.turntable
+  const std::vector<double> times = film::is_film(options.output) && !options.turntable
                                         ? film_times(options, document)
-                                        : frame_times(options.time.value_or("0"));
-  if (is_film(options.output)) return pictures_of_film(options, times);
+                                        : film::frame_times(options.time.value_or("0"));
+  if (film::is_film(options.output)) return pictures_of_film(options, times);
   if (times.size() == 1 && !options.turntable) return {{options.output, times[0], 0}};
   check_turntable(options, times);
   const int count = options.turntable.value_or(static_cast<int>(times.size()));
-  const std::vector<std::string> paths = frame_paths(options.output, count);
+  const std::vector<std::string> paths = film::frame_paths(options.output, count);
   std::vector<Picture> pictures;
   for (int k = 0; k < count; ++k) {
     pictures.push_back(
@@ -253,7 +253,7 @@ void render(const RenderOptions& options) {
   if (options.output.empty()) {
     throw InputError(Diagnostic{.message = "no file to write is given", .expected = "-o FILE, or --fingerprint"});
   }
-  const bool films = is_film(options.output);
+  const bool films = film::is_film(options.output);
   if (!options.fingerprint) {
     check_picture_file(films ? "film.png" : options.output, options.transparent && !films, chosen_file(options));
   }
@@ -275,10 +275,10 @@ void render(const RenderOptions& options) {
   const std::vector<std::string> inputs = input_files(document);
   std::string folder;
   if (films) {
-    check_film(options.output, picture_options.still.width, picture_options.still.height);
+    film::check_film(options.output, picture_options.still.width, picture_options.still.height);
     check_output(options.output, inputs);
-    folder = frames_folder(options.output, hash_of_film(document, pictures, picture_options, options));
-    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].path = frame_path(folder, k);
+    folder = film::frames_folder(options.output, hash_of_film(document, pictures, picture_options, options));
+    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].path = film::frame_path(folder, k);
   }
   for (const Picture& picture : pictures) {
     if (!options.fingerprint && !films) check_output(picture.path, inputs);
@@ -289,7 +289,7 @@ void render(const RenderOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     warnings = PictureTaker(document, picture_options, options, terminal).take(pictures, films);
-    if (films) make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
+    if (films) film::make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
   }
   if (!options.document.quiet) print_diagnostics(warnings);
   if (!options.document.quiet && !options.fingerprint) {

@@ -70,15 +70,16 @@ NearestAxis::NearestAxis(const Plant& plant) {
   }
 }
 
-float NearestAxis::distance(const Segment& segment, Vec3 position) {
+float NearestAxis::distance(const Segment& segment, Vec3 position, bool counts_within) {
   const Vec3 along = segment.end - segment.begin;
   const float length2 = squared_length(along);
   const float share = length2 > 0 ? std::clamp(glm::dot(position - segment.begin, along) / length2, 0.0F, 1.0F) : 0;
   const float from_centre = glm::length(position - (segment.begin + share * along));
-  return std::abs(from_centre - glm::mix(segment.begin_radius, segment.end_radius, share));
+  const float from_surface = from_centre - glm::mix(segment.begin_radius, segment.end_radius, share);
+  return counts_within ? std::abs(from_surface) : std::max(0.0F, from_surface);
 }
 
-std::optional<StemAxis> NearestAxis::find(Vec3 position) const {
+std::optional<StemAxis> NearestAxis::find(Vec3 position, bool counts_within) const {
   if (segments_.empty()) return std::nullopt;
   const Segment* best = nullptr;
   float nearest = std::numeric_limits<float>::infinity();
@@ -91,7 +92,7 @@ std::optional<StemAxis> NearestAxis::find(Vec3 position) const {
     if (least(branch) > nearest) continue;
     if (branch.second == 0) {
       for (std::uint32_t k = branch.first; k < branch.last; ++k) {
-        const float away = distance(segments_[k], position);
+        const float away = distance(segments_[k], position, counts_within);
         if (away > nearest || (away == nearest && best != nullptr && best->number < segments_[k].number)) continue;
         nearest = away;
         best = &segments_[k];

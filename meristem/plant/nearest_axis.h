@@ -24,9 +24,13 @@ class NearestAxis {
   /// Copies what it needs of the plant; plantings are left out (expanded(), plant_variant.h, has them as stems).
   explicit NearestAxis(const Plant& plant);
 
-  /// The axis whose surface is nearest to a position: the distance counts from the outside and from within. Among
-  /// equal ones the first in the plant's order. Nothing where the plant has no stems. May be called from many threads.
-  std::optional<StemAxis> find(Vec3 position) const;
+  /// The axis whose surface is nearest to a position on wood: the distance counts from the outside and from within.
+  /// Among equal ones the first in the plant's order. Nothing where the plant has no stems. May be called from many
+  /// threads.
+  std::optional<StemAxis> find(Vec3 position) const { return find(position, true); }
+  /// The axis that an organ stands on whose base lies at a position: the nearest one, and where the base lies within
+  /// wood the first of those that hold it. Otherwise as find().
+  std::optional<StemAxis> find_bearer(Vec3 base) const { return find(base, false); }
 
  private:
   struct Segment {
@@ -46,7 +50,8 @@ class NearestAxis {
     std::uint32_t second = 0;  // index of the second half, 0 where it is not halved; the first half follows at once
   };
 
-  static float distance(const Segment& segment, Vec3 position);
+  std::optional<StemAxis> find(Vec3 position, bool counts_within) const;
+  static float distance(const Segment& segment, Vec3 position, bool counts_within);
 
   std::vector<Segment> segments_;
   std::vector<Branch> branches_;

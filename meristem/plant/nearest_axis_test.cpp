@@ -49,6 +49,17 @@ TEST(NearestAxis, FindsTheAxisWhoseSurfaceAPositionLiesOn) {
   }
 }
 
+TEST(NearestAxis, AnOrganWithinWoodStandsOnTheFirstAxisThatHoldsIt) {
+  Plant plant;
+  plant.stems = {trunk_with_twigs(18, 0)};
+  const NearestAxis nearest(plant);
+  // Beside the centre line of a twig, and within the trunk that it springs from.
+  const Vec3 base = plant.stems[0].skeleton.position[5] + Vec3(0.02F, 0.002F, 0.006F);
+  EXPECT_EQ(nearest.find_bearer(base), (StemAxis{0, 0}));
+  EXPECT_NE(nearest.find(base)->axis, 0U);
+  EXPECT_EQ(nearest.find_bearer(Vec3(0.2F, 0.1F, 0.065F))->axis, nearest.find(Vec3(0.2F, 0.1F, 0.065F))->axis);
+}
+
 TEST(NearestAxis, HasNothingInAPlantWithoutStems) { EXPECT_FALSE(NearestAxis(Plant()).find(Vec3(0))); }
 
 TEST(NearestAxis, OfEqualOnesTheFirstWins) {

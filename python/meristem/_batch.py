@@ -215,4 +215,4 @@ def pickle_job(job: Job, executor: Executor | None = None) -> bytes:
             pickle.dumps(job.measure)
         except Exception as error:
             raise TypeError(f"a worker cannot import {name} ({error}); {how}") from error
-    return pickle.dumps(job if executor is None else replace(job, document=Carried(job.document)))  # type: ignore[arg-type]
+    return pickle.dumps(job if executor is None else replace(job, document=Carried(job.document)))

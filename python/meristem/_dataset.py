@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import os
 import pickle
 from collections.abc import Iterable, Iterator, Mapping
@@ -14,10 +15,10 @@ from typing import Any, Union
 
 import numpy as np
 
-from ._batch import check_processes, refuse_unguarded_program
+from ._batch import check_processes
 from ._core import DatasetFolder, DatasetPlan, Document, Progress, read, verify_dataset
-from ._executor import check_executor
 from ._job import add_note
+from ._pool import refuse_unguarded_program
 from ._progress import ProgressCallback, teller
 from ._runner import Runner
 
@@ -252,11 +253,11 @@ def _table_of(folder: Path, plants: int) -> np.ndarray[Any, Any]:
 
 
 def _write_parquet(made: Dataset, path: Path) -> None:
-    import pyarrow  # type: ignore[import]
-    import pyarrow.parquet  # type: ignore[import]
+    pyarrow = importlib.import_module("pyarrow")
+    parquet = importlib.import_module("pyarrow.parquet")
 
     table = made.table()
     columns = {name: table[name] for name in table.dtype.names or ()}
     for name in ("files", "bytes", "hashes", "version"):
         columns[name] = [row[name] for row in made.rows()]
-    pyarrow.parquet.write_table(pyarrow.table(columns), path)
+    parquet.write_table(pyarrow.table(columns), path)

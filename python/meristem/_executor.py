@@ -137,7 +137,7 @@ def count_workers(executor: Executor) -> int:
     """How many tasks the executor runs at once, as far as it tells; else the cores of this machine."""
     client = getattr(executor, "_client", None)  # Dask's
     if client is not None and hasattr(client, "nthreads"):
-        return max(1, sum(client.nthreads().values()))
+        return max(1, sum(int(count) for count in client.nthreads().values()))
     for holder in (executor, getattr(executor, "_pool", None)):  # mpi4py's pool has a size
         for name in ("num_workers", "_max_workers", "size"):
             count = getattr(holder, name, None)
@@ -194,4 +194,4 @@ def _job_of(key: str, job: bytes | None) -> AnyJob | None:
             while len(_jobs) > _JOBS_KEPT:
                 _jobs.popitem(last=False)
         _jobs.move_to_end(key)
-        return known  # type: ignore[no-any-return]
+        return known

@@ -116,7 +116,10 @@ class Census {
  private:
   StemAxis axis_of_organ(const Met& met) {
     const auto [found, is_new] = axes_of_organs_.try_emplace({met.part, met.instance});
-    if (is_new) found->second = axis_at(meshes_.meshes[met.part].frame(met.instance).origin);
+    if (is_new) {
+      const Vec3 base = meshes_.meshes[met.part].frame(met.instance).origin;
+      found->second = nearest_.find_bearer(base).value_or(StemAxis{kNoStem, 0});
+    }
     return found->second;
   }
 

@@ -34,9 +34,9 @@ SMALL = os.environ.get("MERISTEM_BENCH") == "small"
 SAPLING: dict[str, Any] = {
     "meristem": 1,
     "name": "Sapling",
-    "variables": {"length": {"value": 1, "min": 0.5, "max": 2}},
+    "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
     "components": {
-        "stem": {"type": "tree", "length": "length", "radius": 0.02, "segments": 8},
+        "stem": {"type": "tree", "length": "tall", "radius": 0.02, "segments": 8},
         "leaf": {"type": "leaf", "length": 0.1, "width": 0.05},
     },
     "links": [{"from": "stem", "to": "leaf", "kind": "branch", "density": 12}],
@@ -56,7 +56,7 @@ def sapling_plan(plants: int) -> dict[str, Any]:
         "seeds": plants,
         "files": [".csv"],
         "measures": ["height", "nodes", "leaf_area"],
-        "vary": {"length": {"normal": [1, 0.3]}},
+        "vary": {"tall": {"normal": [1, 0.3]}},
     }
 
 

@@ -120,7 +120,7 @@ std::string bar(std::uint64_t count, std::uint64_t most) {
 std::string histogram(const ColumnSummary& column) {
   std::string text = fmt::format("\n### {}\n\n", column.name);
   if (column.numbers > 0) {
-    text += fmt::format("{} numbers from {:.6g} to {:.6g}, mean {:.6g}\n\n", column.numbers, column.low, column.high,
+    text += fmt::format("{} numbers from {:.6g} to {:.6g}, mean {:.6g}\n", column.numbers, column.low, column.high,
                         column.sum / static_cast<double>(column.numbers));
   }
   std::string rows;
@@ -137,7 +137,8 @@ std::string histogram(const ColumnSummary& column) {
     fmt::format_to(std::back_inserter(rows), "| {} | {} | {} |\n", cell(value), count, "");
   }
   if (column.further > 0) rows += fmt::format("| other values | {} | |\n", column.further);
-  if (!rows.empty()) text += "| value | plants | |\n| --- | ---: | --- |\n" + rows;
+  if (!rows.empty())
+    text += std::string(column.numbers > 0 ? "\n" : "") + "| value | plants | |\n| --- | ---: | --- |\n" + rows;
   return text;
 }
 

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kRods = R"({"meristem_dataset": 1, "name": "Rods", "licence": "CC0-1.0", "seeds": 25, "rows": 10,
-  "files": [".ply"], "measures": ["height"], "vary": {"length": {"uniform": [0.5, 2]}}})";
+  "files": [".ply"], "measures": ["height"], "vary": {"tall": {"uniform": [0.5, 2]}}})";
 
 std::string fault_of(const DatasetPlan& plan, const std::string& path,
                      DatasetOpening opening = DatasetOpening::resume) {
@@ -182,14 +182,14 @@ TEST(DatasetFolder, SizesRangesByTimeWithinATable) {
 TEST(DatasetFolder, HasACardWithCountsAndHistograms) {
   const TemporaryFolder folder;
   const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "name": "Rods | long", "licence": "CC0-1.0", "seeds": 5,
-    "files": [".ply"], "measures": ["height"], "grid": {"limits.triangles": [1000, 2]}})");
+    "files": [".ply"], "measures": ["triangles"], "grid": {"limits.triangles": [1000, 2]}})");
   make_plants(plan, folder / "rods");
   const std::string card = file_content(folder / "rods/README.md");
   EXPECT_TRUE(card.starts_with("# Rods | long\n"));
   EXPECT_NE(card.find("| Plants | 10 |\n| of them failed | 5 |"), std::string::npos) << card;
   EXPECT_NE(card.find("| `.ply` | 5 | "), std::string::npos);
   EXPECT_NE(card.find("CC0-1.0"), std::string::npos);
-  EXPECT_NE(card.find("### height\n\n5 numbers from 1 to 1"), std::string::npos) << card;
+  EXPECT_NE(card.find("### triangles\n\n5 numbers from 12 to 12"), std::string::npos) << card;
   EXPECT_NE(card.find("- 000005: "), std::string::npos);
 }
 

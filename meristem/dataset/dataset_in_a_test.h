@@ -19,8 +19,8 @@ namespace meristem {
 
 /// A rod of wood whose length is a variable; a length of 0 is refused by its component.
 inline constexpr const char* kRod = R"({"meristem": 1, "name": "Rod", "licence": "CC0-1.0",
-  "variables": {"length": {"value": 1, "min": 0.5, "max": 2}},
-  "components": {"rod": {"type": "simple", "shape": "box", "size": [0.1, "length", 0.1]}}})";
+  "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
+  "components": {"rod": {"type": "simple", "shape": "box", "size": [0.1, "tall", 0.1]}}})";
 
 inline DatasetPlan rod_plan(const std::string& text, const std::string& document = kRod) {
   return read_dataset_plan(text, "plan.json", builtin_components(),

@@ -24,29 +24,29 @@ std::vector<Diagnostic> faults_of(const std::string& text) {
 
 double length_of(const PlannedPlant& plant) {
   for (const auto& [path, value] : plant.values) {
-    if (path == "length") return *value.number();
+    if (path == "tall") return *value.number();
   }
   return 0;
 }
 
 TEST(DatasetPlan, RunsThroughSeedsFastest) {
   const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "seeds": [7, 9], "files": [".csv"],
-    "grid": {"length": [1, 2], "rod.size[0]": [0.1, 0.2, 0.3]}})");
+    "grid": {"tall": [1, 2], "rod.size[0]": [0.1, 0.2, 0.3]}})");
   ASSERT_EQ(plan.count(), 12U);
-  EXPECT_EQ(plan.columns, (std::vector<std::string>{"length", "rod.size[0]"}));
+  EXPECT_EQ(plan.columns, (std::vector<std::string>{"tall", "rod.size[0]"}));
   EXPECT_EQ(plan.plant(0).key, "000000");
   EXPECT_EQ(plan.plant(1).seed, 9U);
   EXPECT_EQ(plan.plant(2).seed, 7U);
-  EXPECT_EQ(plan.plant(2).values, (PathValues{{"length", 1}, {"rod.size[0]", 0.2}}));
-  EXPECT_EQ(plan.plant(11).values, (PathValues{{"length", 2}, {"rod.size[0]", 0.3}}));
+  EXPECT_EQ(plan.plant(2).values, (PathValues{{"tall", 1}, {"rod.size[0]", 0.2}}));
+  EXPECT_EQ(plan.plant(11).values, (PathValues{{"tall", 2}, {"rod.size[0]", 0.3}}));
   EXPECT_THROW(plan.plant(12), std::invalid_argument);
 }
 
 TEST(DatasetPlan, DrawsEachPlantByItsOwnKey) {
   const char* const few = R"({"meristem_dataset": 1, "seeds": 100, "files": [".csv"],
-    "vary": {"length": {"normal": [1, 1]}, "rod.size[0]": {"uniform": [0.1, 0.2]}}})";
+    "vary": {"tall": {"normal": [1, 1]}, "rod.size[0]": {"uniform": [0.1, 0.2]}}})";
   const char* const many = R"({"meristem_dataset": 1, "seeds": {"first": 51, "count": 1000}, "files": [".csv"],
-    "vary": {"rod.size[0]": {"uniform": [0.1, 0.2]}, "length": {"normal": [1, 1]}}})";
+    "vary": {"rod.size[0]": {"uniform": [0.1, 0.2]}, "tall": {"normal": [1, 1]}}})";
   const DatasetPlan one = rod_plan(few);
   const DatasetPlan other = rod_plan(many);
   std::set<double> lengths;
@@ -64,7 +64,7 @@ TEST(DatasetPlan, ReadsDocumentsFromItsFolder) {
   const TemporaryFolder folder;
   write_content(folder / "rod.json", kRod);
   const std::string text = R"({"meristem_dataset": 1, "measures": ["height"],
-    "documents": ["rod.json", {"file": "rod.json", "name": "long", "set": {"length": 2}}]})";
+    "documents": ["rod.json", {"file": "rod.json", "name": "long", "set": {"tall": 2}}]})";
   const DatasetPlan plan = read_dataset_plan(text, folder / "plan.json", builtin_components());
   ASSERT_EQ(plan.documents.size(), 2U);
   EXPECT_EQ(plan.documents[0].name, "rod");
@@ -96,11 +96,11 @@ TEST(DatasetPlan, TellsFaultsWithPlaceAndNearestName) {
 
 TEST(DatasetPlan, TellsValuesThatDoNotSuitADocumentWhereTheyStand) {
   const auto faults = faults_of(
-      "{\"meristem_dataset\": 1, \"files\": [\".csv\"],\n \"set\": {\"lenght\": 1},\n"
+      "{\"meristem_dataset\": 1, \"files\": [\".csv\"],\n \"set\": {\"talll\": 1},\n"
       " \"grid\": {\"rod.size[0]\": [0.1, \"wide\"]}}");
   ASSERT_FALSE(faults.empty());
   EXPECT_EQ(faults[0].line, 2);
-  EXPECT_EQ(faults[0].nearest, "length");
+  EXPECT_EQ(faults[0].nearest, "tall");
   const auto second = faults_of(
       "{\"meristem_dataset\": 1, \"files\": [\".csv\"],\n"
       " \"grid\": {\"rod.size[0]\":\n [0.1, \"wide\"]}}");
@@ -117,17 +117,17 @@ TEST(DatasetPlan, RefusesWhatItCannotMean) {
       {head + R"("seeds": [1, 1]})", "seeds[1]"},
       {head + R"("seeds": {"first": 3}})", "seeds"},
       {head + R"("set": {"seed": 3}})", "set.seed"},
-      {head + R"("set": {"length": 1}, "grid": {"length": [1, 2]}})", "set.length"},
-      {head + R"("grid": {"length": []}})", "grid.length"},
-      {head + R"("grid": {"length": [1]}, "samples": [{"length": 1}]})", "samples"},
+      {head + R"("set": {"tall": 1}, "grid": {"tall": [1, 2]}})", "set.tall"},
+      {head + R"("grid": {"tall": []}})", "grid.tall"},
+      {head + R"("grid": {"tall": [1]}, "samples": [{"tall": 1}]})", "samples"},
       {head + R"("samples": [3]})", "samples[0]"},
-      {head + R"("vary": {"length": {"uniform": [50, 60]}}})", "vary.length"},
-      {head + R"("grid": {"length": [1]}, "vary": {"length": {"uniform": [1, 2]}}})", "vary.length"},
+      {head + R"("vary": {"tall": {"uniform": [50, 60]}}})", "vary.tall"},
+      {head + R"("grid": {"tall": [1]}, "vary": {"tall": {"uniform": [1, 2]}}})", "vary.tall"},
       {head + R"("pictures": {"colour": "none"}})", "pictures"},
       {head + R"("pictures": {"colour": "jpg", "transparent": true}})", "pictures.colour"},
       {head + R"("pictures": {"views": [[10, 100]]}})", "pictures.views[0]"},
       {head + R"("pictures": {"views": [[10, 10]], "azimuth": {"uniform": [0, 90]}}})", "pictures.azimuth"},
-      {head + R"("seeds": 1000000000, "grid": {"length": [1, 2]}})", ""},
+      {head + R"("seeds": 1000000000, "grid": {"tall": [1, 2]}})", ""},
       {R"({"meristem_dataset": 1, "files": [{"ending": ".csv", "scale": 2}]})", "files[0].scale"},
       {R"({"meristem_dataset": 1, "files": [".csv", ".csv"]})", "files[1]"},
   };

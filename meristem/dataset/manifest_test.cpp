@@ -12,13 +12,13 @@ namespace {
 TEST(Manifest, RowsReadBack) {
   const DatasetPlan plan =
       rod_plan(R"({"meristem_dataset": 1, "files": [".csv"], "measures": ["height", "length_by_order"],
-    "samples": [{"length": 1.5, "rod.shape": "box"}]})");
+    "samples": [{"tall": 1.5, "rod.shape": "box"}]})");
   MadePlant made{.plant = plan.plant(0),
                  .files = {{"plants/0000/000000.csv", 12, "abc"}, {"plants/0000/000000.mtl", 3, "def"}},
                  .measures = {1.25, std::vector<double>{1, 2.5}},
                  .error = {}};
   const std::string header = manifest_header(plan);
-  EXPECT_EQ(header, "key,document,seed,length,rod.shape,files,bytes,hashes,version,error,height,length_by_order\n");
+  EXPECT_EQ(header, "key,document,seed,tall,rod.shape,files,bytes,hashes,version,error,height,length_by_order\n");
   const std::string row = manifest_row(plan, made);
   EXPECT_EQ(row, "000000,rod,1,1.5,box,plants/0000/000000.csv plants/0000/000000.mtl,12 3,abc def," +
                      std::string(version()) + ",,1.25,1 2.5\n");
@@ -57,10 +57,12 @@ TEST(Manifest, FieldsMayBeQuoted) {
 }
 
 TEST(Manifest, CallsAMeasureThatIsAlsoAValueResult) {
-  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "measures": ["length"], "grid": {"length": [1, 2]}})");
-  const auto columns = manifest_columns(plan);
-  EXPECT_EQ(columns[3], "length");
-  EXPECT_EQ(columns.back(), "result.length");
+  DatasetPlan plan;
+  plan.columns = {"height", "seed"};
+  plan.measures = {"height"};
+  EXPECT_EQ(manifest_columns(plan),
+            (std::vector<std::string>{"key", "document", "seed", "height", "value.seed", "files", "bytes", "hashes",
+                                      "version", "error", "result.height"}));
 }
 
 }  // namespace

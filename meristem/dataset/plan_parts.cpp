@@ -110,7 +110,7 @@ void read_plan_seeds(const Value& given, const DocumentPath& path, ParameterRead
   const auto largest = static_cast<double>(kLargestSeed);
   const auto most = static_cast<double>(kMostPlants);
   if (is_whole(given, 1, most)) {
-    plan.seed_count = static_cast<std::uint64_t>(given.number());
+    plan.seed_count = static_cast<std::uint64_t>(*given.number());
   } else if (const Value::List* list = given.list(); list != nullptr && !list->empty()) {
     std::set<std::uint64_t> known;
     for (std::size_t k = 0; k < list->size(); ++k) {

@@ -20,7 +20,7 @@ MadePlant make_one(const DatasetPlan& plan, std::uint64_t number, const Temporar
 TEST(PlantMaker, WritesTheFilesAndMeasuresThatThePlanAsksFor) {
   const TemporaryFolder folder;
   const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "files": [".obj", ".glb"],
-    "measures": ["height"], "grid": {"length": [0.5, 1.5]},
+    "measures": ["height"], "grid": {"tall": [0.5, 1.5]},
     "pictures": {"size": [16, 12], "samples": 1, "views": 2, "depth": "pfm", "normals": "png", "organs": true, "coco": true}})");
   const MadePlant made = make_one(plan, 1, folder);
   EXPECT_EQ(made.error, "");
@@ -54,7 +54,7 @@ TEST(PlantMaker, TellsAPlantThatItsValuesDoNotAllow) {
 TEST(PlantMaker, MakesTheSameWhateverWasMadeBefore) {
   const TemporaryFolder one, other;
   const DatasetPlan plan =
-      rod_plan(R"({"meristem_dataset": 1, "seeds": 3, "files": [".glb"], "vary": {"length": {"uniform": [0.5, 2]}}})");
+      rod_plan(R"({"meristem_dataset": 1, "seeds": 3, "files": [".glb"], "vary": {"tall": {"uniform": [0.5, 2]}}})");
   const MadePlant alone = make_one(plan, 2, one);
   unpack_documents(plan, other / "documents");
   PlantMaker maker(plan, builtin_components(), {.documents = other / "documents"});

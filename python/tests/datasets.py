@@ -15,8 +15,8 @@ ROD: dict[str, Any] = {
     "meristem": 1,
     "name": "Rod",
     "licence": "CC0-1.0",
-    "variables": {"length": {"value": 1, "min": 0.5, "max": 2}},
-    "components": {"rod": {"type": "tree", "length": "length", "radius": 0.02, "segments": 4}},
+    "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
+    "components": {"rod": {"type": "tree", "length": "tall", "radius": 0.02, "segments": 4}},
 }
 
 
@@ -30,7 +30,7 @@ def plan(plants: int, **more: Any) -> dict[str, Any]:
         "rows": 50,
         "files": [".csv"],
         "measures": ["height", "nodes"],
-        "vary": {"length": {"normal": [1, 0.3]}},
+        "vary": {"tall": {"normal": [1, 0.3]}},
         **more,
     }
 

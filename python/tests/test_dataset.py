@@ -21,8 +21,8 @@ def test_a_plan_makes_files_rows_and_a_card(tmp_path: Path) -> None:
     assert [row["key"] for row in rows] == [f"{k:06}" for k in range(6)]
     assert [row["seed"] for row in rows] == ["1", "2", "3", "4", "5", "6"]
     for row in rows:
-        assert 0.5 <= float(row["length"]) <= 2
-        assert float(row["height"]) == pytest.approx(float(row["length"]), rel=0.1)
+        assert 0.5 <= float(row["tall"]) <= 2
+        assert float(row["height"]) == pytest.approx(float(row["tall"]), rel=0.1)
         assert (made.folder / row["files"]).stat().st_size == int(row["bytes"])
     assert "# Rods" in (made.folder / "README.md").read_text()
     assert made.verify() == []
@@ -35,7 +35,7 @@ def test_values_are_those_that_the_plan_tells(tmp_path: Path) -> None:
     for number, row in enumerate(made.rows()):
         planned = read.plant(number)
         assert (row["key"], int(row["seed"])) == (planned["key"], planned["seed"])
-        assert float(row["length"]) == planned["values"]["length"]
+        assert float(row["tall"]) == planned["values"]["tall"]
         alone = rod().set(planned["values"], seed=planned["seed"]).grow()
         assert float(row["height"]) == alone.measure()["height"]
     with pytest.raises(IndexError, match="3 plants"):
@@ -111,7 +111,7 @@ def test_failed_plants_are_rows_with_their_error(tmp_path: Path) -> None:
 
 def test_tables_are_arrays(tmp_path: Path) -> None:
     made = meristem.dataset(
-        {"short": rod(), "long": rod().set({"length": 2})},
+        {"short": rod(), "long": rod().set({"tall": 2})},
         {"seeds": [3], "measures": ["height"], "samples": [{"rod.radius": 0.01}, {"rod.radius": 0.02}]},
         tmp_path / "rods",
         processes=1,

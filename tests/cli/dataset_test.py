@@ -18,13 +18,13 @@ from cli_case import DONE, FAILED, WRONG_INPUT
 
 ROD = json.dumps({
     "meristem": 1,
-    "variables": {"length": {"value": 1, "min": 0.5, "max": 2}},
-    "components": {"rod": {"type": "tree", "length": "length", "radius": 0.02, "segments": 4},
+    "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
+    "components": {"rod": {"type": "tree", "length": "tall", "radius": 0.02, "segments": 4},
                    "leaf": {"type": "leaf", "length": 0.2, "width": 0.1}},
     "links": [{"from": "rod", "to": "leaf", "kind": "branch", "density": 5}],
 })
 PLAN = {"meristem_dataset": 1, "documents": ["rod.json"], "seeds": 60, "rows": 25, "files": [".mtg"],
-        "measures": ["height"], "vary": {"length": {"uniform": [0.5, 2]}}}
+        "measures": ["height"], "vary": {"tall": {"uniform": [0.5, 2]}}}
 
 
 def png_size_and_kind(data):

@@ -16,8 +16,8 @@ namespace {
 
 using namespace meristem;
 
-constexpr const char* kDocument = R"({"meristem": 1, "variables": {"length": {"value": 1, "min": 0.5, "max": 2}},
-  "components": {"rod": {"type": "simple", "shape": "box", "size": [0.1, "length", 0.1]}}})";
+constexpr const char* kDocument = R"({"meristem": 1, "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
+  "components": {"rod": {"type": "simple", "shape": "box", "size": [0.1, "tall", 0.1]}}})";
 
 void check_plan(const DatasetPlan& plan) {
   require(plan.count() >= 1 && plan.count() <= kMostPlants);

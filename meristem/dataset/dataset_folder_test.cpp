@@ -11,8 +11,7 @@
 #include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::dataset_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -193,5 +192,4 @@ TEST(DatasetFolder, HasACardWithCountsAndHistograms) {
   EXPECT_NE(card.find("- 000005: "), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::dataset_folder_test

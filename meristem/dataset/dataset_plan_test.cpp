@@ -10,8 +10,7 @@
 #include "tests/support/check_sentence.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::dataset_plan_test {
 
 std::vector<Diagnostic> faults_of(const std::string& text) {
   try {
@@ -146,5 +145,4 @@ TEST(DatasetPlan, HasSentencesForItsRows) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::dataset_plan_test

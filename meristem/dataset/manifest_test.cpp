@@ -6,8 +6,7 @@
 #include "meristem/base/version.h"
 #include "meristem/dataset/dataset_in_a_test.h"
 
-namespace meristem {
-namespace {
+namespace meristem::manifest_test {
 
 TEST(Manifest, RowsReadBack) {
   const DatasetPlan plan =
@@ -65,5 +64,4 @@ TEST(Manifest, CallsAMeasureThatIsAlsoAValueResult) {
                                       "version", "error", "result.height"}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::manifest_test

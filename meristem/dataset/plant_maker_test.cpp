@@ -6,8 +6,7 @@
 #include "meristem/dataset/dataset_in_a_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::plant_maker_test {
 
 MadePlant make_one(const DatasetPlan& plan, std::uint64_t number, const TemporaryFolder& folder) {
   unpack_documents(plan, folder / "documents");
@@ -66,5 +65,4 @@ TEST(PlantMaker, MakesTheSameWhateverWasMadeBefore) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::plant_maker_test

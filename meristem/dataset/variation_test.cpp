@@ -8,8 +8,7 @@
 
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::variation_test {
 
 std::optional<Variation> read(const std::string& text, std::vector<Diagnostic>* faults = nullptr) {
   ParameterReader reader({}, Limits());
@@ -122,5 +121,4 @@ TEST(Variation, RejectsWhatIsNoDistribution) {
   EXPECT_EQ(faults[0].nearest, "uniform");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::variation_test

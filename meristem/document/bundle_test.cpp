@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::bundle_test {
 
 namespace fs = std::filesystem;
 
@@ -74,5 +73,4 @@ TEST(DocumentBundle, LeavesShippedModelsToTheProgram) {
   EXPECT_EQ(bundle_of(document).files.size(), 2U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::bundle_test

@@ -7,8 +7,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::nearest_axis_test {
 
 /// A trunk of 2 m and twigs that stand off it, thinner toward the tip.
 Stem trunk_with_twigs(int twigs, float x) {
@@ -68,5 +67,4 @@ TEST(NearestAxis, OfEqualOnesTheFirstWins) {
   EXPECT_EQ(NearestAxis(plant).find(Vec3(0, 1, 0)), (StemAxis{0, 0}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::nearest_axis_test

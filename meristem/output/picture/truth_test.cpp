@@ -12,8 +12,7 @@
 #include "meristem/output/picture/still.h"
 #include "meristem/output/picture/truth_files.h"
 
-namespace meristem {
-namespace {
+namespace meristem::truth_test {
 
 /// A ball of 1 m about (0, 1, 0), seen from 10 m north at its own height.
 constexpr const char* kBall = R"({"meristem": 1, "components": {
@@ -189,5 +188,4 @@ TEST(TruthFiles, AnnotatesWhatIsSeen) {
   EXPECT_EQ(area, pixels);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::truth_test

@@ -138,7 +138,7 @@ py::tuple state_of(const PlanPointer& plan) {
     for (const auto& [path, content] : document.bundle.files) files.append(py::make_tuple(path, py::bytes(content)));
     documents.append(py::make_tuple(document.name, document.bundle.document, files, values_of(document.set)));
   }
-  return py::make_tuple(write_json(plan->plan.tree), documents);
+  return py::make_tuple(folder_plan_text(plan->plan), documents);
 }
 
 PlanPointer from_state(const py::tuple& state) {

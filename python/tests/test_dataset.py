@@ -49,7 +49,7 @@ def test_a_plan_travels_by_content(tmp_path: Path) -> None:
             {
                 "meristem": 1,
                 "components": {
-                    "row": {"type": "places", "table": {"file": "points.csv"}},
+                    "row": {"type": "places", "table": "points.csv"},
                     "rod": {"type": "tree", "length": 1, "radius": 0.02},
                 },
                 "links": [["row", "rod"]],

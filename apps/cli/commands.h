@@ -18,6 +18,7 @@ void add_derive(CLI::App& app, Run& run);
 void add_graph(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_plan(CLI::App& app, Run& run);
+void add_dataset(CLI::App& app, Run& run);
 void add_components(CLI::App& app, Run& run);
 void add_models(CLI::App& app, Run& run);
 void add_studio(CLI::App& app, Run& run);

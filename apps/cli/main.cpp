@@ -116,6 +116,7 @@ int main(int argc, char** argv) {
   cli::add_graph(app, run);
   cli::add_check(app, run);
   cli::add_plan(app, run);
+  cli::add_dataset(app, run);
   cli::add_components(app, run);
   cli::add_models(app, run);
   cli::add_studio(app, run);

@@ -105,6 +105,7 @@ void refuse_new(const char* where) {
 std::string models_folder();
 
 void bind_component_types(py::module_& module);
+void bind_dataset(py::module_& module);
 void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);

@@ -21,7 +21,8 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
-ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output"]
+ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output",
+         "dataset"]
 DOORS = ["apps", "python"]
 HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",
          "valijson/", "Eigen/")

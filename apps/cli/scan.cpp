@@ -8,7 +8,6 @@
 
 #include "commands.h"
 #include "documents.h"
-#include "frames.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/parallel.h"

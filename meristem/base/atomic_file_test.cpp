@@ -91,6 +91,20 @@ TEST_F(AtomicFileTest, KeepsBytesInOrderAcrossItsBuffer) {
   EXPECT_TRUE(content_of(at("bytes")) == expected);
 }
 
+TEST_F(AtomicFileTest, WritesOverWhatItHoldsAlready) {
+  AtomicFile file(at("a").string());
+  put(file, "00000 points\n");
+  file.overwrite(0, "12345");
+  put(file, "more\n");
+  file.overwrite(6, "P");
+  EXPECT_THROW(file.overwrite(17, "xx"), std::invalid_argument);
+  file.commit();
+  EXPECT_EQ(content_of(at("a")), "12345 Points\nmore\n");
+  EXPECT_THROW(file.overwrite(0, "x"), std::invalid_argument);
+  AtomicFile stream("-");
+  EXPECT_THROW(stream.overwrite(0, ""), std::invalid_argument);
+}
+
 TEST_F(AtomicFileTest, ReplacesAFileAndKeepsItsPermissions) {
   write_file(at("file"), "before");
   fs::permissions(at("file"), fs::perms(0640));

@@ -14,6 +14,7 @@ void add_grow(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_measure(CLI::App& app, Run& run);
 void add_shade(CLI::App& app, Run& run);
+void add_scan(CLI::App& app, Run& run);
 void add_derive(CLI::App& app, Run& run);
 void add_graph(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);

@@ -112,6 +112,7 @@ int main(int argc, char** argv) {
   cli::add_render(app, run);
   cli::add_measure(app, run);
   cli::add_shade(app, run);
+  cli::add_scan(app, run);
   cli::add_derive(app, run);
   cli::add_graph(app, run);
   cli::add_check(app, run);

@@ -109,6 +109,7 @@ void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_plant(py::module_& module);
+void bind_scan(py::module_& module);
 void bind_session(py::module_& module);
 void bind_shade(py::module_& module);
 void bind_word(py::module_& module);

@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, module) {
   bind_colonize(module);
   bind_plant(module);
   bind_shade(module);
+  bind_scan(module);
   bind_document(module);
   bind_session(module);
   bind_word(module);

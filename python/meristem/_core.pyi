@@ -266,6 +266,33 @@ class Plant:
     def leaf_layers(
         self, height: float = 1.0, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None
     ) -> dict[str, NDArray[np.float64]]: ...
+    def scan(
+        self,
+        *,
+        instrument: str | Mapping[str, Any] = "terrestrial",
+        stations: ArrayLike | None = None,
+        around: int | None = None,
+        target: ArrayLike | None = None,
+        ground: bool = False,
+        obstacles: bool = True,
+        seed: int | None = None,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> dict[str, NDArray[Any]]: ...
+    def save_scan(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        instrument: str | Mapping[str, Any] = "terrestrial",
+        stations: ArrayLike | None = None,
+        around: int | None = None,
+        target: ArrayLike | None = None,
+        ground: bool = False,
+        obstacles: bool = True,
+        seed: int | None = None,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> int: ...
     def save(
         self,
         path: str | os.PathLike[str],
@@ -455,6 +482,14 @@ def read_mtg(
     diameter: str = "",
     unit: float = 1.0,
     diameter_unit: float | None = None,
+) -> Skeleton: ...
+def read_skeleton(
+    path: str | os.PathLike[str],
+    *,
+    unit: float = 1.0,
+    diameter_unit: float | None = None,
+    up: str = "file",
+    at_origin: bool = True,
 ) -> Skeleton: ...
 def convex_hull(
     points: ArrayLike, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None

@@ -37,7 +37,10 @@ class ScanFiles : public testing::Test {
     scanner.lowest = radians(-25);
     scanner.highest = radians(20);
     scanner.farthest = 7;
-    scanner.rays = 3;
+    // Wide beams, so that some ray meets the thin vine.
+    scanner.rays = 7;
+    scanner.divergence = 12;
+    scanner.threshold = 0;
     options_.around = 2;
     options_.ground = true;
     meshes_ = make_mesh_scene(plant_, {}, progress_);

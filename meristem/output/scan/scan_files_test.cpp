@@ -37,7 +37,8 @@ class ScanFiles : public testing::Test {
     scanner.lowest = radians(-25);
     scanner.highest = radians(20);
     scanner.farthest = 7;
-    // Wide beams, so that some ray meets the thin vine.
+    // Wide beams, so that some ray meets the thin vine, and a return of its own before the ground.
+    scanner.resolution = 0.05;
     scanner.rays = 7;
     scanner.divergence = 12;
     scanner.threshold = 0;

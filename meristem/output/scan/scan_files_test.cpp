@@ -16,8 +16,7 @@
 #include "tests/support/sample_plants.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::scan_files_test {
 
 /// The bytes at an offset, as a number.
 template <class Number>
@@ -177,5 +176,4 @@ TEST(ScanFormats, RefusalsNameTheEndings) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::scan_files_test

@@ -189,8 +189,14 @@ struct Scanner::Parts {
       Echo echo;
       if (trace(ray, echo)) echoes.push_back(echo);
     }
-    std::stable_sort(echoes.begin(), echoes.end(),
-                     [](const Echo& a, const Echo& b) { return a.distance < b.distance; });
+    // They are few, and std::stable_sort would take memory for each pulse.
+    for (std::size_t k = 1; k < echoes.size(); ++k) {
+      const auto is_nearer = [](const Echo& a, const Echo& b) { return a.distance < b.distance; };
+      const auto place =
+          std::upper_bound(echoes.begin(), echoes.begin() + static_cast<std::ptrdiff_t>(k), echoes[k], is_nearer);
+      std::rotate(place, echoes.begin() + static_cast<std::ptrdiff_t>(k),
+                  echoes.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    }
   }
 
   void add_points(std::uint64_t number, std::vector<Echo>& echoes, std::vector<ScanPoint>& points) const {

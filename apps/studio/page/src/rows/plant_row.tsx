@@ -7,6 +7,7 @@ import { PlantChoices } from '../board/plant_choices.tsx';
 import { IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
+import { use_models } from '../dialogs/models_dialog.tsx';
 import type { JsonNode } from '../document/json.ts';
 import { path_below, steps_of, value_at } from '../document/path.ts';
 import type { Row, Tables } from '../tables/tables.ts';
@@ -27,7 +28,7 @@ export function PlantRow(props: RowEditorProps): ReactElement {
   const file = typeof value === 'string' ? value : '';
   return (
     <div className="file-row of-pictures">
-      <PlantPicture key={file} file={file} />
+      <PlantPicture file={file} />
       <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="a shipped plant or a path" />
       <IconButton is_small icon="folder" label={`Choose a plant for ${label}`} press={() => set_open(true)} />
       {is_open && <PlantDialog {...props} close={() => set_open(false)} />}
@@ -55,9 +56,9 @@ function PlantDialog({ label, row, actions, close }: RowEditorProps & { close: (
 
 /// The picture of a shipped plant; an icon for documents of the user's own.
 function PlantPicture({ file }: { file: string }): ReactElement {
-  const [is_missing, set_missing] = useState(false);
-  const model = file.replace(/\.json$/i, '');
-  if (/^[\w-]+$/.test(model) && !is_missing) return <img className="thumbnail" src={`pictures/${model}.jpg`} alt="" onError={() => set_missing(true)} />;
+  const name = file.replace(/\.json$/i, '');
+  const model = use_models().find((one) => one.name === name);
+  if (model?.picture === true) return <img className="thumbnail" src={`pictures/${name}.jpg`} alt="" />;
   return (
     <span className="thumbnail none">
       <Icon name="document" />

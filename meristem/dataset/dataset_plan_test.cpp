@@ -129,6 +129,8 @@ TEST(DatasetPlan, RefusesWhatItCannotMean) {
       {head + R"("seeds": 1000000000, "grid": {"tall": [1, 2]}})", ""},
       {R"({"meristem_dataset": 1, "files": [{"ending": ".csv", "scale": 2}]})", "files[0].scale"},
       {R"({"meristem_dataset": 1, "files": [".csv", ".csv"]})", "files[1]"},
+      {R"({"meristem_dataset": 1, "files": [{"ending": ".scan.las", "instrument": "dron"}]})", "files[0].instrument"},
+      {R"({"meristem_dataset": 1, "files": [{"ending": ".scan.las", "aroun": 3}]})", "files[0].aroun"},
   };
   for (const auto& [text, path] : cases) {
     const auto faults = faults_of(text);

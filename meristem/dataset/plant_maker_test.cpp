@@ -39,6 +39,17 @@ TEST(PlantMaker, WritesTheFilesAndMeasuresThatThePlanAsksFor) {
   ASSERT_EQ(made.measures.size(), 1U);
 }
 
+TEST(PlantMaker, ScansPlantsAsThePlanSays) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "files": [{"ending": ".scan.csv",
+    "instrument": {"kind": "terrestrial", "step": 1}, "around": 1}]})");
+  const MadePlant made = make_one(plan, 0, folder);
+  EXPECT_EQ(made.error, "");
+  ASSERT_EQ(made.files.size(), 1U);
+  EXPECT_EQ(made.files[0].path, "plants/0000/000000.scan.csv");
+  EXPECT_GT(made.files[0].bytes, 100U);
+}
+
 TEST(PlantMaker, TellsAPlantThatItsValuesDoNotAllow) {
   const TemporaryFolder folder;
   const DatasetPlan plan =

@@ -5,10 +5,31 @@
 #include <vector>
 
 #include "meristem/output/formats.h"
+#include "meristem/output/scan/scan_files.h"
+#include "meristem/output/scan/scan_request.h"
 
 namespace meristem {
 
 namespace {
+
+/// What the settings ask for, with the noise of the plant's own seed.
+ScanPlan scan_plan_of(const PlantInHand& plant) { return plan_scan(plant.settings, plant.document.graph.seed); }
+
+/// Scans, each format under an ending of its own: ".scan.las".
+PlantOutput scan_output(const ScanFormat& format) {
+  return {.ending = ".scan" + std::string(format.ending),
+          .doc = "a scan of the plant with the truth of each point: " + std::string(format.doc),
+          .needs = GrownPart::textures,  // pulses pass through the holes of textures
+          .write =
+              [](const PlantInHand& plant, const std::string& path, Progress& progress) {
+                const ScanPlan plan = scan_plan_of(plant);
+                const MeshScene meshes = scanned_meshes(plant.grown.meshes, plant.document.scene.obstacles, plan);
+                const Scanner scanner(plant.grown.plant, meshes, plan.options, progress);
+                write_scan(scanner, std::span(&path, 1), provenance_of(plant.document), progress);
+              },
+          .settings = scan_table,
+          .check = [](const Value& settings) { plan_scan(settings, 0); }};
+}
 
 std::vector<PlantOutput> all_plant_outputs() {
   std::vector<PlantOutput> outputs;
@@ -20,6 +41,7 @@ std::vector<PlantOutput> all_plant_outputs() {
                          format.write(plant.document, plant.grown, path, {}, progress);
                        }});
   }
+  for (const ScanFormat& format : scan_formats()) outputs.push_back(scan_output(format));
   return outputs;
 }
 

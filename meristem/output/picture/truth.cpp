@@ -5,16 +5,14 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "meristem/base/parallel.h"
+#include "meristem/measure/surface_labels.h"
 #include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/still.h"
-#include "meristem/plant/nearest_axis.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/shape/ray_scene.h"
 
@@ -24,12 +22,12 @@ namespace {
 
 constexpr float kSky = std::numeric_limits<float>::infinity();
 
-/// What a pixel's ray has met: an instance of a part of the plants, and of wood its axis as well.
+/// What a pixel's ray has met: an instance of a part of the plants.
 struct Met {
   static constexpr std::uint32_t kNothing = 0xffffffffU;
   std::uint32_t part = kNothing;
   std::uint32_t instance = 0;
-  StemAxis axis{kNoStem, 0};
+  SurfaceLabel label;
 };
 
 /// Numbers what is seen, each thing once. `Key` says which thing it is.
@@ -53,94 +51,88 @@ class Numbers {
   std::map<Key, std::uint32_t> numbers_;
 };
 
-/// Who is who among the meshes of a plant.
+/// Numbers what is seen on all levels.
 class Census {
  public:
-  Census(const MeshScene& meshes, const Plant& plant, Truth& truth)
+  /// `plant` is the expanded one, whose axes are the shoots of the labels.
+  Census(const MeshScene& meshes, const SurfaceLabels& labels, const Plant& plant, Truth& truth)
       : meshes_(meshes),
-        plant_(plant),
-        nearest_(plant),
+        labels_(labels),
         plants_(truth.masks[static_cast<int>(TruthLevel::plant)]),
         shoots_(truth.masks[static_cast<int>(TruthLevel::shoot)]),
         organs_(truth.masks[static_cast<int>(TruthLevel::organ)]) {
-    std::set<std::string_view> stem_components;
     for (const Stem& stem : plant.stems) {
-      for (const StemPart& part : stem.parts) stem_components.insert(part.component);
-      individuals_.push_back(stem.individual_of_axis());
-      std::vector<int>& orders = orders_.emplace_back(individuals_.back().size(), 0);
-      for (NodeIndex node = stem.skeleton.node_count(); node-- > 0;) {
-        orders[stem.skeleton.axis[node]] = stem.skeleton.order[node];
+      const auto first = wood_.size();
+      for (NodeIndex node = 0; node < stem.skeleton.node_count(); ++node) {
+        const std::size_t shoot = first + stem.skeleton.axis[node];
+        if (shoot < wood_.size()) continue;
+        wood_.resize(shoot + 1);
+        wood_[shoot] = {.component = stem.part(stem.skeleton.axis[node]).component, .order = stem.skeleton.order[node]};
       }
-    }
-    // Wood stands in the world as it is; organs are placed.
-    for (const MeshInstances& part : meshes.meshes) {
-      is_wood_.push_back(part.frames.size() == 1 && part.frames[0].axes == Mat3(1) &&
-                         part.frames[0].origin == Vec3(0) && stem_components.contains(part.component));
     }
   }
 
-  bool is_wood(std::uint32_t part) const { return is_wood_[part]; }
-  StemAxis axis_at(Vec3 position) const { return nearest_.find(position).value_or(StemAxis{kNoStem, 0}); }
-
   /// Writes the numbers of what was met into the masks. To be called pixel by pixel, in order.
   void add(const Met& met, Truth& truth, std::size_t pixel) {
-    const bool wood = met.axis.stem != kNoStem;
-    const StemAxis axis = wood ? met.axis : axis_of_organ(met);
-    const std::uint32_t individual = individual_of(met, axis, wood);
-    const std::uint32_t plant = individual == kNoIndividual ? 0 : plants_.of(individual, [&] {
-      return SeenThing{.component = individual < plant_.individuals.size() ? plant_.individuals[individual].component
-                                                                           : meshes_.meshes[met.part].component};
-    });
+    const SurfaceLabel& label = met.label;
+    const std::optional<PlantKey> key = plant_of(met);
+    const std::uint32_t plant =
+        !key ? 0 : plants_.of(*key, [&] { return SeenThing{.component = plant_component(*key, met)}; });
     const auto describe_wood = [&] {
-      return SeenThing{.component = plant_.stems[axis.stem].part(axis.axis).component,
-                       .plant = plant,
-                       .order = orders_[axis.stem][axis.axis]};
+      SeenThing thing = wood_.at(label.shoot);
+      thing.plant = plant;
+      return thing;
     };
-    const std::uint32_t shoot = axis.stem == kNoStem ? 0 : shoots_.of(axis, describe_wood);
-    const std::uint32_t organ =
-        wood ? organs_.of({0, axis.stem, axis.axis},
-                          [&] {
-                            SeenThing thing = describe_wood();
-                            thing.shoot = shoot;
-                            return thing;
-                          })
-             : organs_.of({1, met.part, met.instance}, [&] {
-                 return SeenThing{
-                     .component = meshes_.meshes[met.part].component, .is_organ = true, .shoot = shoot, .plant = plant};
-               });
+    const bool has_shoot = label.shoot < wood_.size();
+    const std::uint32_t shoot = has_shoot ? shoots_.of(label.shoot, describe_wood) : 0;
+    const bool is_organ = label.kind == SurfaceKind::organ || !has_shoot;
+    const OrganKey organ_key = is_organ ? OrganKey{1, met.part, met.instance} : OrganKey{0, label.shoot, 0};
+    const std::uint32_t organ = organs_.of(organ_key, [&] {
+      SeenThing thing =
+          is_organ ? SeenThing{.component = labels_.components()[label.component], .is_organ = true} : describe_wood();
+      thing.shoot = shoot;
+      thing.plant = plant;
+      return thing;
+    });
     truth.masks[static_cast<int>(TruthLevel::organ)].number[pixel] = organ;
     truth.masks[static_cast<int>(TruthLevel::shoot)].number[pixel] = shoot;
     truth.masks[static_cast<int>(TruthLevel::plant)].number[pixel] = plant;
   }
 
  private:
-  StemAxis axis_of_organ(const Met& met) {
-    const auto [found, is_new] = axes_of_organs_.try_emplace({met.part, met.instance});
-    if (is_new) {
-      const Vec3 base = meshes_.meshes[met.part].frame(met.instance).origin;
-      found->second = nearest_.find_bearer(base).value_or(StemAxis{kNoStem, 0});
+  /// What a plant is told by: an individual, a tree among plants that stand in several places, or else such a place.
+  enum class PlantBy { individual, tree, place };
+  using PlantKey = std::tuple<PlantBy, std::uint32_t, std::uint32_t>;
+  using OrganKey = std::tuple<int, std::uint32_t, std::uint32_t>;
+
+  std::optional<PlantKey> plant_of(const Met& met) const {
+    const MeshInstances& part = meshes_.meshes[met.part];
+    if (part.places == nullptr) {
+      const std::uint32_t individual = part.individual(met.instance);
+      if (individual == kNoIndividual) return std::nullopt;
+      return PlantKey{PlantBy::individual, individual, 0};
     }
-    return found->second;
+    if (met.label.tree != kNoTree) return PlantKey{PlantBy::tree, met.label.tree, 0};
+    const std::uint32_t planting = part.origin != nullptr ? part.origin->planting : met.part;
+    return PlantKey{PlantBy::place, planting, static_cast<std::uint32_t>(met.instance / part.frames.size())};
   }
 
-  std::uint32_t individual_of(const Met& met, StemAxis axis, bool wood) const {
-    if (wood) return individuals_[axis.stem][axis.axis];
-    const MeshInstances& part = meshes_.meshes[met.part];
-    // Where a plant stands in several places, the organ's shoot knows which one it is.
-    if (part.places != nullptr && axis.stem != kNoStem) return individuals_[axis.stem][axis.axis];
-    return part.individual(met.instance);
+  std::string plant_component(const PlantKey& key, const Met& met) const {
+    const std::uint32_t number = std::get<1>(key);
+    if (std::get<0>(key) == PlantBy::individual && number < meshes_.individuals.size()) {
+      return meshes_.individuals[number].component;
+    }
+    // A component of a placed plant is called by what places it, and then by itself: "oak.leaf".
+    const std::string& component = meshes_.meshes[met.part].component;
+    return component.substr(0, component.find('.'));
   }
 
   const MeshScene& meshes_;
-  const Plant& plant_;
-  const NearestAxis nearest_;
-  std::vector<bool> is_wood_;
-  std::vector<std::vector<std::uint32_t>> individuals_;  // of each axis of each stem
-  std::vector<std::vector<int>> orders_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, StemAxis> axes_of_organs_;
-  Numbers<std::uint32_t> plants_;
-  Numbers<StemAxis> shoots_;
-  Numbers<std::tuple<int, std::uint32_t, std::uint32_t>> organs_;
+  const SurfaceLabels& labels_;
+  std::vector<SeenThing> wood_;  // of each shoot
+  Numbers<PlantKey> plants_;
+  Numbers<std::uint32_t> shoots_;
+  Numbers<OrganKey> organs_;
 };
 
 Camera camera_over(const MeshScene& framed, const View& view, const TruthOptions& options) {
@@ -164,21 +156,20 @@ Truth see_truth(const GrownDocument& grown, const Scene& scene, const View& view
               .normal = std::vector<Vec3>(pixels, Vec3(0)),
               .masks = {}};
   for (TruthMask& mask : truth.masks) mask.number.assign(pixels, 0);
-  progress.begin("looking", options.height);
-
   // The scene and the camera are those of the picture.
   const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
   const MeshScene meshes_around = shows_obstacles ? with_obstacles(grown.meshes, scene.obstacles) : MeshScene();
   const MeshScene& shown = shows_obstacles ? meshes_around : grown.meshes;
   const MeshScene& framed = grown.meshes.meshes.empty() ? shown : grown.meshes;
-  const auto plant_parts = static_cast<std::uint32_t>(grown.meshes.meshes.size());
   const RayScene rays(shown, progress);
   const Camera camera = camera_over(framed, view, options);
   const Ground ground = ground_below(framed, scene);
   const ExpandedPlant plant(grown.plant, progress);
-  Census census(grown.meshes, *plant, truth);
+  const SurfaceLabels labels(grown.plant, shown, progress);
+  Census census(shown, labels, *plant, truth);
 
   // Each pixel's surface.
+  progress.begin("looking", options.height);
   std::vector<Met> met(pixels);
   parallel_for(static_cast<std::size_t>(options.height), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
@@ -197,10 +188,9 @@ Truth see_truth(const GrownDocument& grown, const Scene& scene, const View& view
           distance = hit->distance;
           const SurfacePoint point = rays.surface_point(*hit);
           normal = glm::dot(point.normal, ray.direction) > 0 ? -point.normal : point.normal;
-          if (hit->part < plant_parts) {
-            met[pixel] = {hit->part, hit->instance};
-            if (census.is_wood(hit->part)) met[pixel].axis = census.axis_at(point.position);
-          }
+          const SurfaceLabel label = labels.of(hit->part, hit->instance, hit->triangle, point.position);
+          const bool is_plant = label.kind == SurfaceKind::wood || label.kind == SurfaceKind::organ;
+          if (is_plant) met[pixel] = {hit->part, hit->instance, label};
         }
         if (distance == kSky) continue;
         truth.depth[pixel] = distance * glm::dot(ray.direction, camera.forward());

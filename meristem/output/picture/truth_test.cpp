@@ -17,7 +17,7 @@ namespace meristem::truth_test {
 /// A ball of 1 m about (0, 1, 0), seen from 10 m north at its own height.
 constexpr const char* kBall = R"({"meristem": 1, "components": {
   "view": {"type": "camera", "position": [0, 1, -10], "target": [0, 1, 0], "field_of_view": 20},
-  "ball": {"type": "simple", "shape": "sphere", "size": [2, 2, 2], "segments": 128, "frame": {"translate": [0, 1, 0]}}},
+  "ball": {"type": "simple", "shape": "sphere", "size": [2, 2, 2], "segments": 128}},
   "links": [["view", "ball"]]})";
 
 /// Two upright shoots beside each other, each with leaves.
@@ -172,7 +172,7 @@ TEST(TruthFiles, AnnotatesWhatIsSeen) {
   const Value coco = parse_json(encode_truth(seen.truth, seen.camera, truth_format("coco"), "a.json",
                                              {.picture = "a.png", .name = "Twins", .licence = "CC0-1.0"}));
   EXPECT_EQ(*(*coco.find("images")->list())[0].find("file_name")->text(), "a.png");
-  EXPECT_EQ(coco.find("categories")->list()->size(), 5U) << "leaf, wood of stem, shoot, two plants of one component";
+  EXPECT_EQ(coco.find("categories")->list()->size(), 4U) << "leaf, wood of stem, shoot, plant";
   std::size_t things = 0;
   for (int level = 0; level < kTruthLevels; ++level) things += seen.truth.masks[level].things.size();
   const Value::List& annotations = *coco.find("annotations")->list();

@@ -20,7 +20,8 @@ class Carried:
         self._document = document
 
     def __reduce__(self) -> tuple[Callable[..., Document], tuple[Any, ...]]:
-        text, file, overrides, seed = self._document.__getstate__()
+        state: Callable[[], tuple[Any, ...]] = getattr(self._document, "__getstate__")
+        text, file, overrides, seed = state()
         name, files = self._document.bundle()
         if len(files) == 1:  # it names none: messages call it as they do here
             return _read, (text, file, overrides, seed)

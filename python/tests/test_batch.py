@@ -290,7 +290,7 @@ def test_results_can_be_pickled() -> None:
         ({"measure": ["hight"]}, ValueError, "there is no measure 'hight'; expected one of trees, nodes"),
         ({"processes": 0}, ValueError, "processes must be at least 1, not 0"),
         ({"processes": 1.5}, TypeError, "integer"),
-        ({"progress": 3}, TypeError, "progress must be a function of two numbers, not int"),
+        ({"progress": 3}, TypeError, "progress must be a function of two numbers, or True, not int"),
         ({"seeds": 3}, TypeError, "seeds must be several numbers, such as .* not int"),
         ({"seeds": ["one"]}, TypeError, "seed must be a whole number"),
         ({"seeds": [-1]}, ValueError, "seed must be a whole number from 0"),

@@ -92,6 +92,7 @@ class Members {
 };
 
 constexpr double kMostSeconds = 1e9;
+constexpr double kMostIteration = 1e6;
 
 double checked_time(const Members& members) { return members.number("time", -kMostSeconds, kMostSeconds); }
 
@@ -220,6 +221,14 @@ InstanceRequest instance_request(const Members& members) {
   return request;
 }
 
+OperationsRequest operations_request(const Members& members) {
+  OperationsRequest request{.component = members.text("component"),
+                            .operation = members.optional_text("operation").value_or(""),
+                            .iteration = {}};
+  if (members.has("iteration")) request.iteration = static_cast<int>(members.whole("iteration", 0, kMostIteration));
+  return request;
+}
+
 ExportOptions export_options(const Members& members) {
   ExportOptions options{.format = members.text("format"), .name = members.optional_text("name")};
   if (!members.has("options")) return options;
@@ -297,6 +306,8 @@ Request request_of(const std::string& what, const Members& members) {
   }
   if (what == "measures") return MeasuresRequest{};
   if (what == "instance") return instance_request(members);
+  if (what == "stand") return StandRequest{members.text("component")};
+  if (what == "operations") return operations_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};
   if (what == "part") return part_request(members);
   if (what == "export") return ExportRequest{export_options(members)};

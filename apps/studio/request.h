@@ -67,6 +67,16 @@ struct InstanceRequest {
   Frame frame;       ///< of what is seen of it; the world's own for stems
   Vec3 position{0};  ///< on its surface
 };
+/// Where the first instance of a component stands.
+struct StandRequest {
+  std::string component;
+};
+/// What operations have done to the trees of a component.
+struct OperationsRequest {
+  std::string component;
+  std::string operation;         ///< path of the one whose places are told; empty: none
+  std::optional<int> iteration;  ///< after which it acted; unset: after any
+};
 /// Asks for the components of a shipped model.
 struct PartsRequest {
   std::string model;
@@ -128,10 +138,11 @@ struct PictureRequest {
   int size = 96;     ///< pixels along the longer side
 };
 
-using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
-                             ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest,
-                             CommandRequest, StillsRequest, GrammarRequest, PictureRequest>;
+using Request =
+    std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
+                 AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
+                 InstanceRequest, StandRequest, OperationsRequest, PartsRequest, PartRequest, ExportRequest,
+                 CommandRequest, StillsRequest, GrammarRequest, PictureRequest>;
 
 struct NumberedRequest {
   double id = 0;

@@ -20,6 +20,7 @@
 #include "meristem/document/models.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
+#include "operation_values.h"
 #include "part_values.h"
 #include "refusal.h"
 #include "text_units.h"
@@ -469,16 +470,39 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Measure
   return std::nullopt;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
-  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache& cache) {
+/// Has the thread that grows answer from what has grown last.
+template <class Find>
+void StudioSession::ask_grown(double id, const char* member, Find find) {
+  grower_->ask([outbox = outbox_, id, member, find = std::move(find)](const GrownWish* grown, GrowthCache& cache) {
     try {
       if (grown == nullptr) throw Refusal("nothing has grown yet");
       Progress progress;
-      Value::Object done{{"is", "done"}, {"re", id}, {"instance", instance_value(*grown, request, progress, cache)}};
+      Value::Object done{{"is", "done"}, {"re", id}, {member, find(*grown, progress, cache)}};
       outbox->send_text(write_json_line(done));
     } catch (const std::exception& error) {
       outbox->send_text(refused_text(id, error.what(), {}));
     }
+  });
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
+  ask_grown(id, "instance", [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) {
+    return instance_value(grown, request, progress, cache);
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRequest& request) {
+  ask_grown(id, "stand",
+            [component = request.component](const GrownWish& grown, Progress& progress, GrowthCache& cache) {
+              return stand_value(grown, component, progress, cache);
+            });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const OperationsRequest& request) {
+  ask_grown(id, "operations", [request](const GrownWish& grown, Progress& progress, GrowthCache&) {
+    return operations_value(grown, request, progress);
   });
   return std::nullopt;
 }

@@ -92,6 +92,8 @@ class StudioSession {
   std::optional<Answer> act(double id, const ModelsRequest& request);
   std::optional<Answer> act(double id, const MeasuresRequest& request);
   std::optional<Answer> act(double id, const InstanceRequest& request);
+  std::optional<Answer> act(double id, const StandRequest& request);
+  std::optional<Answer> act(double id, const OperationsRequest& request);
   std::optional<Answer> act(double id, const PartsRequest& request);
   std::optional<Answer> act(double id, const PartRequest& request);
   std::optional<Answer> act(double id, const ExportRequest& request);
@@ -107,6 +109,8 @@ class StudioSession {
   void restart(std::string text);
   void show(bool at_once);
   void add_reading(Answer& answer);
+  template <class Find>
+  void ask_grown(double id, const char* member, Find find);
   template <class Work>
   void run_later(double id, const char* job, Work work);
   template <class Work>

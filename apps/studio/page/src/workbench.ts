@@ -4,16 +4,22 @@
 import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
+import { Pruning } from './pruning/pruning.ts';
 import type { Studio } from './studio.ts';
+import { Gizmo } from './view/gizmo/gizmo.ts';
 
 export class Workbench {
   readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
   readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
   readonly pins = new PinList();
   readonly derivation: DerivationModel;
+  readonly pruning: Pruning;
+  readonly gizmo: Gizmo;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
+    this.pruning = new Pruning(studio);
+    this.gizmo = new Gizmo(studio);
   }
 
   /// Another document is opened.
@@ -22,5 +28,7 @@ export class Workbench {
     this.strip.set(null);
     this.pins.clear();
     this.derivation.forget();
+    this.pruning.forget();
+    this.gizmo.forget();
   }
 }

@@ -10,6 +10,7 @@ import { Dialogs } from '../dialogs/dialogs.tsx';
 import { Drawer } from '../editors/drawer.tsx';
 import { PinnedViews } from '../find/pinned_views.tsx';
 import { GrammarPanel } from '../grammar/grammar_panel.tsx';
+import { PlanPanel } from '../pruning/plan_panel.tsx';
 import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
 import type { ShellState } from '../studio_state.ts';
@@ -31,6 +32,7 @@ const kSides: Record<Side, { title: string; Content: () => ReactElement }> = {
   inspector: { title: 'Inspector', Content: InspectorWithHints },
   text: { title: 'Text', Content: TextPanel },
   grammar: { title: 'Grammar', Content: GrammarPanel },
+  plan: { title: 'Plan', Content: PlanPanel },
 };
 const kTabs = (Object.keys(kSides) as Side[]).map((name) => [name, kSides[name].title] as const);
 
@@ -87,11 +89,11 @@ function LeftPanel(): ReactElement {
 function SidePanel(): ReactElement {
   const studio = use_studio();
   const { side } = use_store(studio.shell);
-  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar') };
+  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), plan: use_width('plan') };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
-    <aside className={`right of-${side}`} aria-label="Inspector, text and grammar" style={{ width: width ?? undefined }}>
+    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar and plan" style={{ width: width ?? undefined }}>
       <div className="side-tabs">
         <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
       </div>

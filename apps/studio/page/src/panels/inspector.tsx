@@ -15,6 +15,8 @@ import { use_document, use_studio } from '../studio_context.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { Row, RowGroup } from '../tables/tables.ts';
 import { has_meaning } from '../tables/tables.ts';
+import { SceneTools } from '../scene/scene_tools.tsx';
+import { SunDial } from '../scene/sun_dial.tsx';
 import { InstancePanel } from './instance_panel.tsx';
 import { NamedTools } from './named_tools.tsx';
 
@@ -38,6 +40,12 @@ export function Inspector(): ReactElement {
     <section className="panel inspector" aria-labelledby="inspector-title">
       <InspectorHead path={path} value={value} />
       <InstancePanel path={path} />
+      {path === 'scene' && (
+        <>
+          <SunDial />
+          <SceneTools />
+        </>
+      )}
       <div className="inspector-tools">
         <label className="search">
           <Icon name="search" />

@@ -7,6 +7,7 @@ import { Button, IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Files } from '../dialogs/file_dialogs.tsx';
 import { Thumbnail } from '../editors/thumbnail.tsx';
+import type { Json } from '../document/json.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Row } from '../tables/tables.ts';
 import { folder_of, path_from } from './file_path.ts';
@@ -23,7 +24,7 @@ export function FileRow(props: RowEditorProps): ReactElement {
       {names_pictures(row) && <Thumbnail file={file} />}
       <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="path of a file" />
       <IconButton is_small icon="folder" label={`Choose a file for ${label}`} press={() => set_open(true)} />
-      {is_open && <FileDialog {...props} close={() => set_open(false)} />}
+      {is_open && <FileDialog label={label} row={row} value={value} take={actions.commit} close={() => set_open(false)} />}
     </div>
   );
 }
@@ -32,7 +33,15 @@ function names_pictures(row: Row): boolean {
   return endings_in(row.doc).includes('.png');
 }
 
-function FileDialog({ label, row, value, actions, close }: RowEditorProps & { close: () => void }): ReactElement {
+interface FileDialogProps {
+  label: string;
+  row: Row;
+  value: Json | undefined;
+  take: (file: string) => void;
+  close: () => void;
+}
+
+export function FileDialog({ label, row, value, take: commit, close }: FileDialogProps): ReactElement {
   const studio = use_studio();
   const { path, model } = use_document();
   const home = folder_of(path ?? '');
@@ -55,7 +64,7 @@ function FileDialog({ label, row, value, actions, close }: RowEditorProps & { cl
   const pictures = names_pictures(row) ? { picture_of: (file: string) => <Thumbnail file={path_from(home, file)} /> } : {};
   const take = (file: string): void => {
     close();
-    actions.commit(path_from(home, file));
+    commit(path_from(home, file));
   };
   return (
     <Dialog title={title} close={close}>

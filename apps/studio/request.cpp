@@ -221,6 +221,13 @@ InstanceRequest instance_request(const Members& members) {
   return request;
 }
 
+CurvesRequest curves_request(const Members& members) {
+  CurvesRequest request{.component = members.text("component"), .rank = {}, .leaf = {}};
+  if (members.has("rank")) request.rank = static_cast<int>(members.number("rank", -kMostIteration, kMostIteration));
+  if (members.has("leaf")) request.leaf = static_cast<int>(members.number("leaf", -kMostIteration, kMostIteration));
+  return request;
+}
+
 OperationsRequest operations_request(const Members& members) {
   OperationsRequest request{.component = members.text("component"),
                             .operation = members.optional_text("operation").value_or(""),
@@ -307,6 +314,7 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "measures") return MeasuresRequest{};
   if (what == "instance") return instance_request(members);
   if (what == "stand") return StandRequest{members.text("component")};
+  if (what == "curves") return curves_request(members);
   if (what == "operations") return operations_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};
   if (what == "part") return part_request(members);

@@ -71,6 +71,12 @@ struct InstanceRequest {
 struct StandRequest {
   std::string component;
 };
+/// The curves that a grass leaf component draws its leaves from.
+struct CurvesRequest {
+  std::string component;
+  std::optional<int> rank;  ///< of the leaf that is asked for; unset: any
+  std::optional<int> leaf;  ///< its number within the rank
+};
 /// What operations have done to the trees of a component.
 struct OperationsRequest {
   std::string component;
@@ -141,8 +147,8 @@ struct PictureRequest {
 using Request =
     std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
                  AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
-                 InstanceRequest, StandRequest, OperationsRequest, PartsRequest, PartRequest, ExportRequest,
-                 CommandRequest, StillsRequest, GrammarRequest, PictureRequest>;
+                 InstanceRequest, StandRequest, CurvesRequest, OperationsRequest, PartsRequest, PartRequest,
+                 ExportRequest, CommandRequest, StillsRequest, GrammarRequest, PictureRequest>;
 
 struct NumberedRequest {
   double id = 0;

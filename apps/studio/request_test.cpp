@@ -59,6 +59,9 @@ TEST(Request, ReadsEachKind) {
   EXPECT_EQ(grammar.first + grammar.count, 30U);
   EXPECT_EQ(read<PictureRequest>(R"({"do": "picture", "id": 1, "file": "bark.png"})").size, 96);
   EXPECT_EQ(read<StandRequest>(R"({"do": "stand", "id": 1, "component": "oak"})").component, "oak");
+  const auto curves = read<CurvesRequest>(R"({"do": "curves", "id": 1, "component": "leaf", "rank": -3})");
+  EXPECT_EQ(curves.rank, -3);
+  EXPECT_EQ(curves.leaf, std::nullopt);
   const auto operations = read<OperationsRequest>(
       R"({"do": "operations", "id": 1, "component": "pear", "operation": "a", "iteration": 3})");
   EXPECT_EQ(operations.operation, "a");

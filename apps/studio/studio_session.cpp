@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "curve_values.h"
 #include "export_job.h"
 #include "grammar_job.h"
 #include "instance_value.h"
@@ -497,6 +498,12 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRe
             [component = request.component](const GrownWish& grown, Progress& progress, GrowthCache& cache) {
               return stand_value(grown, component, progress, cache);
             });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const CurvesRequest& request) {
+  ask_grown(id, "curves",
+            [request](const GrownWish& grown, Progress&, GrowthCache&) { return curves_value(grown, request); });
   return std::nullopt;
 }
 

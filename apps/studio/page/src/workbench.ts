@@ -4,6 +4,7 @@
 import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
+import { LeafCurvesModel } from './grass/leaf_curves.ts';
 import { Pruning } from './pruning/pruning.ts';
 import type { Studio } from './studio.ts';
 import { Gizmo } from './view/gizmo/gizmo.ts';
@@ -15,11 +16,13 @@ export class Workbench {
   readonly derivation: DerivationModel;
   readonly pruning: Pruning;
   readonly gizmo: Gizmo;
+  readonly leaf_curves: LeafCurvesModel;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
     this.pruning = new Pruning(studio);
     this.gizmo = new Gizmo(studio);
+    this.leaf_curves = new LeafCurvesModel(studio);
   }
 
   /// Another document is opened.
@@ -30,5 +33,6 @@ export class Workbench {
     this.derivation.forget();
     this.pruning.forget();
     this.gizmo.forget();
+    this.leaf_curves.forget();
   }
 }

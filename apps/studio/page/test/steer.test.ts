@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { draw_midrib, draw_widths, drawn_points } from '../src/grass/curves.ts';
 import { day_of, day_of_date, date_of_day, daylight, declination, hour_and_declination, hour_of, sun_place } from '../src/scene/sun_math.ts';
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
@@ -140,6 +141,19 @@ test('a hand moves along the line that it has hold of', () => {
 test('values under the hand stand in the place of the document\'s', () => {
   const value = { obstacles: [{ box: 1 }, { box: 2 }] };
   assert.deepEqual(with_values(value, ['scene'], { 'scene.obstacles[1].box': 3, 'leaf.length': 1 }), { obstacles: [{ box: 1 }, { box: 3 }] });
+});
+
+test('curves of files become few points of the document', () => {
+  const line = Array.from({ length: 49 }, (_, k): [number, number] => [k / 4, k / 2]);
+  const curves = { leaves: [], leaf: { rank: 1, leaf: null }, midrib_points: line, midrib: line, distance: 0, width_points: [], widths: line, midrib_file: true, width_file: true, length: 0.26834, width: 0.02 };
+  const edits = draw_midrib('components.leaf', { midrib: 'a.csv', widths: 'b.csv', rank: 1 }, curves);
+  assert.deepEqual(edits.map((one) => Object.keys(one)[0]), ['set', 'unset', 'set']);
+  assert.deepEqual(edits[2], { set: 'components.leaf.length', value: 0.2683 });
+  assert.equal(drawn_points(line).length, 9);
+  assert.deepEqual(drawn_points(line).at(-1), [12, 24]);
+  // The last file takes with it what is of files alone.
+  const last = draw_widths('components.leaf', { widths: 'b.csv', rank: 1, unit: 0.01, width: 0.03 }, curves);
+  assert.deepEqual(last.slice(1), [{ unset: 'components.leaf.widths' }, { unset: 'components.leaf.rank' }, { unset: 'components.leaf.unit' }]);
 });
 
 const kShoot = { component: 'pear', shoot: 'main.4', tree: 1, metamer: 2, iteration: 9, metamers: [0, 1, 2, 3], course: [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0] } as unknown as FoundShoot;

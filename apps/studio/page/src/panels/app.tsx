@@ -9,6 +9,7 @@ import { Splitter } from '../controls/splitter.tsx';
 import { Dialogs } from '../dialogs/dialogs.tsx';
 import { Drawer } from '../editors/drawer.tsx';
 import { PinnedViews } from '../find/pinned_views.tsx';
+import { CurvePanel } from '../grass/curve_panel.tsx';
 import { GrammarPanel } from '../grammar/grammar_panel.tsx';
 import { PlanPanel } from '../pruning/plan_panel.tsx';
 import { toggle_board } from '../shortcuts.ts';
@@ -53,6 +54,7 @@ export function App(): ReactElement {
             <ViewPanel />
           </div>
           <Drawer />
+          <CurvePanel />
         </section>
         <SidePanel />
       </main>

@@ -9,6 +9,7 @@ import { Icon } from '../controls/icon.tsx';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { steps_of, value_at } from '../document/path.ts';
+import { CurvesButton } from '../grass/curves_button.tsx';
 import { Faults, RowView } from '../rows/row_editor.tsx';
 import { use_faults } from '../rows/row_actions.ts';
 import { use_document, use_studio } from '../studio_context.ts';
@@ -76,6 +77,7 @@ function InspectorHead({ path, value }: { path: string; value: Json | undefined 
       </h2>
       {doc && <p className="quiet">{doc}</p>}
       <NamedTools path={path} />
+      <CurvesButton path={path} />
       {path !== '' && <Faults faults={faults} />}
     </div>
   );

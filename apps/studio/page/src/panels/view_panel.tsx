@@ -7,6 +7,7 @@ import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
+import { LeafPointsOverlay } from '../grass/leaf_points_overlay.tsx';
 import { PruningOverlay } from '../pruning/pruning_overlay.tsx';
 import { ShootTool } from '../pruning/shoot_tool.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
@@ -36,6 +37,7 @@ export function ViewPanel(): ReactElement {
       <Nothing />
       <ModuleOverlay />
       <PruningOverlay />
+      <LeafPointsOverlay />
       <GizmoOverlay />
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scene is no mesh: poles and wires as lines, lamps as dots.
-import * as three from 'three';
-
+// What of a scene is no mesh: poles and wires as lines, lamps as points.
 import type { Packet, PacketScene } from '../server/packet.ts';
 import { floats } from '../server/packet.ts';
+import type { Overlays } from './overlays.ts';
 
-const kWire = { light: 0x5a4a3a, dark: 0xcbb89f };
-const kLamp = { light: 0xd08a00, dark: 0xffc94d };
+const kWire = { light: [90, 74, 58, 255], dark: [203, 184, 159, 255] };
+const kLamp = { light: [208, 138, 0, 255], dark: [255, 201, 77, 255] };
 const kLampSize = 9; // pixels
+const kLayer = 'scene';
 
 export class Surroundings {
-  readonly root = new three.Group();
-  private readonly wire_ = new three.LineBasicMaterial();
-  private readonly lamp_ = new three.PointsMaterial({ size: kLampSize, sizeAttenuation: false });
   private said_: PacketScene | null = null;
+  private wires_ = new Float32Array(); // six numbers for each piece
+  private shade_: 'light' | 'dark' = 'light';
+
+  constructor(private readonly overlays_: Overlays) {}
 
   /// Of the last packet that has told of it; null before.
   get said(): PacketScene | null {
@@ -21,36 +22,43 @@ export class Surroundings {
   }
 
   apply(packet: Packet): void {
-    if (packet.head.whole) this.clear();
-    const { scene } = packet.head;
-    if (!scene) return;
-    this.clear();
-    this.said_ = scene;
-    for (const { points } of scene.supports) this.add(new three.Line(geometry_of(floats(packet, points)), this.wire_));
-    const lamps = new Float32Array(scene.lamps.flatMap(({ position }) => position));
-    if (lamps.length > 0) this.add(new three.Points(geometry_of(lamps), this.lamp_));
+    const { scene, whole } = packet.head;
+    if (!scene && !whole) return;
+    this.said_ = scene ?? null;
+    this.wires_ = new Float32Array((scene?.supports ?? []).flatMap(({ points }) => pieces_of(floats(packet, points))));
+    this.draw();
   }
 
   paint(is_dark: boolean): void {
     const shade = is_dark ? 'dark' : 'light';
-    this.wire_.color.set(kWire[shade]);
-    this.lamp_.color.set(kLamp[shade]);
+    if (shade === this.shade_) return;
+    this.shade_ = shade;
+    this.draw();
   }
 
-  clear(): void {
-    for (const one of [...this.root.children]) {
-      this.root.remove(one);
-      if (one instanceof three.Line || one instanceof three.Points) (one.geometry as three.BufferGeometry).dispose();
-    }
-    this.said_ = null;
-  }
-
-  private add(object: three.Object3D): void {
-    object.frustumCulled = false;
-    this.root.add(object);
+  private draw(): void {
+    const lamps = new Float32Array((this.said_?.lamps ?? []).flatMap(({ position }) => position));
+    const is_empty = lamps.length === 0 && this.wires_.length === 0;
+    if (is_empty && !this.overlays_.has(kLayer)) return;
+    this.overlays_.put(
+      kLayer,
+      is_empty
+        ? null
+        : {
+            points: { positions: lamps, colours: repeated(kLamp[this.shade_], lamps.length / 3), size: kLampSize },
+            lines: { positions: this.wires_, colours: repeated(kWire[this.shade_], this.wires_.length / 3) },
+          },
+    );
   }
 }
 
-function geometry_of(positions: Float32Array): three.BufferGeometry {
-  return new three.BufferGeometry().setAttribute('position', new three.BufferAttribute(positions, 3));
+/// The pieces between the points of a line.
+function pieces_of(line: Float32Array): number[] {
+  const pieces: number[] = [];
+  for (let k = 3; k < line.length; k += 3) pieces.push(...line.subarray(k - 3, k + 3));
+  return pieces;
+}
+
+function repeated(colour: readonly number[], count: number): Uint8Array {
+  return new Uint8Array(Array.from({ length: count }, () => colour).flat());
 }

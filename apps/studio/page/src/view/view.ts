@@ -7,6 +7,7 @@ import { draws_by_software } from './budgets.ts';
 import { Eye } from './eye.ts';
 import { Ground } from './ground.ts';
 import { Orbit } from './orbit.ts';
+import { Overlays } from './overlays.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
 import { Picker } from './picker.ts';
@@ -30,12 +31,13 @@ export class View {
   readonly orbit = new Orbit();
   readonly eye: Eye;
   readonly plant: PlantScene;
+  readonly overlays = new Overlays(() => this.ask());
   readonly is_software: boolean;
   frames_drawn = 0;
   private readonly sunlight_ = new Sunlight();
   private readonly renderer_: three.WebGLRenderer;
   private readonly scene_ = new three.Scene();
-  readonly surroundings = new Surroundings();
+  readonly surroundings = new Surroundings(this.overlays);
   private readonly ground_ = new Ground();
   private readonly box_ = new three.Box3();
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
@@ -55,7 +57,7 @@ export class View {
     this.renderer_.setClearColor(0, 0);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
     this.plant = new PlantScene(this.sunlight_.light, this.is_software ? 1 : 4, () => this.ask());
-    this.scene_.add(this.ground_.mesh, this.plant.root, this.surroundings.root);
+    this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
     this.scene_.matrixWorldAutoUpdate = false;
     this.picker_ = new Picker(this.renderer_);
     listen(canvas_, this.orbit, {
@@ -76,7 +78,7 @@ export class View {
   /// What three holds on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
+    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts, overlays: this.overlays.counts };
   }
 
   apply(packet: Packet): void {
@@ -170,6 +172,7 @@ export class View {
   destroy(): void {
     this.queue_.stop();
     this.plant.clear();
+    this.overlays.clear();
     this.renderer_.dispose();
     this.renderer_.forceContextLoss();
   }

@@ -64,7 +64,7 @@ enum class InSpace {
   none,
   position,   ///< where the table's thing stands
   shift,      ///< how far all that the table places is moved
-  turn,       ///< angles about x, y and z by which it is turned
+  turn,       ///< angles of its turns about x, y and z
   direction,  ///< where it points; its length may count
   radii,      ///< half of its size along x, y and z, from its position
   radius,     ///< about its direction, or about the vertical where it has none

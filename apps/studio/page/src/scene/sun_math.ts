@@ -86,7 +86,7 @@ export function hour_text(hour: number): string {
   return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}`;
 }
 
-/// Of a number, or of a text such as "15:30"; null of anything else.
+/// The hour that a number, or a text such as "15:30", says; null where it says none.
 export function hour_of(value: unknown): number | null {
   if (typeof value === 'number') return value;
   const found = typeof value === 'string' ? /^(\d{1,2}):(\d{2})(?::(\d{2}))?$/.exec(value) : null;

@@ -16,7 +16,7 @@ export class Surroundings {
 
   constructor(private readonly overlays_: Overlays) {}
 
-  /// Of the last packet that has told of it; null before.
+  /// What the last packet that has told of it says; null before.
   get said(): PacketScene | null {
     return this.said_;
   }

@@ -23,7 +23,7 @@ function role_path(spot: Spot, role: string): { path: string; value: Vec | null 
   return { path: spot.path_of(row.name), value: said === undefined ? kStill : vec_of(said) };
 }
 
-/// Of what has a pose and is written: nothing where expressions stand in it.
+/// The pose of what is written; nothing where expressions stand in it.
 export function pose_group(spot: Spot): HandleGroup | null {
   const shift = role_path(spot, 'shift');
   if (!shift?.value || !spot.is_given || Object.keys(spot.value).length === 0) return null;

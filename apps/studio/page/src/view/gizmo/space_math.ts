@@ -53,7 +53,7 @@ export function framed(outer: Frame3, inner: Frame3): Frame3 {
   return { axes: [vector_in(outer, inner.axes[0]), vector_in(outer, inner.axes[1]), vector_in(outer, inner.axes[2])], origin: point_in(outer, inner.origin) };
 }
 
-/// Of twelve numbers, three rows of [axes, origin].
+/// The frame of twelve numbers, three rows of [axes, origin].
 export function frame_of_rows(rows: readonly number[]): Frame3 {
   const at = (row: number, column: number): number => rows[4 * row + column] ?? 0;
   const column = (k: number): Vec => [at(0, k), at(1, k), at(2, k)];

@@ -54,7 +54,7 @@ function BeforeButton({ component }: { component: string }): ReactElement | null
   const has_operations = studio.bench.pruning.operations_of(component).length > 0 || value_at(tree, path_below(path_below('components', component), 'training')) !== undefined;
   if (!has_operations) return null;
   return (
-    <Button kind="quiet" is_open={is_on} tip="The tree before the cuts of its last year, which are only planned; Escape goes back" press={() => (is_on ? studio.stop_drag() : studio.drag({ [plan]: true }))}>
+    <Button is_open={is_on} tip="The tree before the cuts of its last year, which are only planned; Escape goes back" press={() => (is_on ? studio.stop_drag() : studio.drag({ [plan]: true }))}>
       {is_on ? 'After the last cuts' : 'Before the last cuts'}
     </Button>
   );

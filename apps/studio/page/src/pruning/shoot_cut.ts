@@ -27,7 +27,9 @@ export function kept_metamers(shoot: FoundShoot, choice: DeedChoice): number {
 
 /// Why it cannot be done; nothing where it can.
 export function why_not(shoot: FoundShoot, choice: DeedChoice): string {
-  const is_all = choice.deed === 'cut' && kept_metamers(shoot, choice) === 0 && shoot.shoot === 'main';
+  const is_stem = shoot.shoot === 'main';
+  if (choice.deed === 'tie' && is_stem) return 'A stem cannot be tied down; choose a branch';
+  const is_all = choice.deed === 'cut' && kept_metamers(shoot, choice) === 0 && is_stem;
   return is_all ? 'Nothing would be left of the tree' : '';
 }
 

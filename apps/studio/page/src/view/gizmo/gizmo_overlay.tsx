@@ -112,8 +112,9 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     const amount = amount_of(hand.grip, ray(event), sight.toward, step_of(handle, !snaps || event.altKey || event.shiftKey));
     if (!amount) return;
     if (handle.motion === 'ring') amount.degrees = amount.step * Math.round(amount.degrees / amount.step);
-    const values = handle.values(amount);
-    held.set({ ...hand, values });
+    const is_still = amount.degrees === 0 && amount.by.every((one) => one === 0);
+    const values = is_still ? {} : handle.values(amount);
+    held.set({ ...hand, values: is_still ? null : values });
     studio.drag(values);
   };
   const let_go = (commits: boolean): void => {
@@ -143,7 +144,7 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
       {group.lines.map((line, k) => (
         <ProjectedLine key={k} view={view} places={line} className="gizmo-outline" />
       ))}
-      {group.handles.map((handle) => (
+      {in_order(group.handles).map((handle) => (
         <g
           key={handle.key}
           className={`gizmo-handle of-${handle.look}${holding === handle.key ? ' held' : ''}`}
@@ -166,6 +167,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
       ))}
     </g>
   );
+}
+
+/// What is small lies over what is large, so that hands can take hold of it.
+function in_order(handles: readonly Handle[]): Handle[] {
+  const looks: readonly Handle['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
+  return [...handles].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));
 }
 
 function edits_of(values: Values): { set: string; value: Values[string] }[] {

@@ -123,7 +123,7 @@ test('a shoot is cut off at its base, and the whole tree is not', async () => {
   await page.evaluate(() => window.studio.bench.pruning.choice.merge({ cut_at: 'here' }));
 });
 
-test('a bend, a mark and a cut in summer are written with their numbers', async () => {
+test('a bend and marks are written with their numbers', async () => {
   const shoot = await click_shoot(kOnStem);
   await tool().getByRole('button', { name: 'Bend', exact: true }).first().click();
   await type_into(page, tool().getByRole('textbox', { name: 'Inclination' }), '40');
@@ -135,7 +135,8 @@ test('a bend, a mark and a cut in summer are written with their numbers', async 
   await click_shoot([0, 0.21, 0.01]);
   await tool().getByRole('button', { name: 'Tie', exact: true }).first().click();
   assert.match(await tool().locator('.fault-line').innerText(), /stem cannot be tied/);
-  await tool().getByRole('button', { name: 'Cut', exact: true }).first().click();
+  await tool().getByRole('button', { name: 'Mark', exact: true }).first().click();
+  await type_into(page, tool().getByRole('textbox', { name: 'State of the mark' }), 'weak');
   await tool().getByRole('button', { name: 'Summer', exact: true }).click();
   await step(page, () => tool().locator('.shoot-act .button.main').click());
   const operations = (await tree_of()).components.pear.operations;
@@ -143,7 +144,7 @@ test('a bend, a mark and a cut in summer are written with their numbers', async 
   assert.deepEqual(operations[1], { do: 'mark', at: 9, shoots: 'main', state: 'spare' });
   assert.equal(operations[2].season, 'summer');
   assert.equal(await undo_count(page), 3);
-  await page.evaluate(() => window.studio.bench.pruning.choice.merge({ season: 'winter' }));
+  await page.evaluate(() => window.studio.bench.pruning.choice.merge({ season: 'winter', deed: 'cut' }));
 });
 
 test('the plan lists operations in order and by year; it moves, switches off and takes them away', async () => {

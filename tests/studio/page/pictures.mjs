@@ -146,6 +146,8 @@ export const kPictures = [
     act: async (page) => {
       await open_file(page, 'yard.json');
       await choose(page, 'Scene');
+      await page.locator('.view canvas').focus();
+      for (let k = 0; k < 4; k += 1) await page.keyboard.press('-');
       await show_handles(page, 'obstacle 1, box');
     },
   },
@@ -203,7 +205,7 @@ export const kPictures = [
     act: async (page) => {
       await open_model(page, 'box-hedge');
       await choose(page, await page.evaluate(() => Object.entries(window.studio.document.state.get().tree.value.components).find(([, one]) => one.type === 'organize')[0]));
-      await show_handles(page, /^outside, box/);
+      await show_handles(page, /^operation 3, outside, box/);
     },
   },
 ];

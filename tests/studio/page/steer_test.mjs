@@ -246,7 +246,7 @@ test('Escape puts a handle back, and the arrow keys move it', async () => {
   assert.ok(low[0] < 1 && Math.abs(high[0] - low[0] - 1) < 1e-9, JSON.stringify([low, high]));
   await page.keyboard.press('PageDown');
   assert.equal(await page.evaluate(() => document.activeElement.dataset.handle), 'move y');
-  await step(page, () => type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: /Size y/ }), '3'));
+  await step(page, () => type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: /height/ }), '3'));
   assert.deepEqual((await tree_of()).scene.obstacles[0].box.map((one) => one[1]), [0, 3]);
 });
 

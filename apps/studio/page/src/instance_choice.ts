@@ -15,6 +15,7 @@ export interface Selecting {
 }
 
 export class InstanceChoice {
+  readonly seen = new Store<SeenInstance | null>(null); // where it is seen
   readonly found = new Store<FoundInstance | null>(null); // once it is known
   readonly selecting = new Store<Selecting | null>(null);
 
@@ -27,6 +28,7 @@ export class InstanceChoice {
 
   /// Something else has been chosen.
   forget(): void {
+    this.seen.set(null);
     this.found.set(null);
   }
 
@@ -39,6 +41,7 @@ export class InstanceChoice {
     const obstacle = seen && scene_path(seen.component);
     if (obstacle) this.studio_.bench.gizmo.show(obstacle);
     if (seen === null || obstacle) return;
+    this.seen.set(seen);
     const asked = this.studio_.chosen.get();
     this.studio_.connection
       .request<{ instance: FoundInstance | null }>('instance', { ...seen })
@@ -50,6 +53,8 @@ export class InstanceChoice {
 
   private take(instance: FoundInstance | null): void {
     this.found.set(instance);
+    // The tool draws over the shoot, and not over all that is one with it.
+    if (InstanceChoice.shoot_of(instance)) this.studio_.view?.unmark();
     const now = this.selecting.get();
     if (now && now.component === instance?.component) this.selecting.set({ ...now, numbers: toggled(now.numbers, instance.i) });
   }

@@ -118,7 +118,7 @@ test('lamps, meshes and wires are moved; expressions have no handles', () => {
 test('crowns stand on the first root, in the frame of their component', () => {
   const tree = { frame: { translate: [10, 0, 0] }, roots: [[1, 0, 0]], crown: { sphere: { centre: [0, 2, 0], radius: 1 } } };
   const groups = of('tree', tree, 'components.tree');
-  const ball = groups.find((one) => one.label === 'sphere');
+  const ball = groups.find((one) => one.label === 'crown, sphere');
   assert.deepEqual(ball?.at, [11, 2, 0]);
   assert.deepEqual(values_of(ball, 'radius', [0.5, 0, 0]), { 'components.tree.crown.sphere.radius': 1.5 });
   assert.deepEqual(groups.map((one) => one.key), ['components.tree.roots[0]', 'components.tree.crown.sphere.centre', 'components.tree.frame.translate']);

@@ -40,7 +40,7 @@ export function ShootTool(): ReactElement | null {
       <header>
         <h3>{shoot.shoot}</h3>
         <span className="quiet">
-          metamer {shoot.metamer} of {shoot.metamers.at(-1) ?? 0}, after year {shoot.iteration}
+          metamer {shoot.metamer} of {shoot.metamers.at(-1) ?? 0}, year {shoot.iteration}
         </span>
         <span className="stretch" />
         <IconButton is_small icon="close" label="Let the shoot go" press={close} />

@@ -13,6 +13,7 @@ import type { Frame3, Vec } from './space_math.ts';
 import { add, length, point_in, times, unit, vector_out } from './space_math.ts';
 
 const kAxes = ['x', 'y', 'z'] as const;
+const kSizes = ['width', 'height', 'depth'];
 const kThinnest = 1e-3; // metres that a box keeps when a face is pushed
 
 /// `base` is the frame that the pose of the table speaks of.
@@ -81,8 +82,8 @@ function fields_of(a: Vec, b: Vec, corners: (one: number[], other: number[]) => 
       return corners(a.map((one, k) => (k === axis ? rounded(one + (up > 0 ? low : high), 1e-6) : one)), b.map((one, k) => (k === axis ? rounded(one + (up > 0 ? high : low), 1e-6) : one)));
     };
     return [
-      { label: `Middle ${name}`, unit: 'm', value: middle[axis] ?? 0, step: 0.05, limit: (one) => one, values: (one) => shift(one - (middle[axis] ?? 0)) },
-      { label: `Size ${name}`, unit: 'm', value: size, step: 0.05, limit: (one) => Math.max(kThinnest, one), values: sized },
+      { label: name, unit: 'm', value: middle[axis] ?? 0, step: 0.05, limit: (one) => one, values: (one) => shift(one - (middle[axis] ?? 0)) },
+      { label: kSizes[axis] ?? '', unit: 'm', value: size, step: 0.05, limit: (one) => Math.max(kThinnest, one), values: sized },
     ];
   });
 }

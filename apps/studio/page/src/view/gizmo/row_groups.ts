@@ -102,7 +102,8 @@ function visit_nested(walk: Walk, row: Row, around: Spot, base: Frame3, depth: n
   const path = around.path_of(row.name);
   const is_own_frame = depth === 0 && row.name === 'frame';
   const frame = is_own_frame ? base : below_root(around).frame;
-  const label = row.name.replaceAll('_', ' ');
+  const own = row.name.replaceAll('_', ' ');
+  const label = depth === 0 ? own : `${around.title}, ${own}`;
   const enter = (value: Json, at: string, title: string): void => {
     const table = nested_table(walk.tables, row, value);
     if (!table) return;

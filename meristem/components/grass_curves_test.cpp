@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grass_curves_test {
 
 std::optional<GrassCurves> curves_of(const Value::Object& parameters, std::optional<int> rank = {},
                                      std::optional<int> leaf = {}) {
@@ -41,5 +40,4 @@ TEST(GrassCurves, OfOtherComponentsAreNone) {
   EXPECT_FALSE(grass_curves(builder.sound_graph().components[1], {}, {}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grass_curves_test

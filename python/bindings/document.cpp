@@ -11,6 +11,7 @@
 #include "call.h"
 #include "errors.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/document/bundle.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "meristem/plant/plant_variant.h"
@@ -64,6 +65,13 @@ void save(const DocumentPointer& document, const py::object& path) {
   const std::string target = file_of(path);
   check_named_files(document->document, document->file, target);
   write_file(target, write_json(document->tree()));
+}
+
+py::tuple bundle_in_python(const DocumentPointer& document) {
+  const DocumentBundle bundle = bundle_of(document->document, models_folder());
+  py::list files;
+  for (const auto& [path, content] : bundle.files) files.append(py::make_tuple(path, py::bytes(content)));
+  return py::make_tuple(bundle.document, files);
 }
 
 py::list variables_of(const DocumentPointer& document) {
@@ -235,6 +243,10 @@ What clothes the plant is made when it is first asked for.
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")
+      .def("bundle", &bundle_in_python,
+           R"(The document's file and all files that it names, by content: what another machine needs to grow it.
+
+Gives (name, files): the path of the document below some folder, and (path, bytes) of each file there.)")
       .def("save", &save, py::arg("path"),
            "Writes the document as JSON, all values set. Raises InputError where it would not find a file that it "
            "names, "

@@ -12,8 +12,7 @@
 #include "tests/support/sample_scenes.h"
 #include "tests/support/shown_scene.h"
 
-namespace meristem {
-namespace {
+namespace meristem::scene_packet_test {
 
 std::string next(PacketMaker& maker, const MeshScene& scene) {
   return maker.next({.meshes = &scene}, {.hash = "0"}, Progress());
@@ -272,5 +271,4 @@ TEST(ScenePacket, TellsOfASceneOnceAndAgainWhenItChanges) {
   EXPECT_NE(ReadPacket(maker.next({.scene = &scene}, {.hash = "0"}, progress)).head.find("scene"), nullptr);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::scene_packet_test

@@ -23,6 +23,7 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'T', text: 'Text or inspector' },
       { keys: 'G', text: 'Grammar or inspector' },
       { keys: 'O', text: 'Plan of operations or inspector' },
+      { keys: 'M', text: 'Measures or inspector' },
       { keys: 'N', text: 'Nine plants by chance' },
       { keys: 'P', text: 'Pin the state beside the view' },
     ],
@@ -33,7 +34,7 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'B', text: 'Board or outline' },
       { keys: 'A', text: 'Add a component below the chosen one' },
       { keys: 'Arrow keys', text: 'Go from component to component' },
-      { keys: 'Alt+arrow keys', text: 'Move the component among its siblings' },
+      { keys: 'Alt+arrow keys', text: 'Move the component among its siblings; with Shift, in the document' },
       { keys: 'L', text: 'Link from the component: choose the other end, Enter' },
       { keys: 'F2, N', text: 'Rename; note' },
       { keys: 'Ctrl+D, Ctrl+C, Ctrl+V', text: 'Duplicate, copy, paste below' },
@@ -62,6 +63,15 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'Arrow keys', text: 'A step along the handle; Shift finely, Ctrl coarsely' },
       { keys: 'PageUp, PageDown', text: 'Choose another handle' },
       { keys: 'Esc', text: 'Back to what it was; then hide the handles' },
+    ],
+  },
+  {
+    title: 'Time',
+    keys: [
+      { keys: 'K', text: 'Timeline' },
+      { keys: 'Shift+K', text: 'Play, stop' },
+      { keys: 'Left, Right', text: 'A frame back, on; the time or the chosen key. Ten with Shift' },
+      { keys: 'Delete', text: 'Remove the chosen key' },
     ],
   },
   {
@@ -127,8 +137,11 @@ const kPlain: Record<string, (studio: Studio) => void> = {
   t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
   g: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
   o: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'plan' ? 'inspector' : 'plan' }),
+  m: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'measures' ? 'inspector' : 'measures' }),
   n: (studio) => studio.shell.merge({ dialog: 'chance' }),
   p: (studio) => studio.bench.pins.add(studio.document.state.get()),
+  k: (studio) => studio.bench.time.toggle(),
+  K: (studio) => (studio.bench.time.state.get().is_playing ? studio.bench.time.stop() : studio.bench.time.play()),
   '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
 };
 

@@ -5,8 +5,11 @@ import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
 import { LeafCurvesModel } from './grass/leaf_curves.ts';
+import { MeasureModel } from './measures/measure_model.ts';
 import { Pruning } from './pruning/pruning.ts';
 import type { Studio } from './studio.ts';
+import { Recording } from './time/recording.ts';
+import { TimeModel } from './time/time_model.ts';
 import { Gizmo } from './view/gizmo/gizmo.ts';
 
 export class Workbench {
@@ -18,11 +21,20 @@ export class Workbench {
   readonly gizmo: Gizmo;
   readonly leaf_curves: LeafCurvesModel;
 
+  readonly time: TimeModel;
+  readonly measures: MeasureModel;
+  readonly record: Recording;
+  readonly still: Recording;
+
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
     this.pruning = new Pruning(studio);
     this.gizmo = new Gizmo(studio);
     this.leaf_curves = new LeafCurvesModel(studio);
+    this.time = new TimeModel(studio);
+    this.measures = new MeasureModel(studio);
+    this.record = new Recording(studio, true);
+    this.still = new Recording(studio, false);
   }
 
   /// Another document is opened.
@@ -34,5 +46,8 @@ export class Workbench {
     this.pruning.forget();
     this.gizmo.forget();
     this.leaf_curves.forget();
+    this.measures.forget();
+    this.still.made.set(null);
+    this.record.made.set(null);
   }
 }

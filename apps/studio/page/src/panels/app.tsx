@@ -12,8 +12,10 @@ import { PinnedViews } from '../find/pinned_views.tsx';
 import { CurvePanel } from '../grass/curve_panel.tsx';
 import { GrammarPanel } from '../grammar/grammar_panel.tsx';
 import { PlanPanel } from '../pruning/plan_panel.tsx';
+import { MeasuresPanel } from '../measures/measures_panel.tsx';
 import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
+import { TimelinePanel } from '../time/timeline_panel.tsx';
 import type { ShellState } from '../studio_state.ts';
 import { ConflictBanner, KeptBanner, LostBanner } from './banners.tsx';
 import { Handles } from './handles.tsx';
@@ -34,6 +36,7 @@ const kSides: Record<Side, { title: string; Content: () => ReactElement }> = {
   text: { title: 'Text', Content: TextPanel },
   grammar: { title: 'Grammar', Content: GrammarPanel },
   plan: { title: 'Plan', Content: PlanPanel },
+  measures: { title: 'Measures', Content: MeasuresPanel },
 };
 const kTabs = (Object.keys(kSides) as Side[]).map((name) => [name, kSides[name].title] as const);
 
@@ -55,6 +58,7 @@ export function App(): ReactElement {
           </div>
           <Drawer />
           <CurvePanel />
+          <TimelinePanel />
         </section>
         <SidePanel />
       </main>
@@ -91,11 +95,11 @@ function LeftPanel(): ReactElement {
 function SidePanel(): ReactElement {
   const studio = use_studio();
   const { side } = use_store(studio.shell);
-  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), plan: use_width('plan') };
+  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), measures: use_width('measures'), plan: use_width('plan') };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
-    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar and plan" style={{ width: width ?? undefined }}>
+    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar, measures and plan" style={{ width: width ?? undefined }}>
       <div className="side-tabs">
         <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
       </div>

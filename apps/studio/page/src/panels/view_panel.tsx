@@ -4,6 +4,7 @@ import type { ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { CameraMenu } from '../camera/camera_menu.tsx';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
@@ -13,6 +14,7 @@ import { ShootTool } from '../pruning/shoot_tool.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
 import { GizmoOverlay } from '../view/gizmo/gizmo_overlay.tsx';
+import { TimeButton } from '../time/timeline_panel.tsx';
 import { View } from '../view/view.ts';
 import { seen_name } from '../view/seen_name.ts';
 import { scale_bar } from '../view/scale_bar.ts';
@@ -44,6 +46,8 @@ export function ViewPanel(): ReactElement {
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
         <IconButton icon="handles" label="Handles of what is chosen" keys="E" is_on={view.shows_handles} press={() => studio.change_view({ shows_handles: !view.shows_handles })} />
         <PinButton />
+        <TimeButton />
+        <CameraMenu />
       </div>
       <div className="view-axes" role="toolbar" aria-label="Look from">
         <Compass />

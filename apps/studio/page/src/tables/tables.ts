@@ -24,6 +24,7 @@ export interface Row {
   /// What the row says of space: position, shift, turn, direction, radii, radius, height, width, profile.
   in_space?: string;
   required?: boolean;
+  keyed?: boolean; // whether it can have keys
   default?: Json;
 }
 
@@ -51,6 +52,7 @@ export interface Tables {
   links: Record<string, string>;
   document: string;
   variable: string;
+  animation: string;
   limits: string;
   tables: Record<string, ParameterTable>;
 }
@@ -92,6 +94,7 @@ export function link_groups(tables: Tables, kind: string): RowGroup[] {
 export function document_groups(tables: Tables, part: string): RowGroup[] {
   const head = table_of(tables, tables.document);
   if (part === 'limits') return [group(tables, tables.limits, 'Limits')];
+  if (part === 'animation') return [group(tables, tables.animation, 'Animation')];
   const row = head.rows.find((one) => one.name === part);
   if (row?.table !== undefined) return [group(tables, row.table, part)];
   const plain = head.rows.filter((one) => one.table === undefined && one.kinds === undefined && one.name !== 'meristem');

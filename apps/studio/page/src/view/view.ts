@@ -6,6 +6,7 @@ import type { Packet } from '../server/packet.ts';
 import { draws_by_software } from './budgets.ts';
 import { Eye } from './eye.ts';
 import { Ground } from './ground.ts';
+import type { CameraState } from './orbit.ts';
 import { Orbit } from './orbit.ts';
 import { Overlays } from './overlays.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
@@ -43,6 +44,8 @@ export class View {
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
   private readonly picker_: Picker;
   private readonly queue_: PictureQueue;
+  private size_: [number, number] = [1, 1]; // of the frame, pixels
+  private sized_: [number, number] = [0, 0]; // that the canvas was made for
   private is_draft_ = false;
   private moves_until_ = 0; // a timer; 0: the camera rests
 
@@ -137,6 +140,13 @@ export class View {
     this.ask();
   }
 
+  /// Looks as a camera did before.
+  look(state: CameraState): void {
+    this.fitted_.makeEmpty();
+    this.orbit.look(state);
+    this.ask();
+  }
+
   /// A picture at the next chance; asked often, drawn once.
   ask(): void {
     this.queue_.ask();
@@ -168,6 +178,11 @@ export class View {
     if (this.orbit.follow(other.orbit)) this.ask();
   }
 
+  /// Where a point of the world stands, in pixels of the canvas; null behind the eye.
+  project(place: readonly [number, number, number]): [number, number] | null {
+    return this.eye.project(place);
+  }
+
   /// Lets go what the view holds; it draws no more.
   destroy(): void {
     this.queue_.stop();
@@ -195,8 +210,14 @@ export class View {
     this.ask();
   }
 
-  /// Just before a picture is drawn, since it clears the last one.
+  /// Just before a picture is drawn, since it clears the last one, and since a canvas whose size changes waits for the
+  /// card: up to seconds where a processor draws. Until then the last picture is stretched.
   private suit_pixels(): void {
+    const [width, height] = this.size_;
+    if (width !== this.sized_[0] || height !== this.sized_[1]) {
+      this.sized_ = this.size_;
+      this.renderer_.setSize(width, height, false);
+    }
     if (!this.is_software) return;
     const fine = Math.sqrt(kFinePixels / Math.max(1, this.canvas_.clientWidth * this.canvas_.clientHeight));
     const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : Math.min(kFine, fine);
@@ -220,7 +241,7 @@ export class View {
     const frame = this.canvas_.parentElement ?? this.canvas_;
     const [width, height] = [frame.clientWidth, frame.clientHeight];
     if (width === 0 || height === 0) return;
-    this.renderer_.setSize(width, height, false);
+    this.size_ = [width, height];
     this.orbit.resize(width, height);
     this.orbit.fit(this.fitted_);
     this.ask();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace meristem::cli {
+namespace meristem::film {
 
 /// The most pictures that one call writes.
 inline constexpr int kMostFrames = 10'000;
@@ -21,4 +21,4 @@ std::vector<double> frame_times(const std::string& text);
 /// The time of `--time T`. Throws InputError for numbers that are not finite.
 double checked_time(double time);
 
-}  // namespace meristem::cli
+}  // namespace meristem::film

@@ -10,7 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem::cli {
+namespace meristem::film {
 
 namespace {
 
@@ -72,4 +72,4 @@ double checked_time(double time) {
   return time;
 }
 
-}  // namespace meristem::cli
+}  // namespace meristem::film

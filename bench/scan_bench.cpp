@@ -24,8 +24,7 @@ namespace {
 using namespace meristem;
 using meristem::bench::sized;
 
-constexpr int kColumns = 400;
-const int kBenchRows = sized(1000, 20);
+const int kPixels = sized(500, 20);
 const std::size_t kBrutePoints = sized<std::size_t>(100'000, 100);
 
 GrownDocument grown_model(const std::string& model) {
@@ -36,12 +35,12 @@ GrownDocument grown_model(const std::string& model) {
 }
 
 /// A camera whose picture the plant fills, with the beams of a terrestrial scanner: all pulses look at the plant.
-Instrument close_scanner(int rows) {
+Instrument close_scanner(int columns, int rows) {
   Instrument scanner = instrument_of(ScannerClass::depth_camera);
   const Instrument beam = instrument_of(ScannerClass::terrestrial);
-  scanner.columns = kColumns;
+  scanner.columns = columns;
   scanner.rows = rows;
-  scanner.field = radians(25);
+  scanner.field = radians(20);
   scanner.divergence = beam.divergence;
   scanner.exit_diameter = beam.exit_diameter;
   scanner.rays = beam.rays;
@@ -59,7 +58,7 @@ void pulses(benchmark::State& state, const std::string& model) {
   const GrownDocument grown = grown_model(model);
   const Box box = grown.meshes.bounds();
   Progress progress;
-  const ScanOptions options{.instrument = close_scanner(kBenchRows),
+  const ScanOptions options{.instrument = close_scanner(kPixels, kPixels),
                             .stations = {box.centre() + Vec3(0, 0, 1.5F * box.size().y + box.size().z)}};
   const Scanner scanner(grown.plant, grown.meshes, options, progress);
   std::uint64_t points = 0;
@@ -121,7 +120,7 @@ void labels(benchmark::State& state) {
   const GrownDocument grown = grown_model("low-poly-oak");
   Progress progress;
   const Box box = grown.meshes.bounds();
-  Instrument scanner = close_scanner(sized(420, 15));
+  Instrument scanner = close_scanner(sized(620, 20), sized(620, 20));
   scanner.rays = 1;
   scanner.noise = 0;
   scanner.field = radians(40);
@@ -163,9 +162,8 @@ void add_organ(Plant& plant, Mesh mesh, Vec3 position) {
 }
 
 Instrument ray_camera(double field_deg, int columns, int rows) {
-  Instrument camera = close_scanner(rows);
+  Instrument camera = close_scanner(columns, rows);
   camera.field = radians(field_deg);
-  camera.columns = columns;
   camera.rays = 1;
   camera.noise = camera.threshold = 0;
   return camera;

@@ -167,6 +167,8 @@ async function board_time(page, text) {
         const { shell } = window.studio;
         shell.merge({ left: 'outline' });
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50)));
+        // By software, the card that puts the page's frames together is busy while the view draws in its new size.
+        await window.studio.view.drawn();
         const begin = performance.now();
         shell.merge({ left: 'board' });
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -211,7 +213,7 @@ async function pick_times(page) {
   return { chosen: quantile(picks.map((one) => one.chosen), 0.5), known: quantile(picks.filter((one) => one.known > 0).map((one) => one.known), 0.5) };
 }
 
-/// Median milliseconds from the wish for a strip to its five plants; the cache of stills is warm from the second on.
+/// Milliseconds from the wish for a strip to its five plants: the first, and the median of those that find a warm cache.
 async function strip_time(page) {
   const times = [];
   for (let k = 0; k < (is_small ? 1 : 8); k += 1) {
@@ -233,8 +235,7 @@ async function strip_time(page) {
       }),
     );
   }
-  console.log(`  the first took ${digits(times[0])} ms`);
-  return quantile(times, 0.5);
+  return { first: times[0], again: quantile(times.slice(is_small ? 0 : 1), 0.5) };
 }
 
 const place = await temporary_folder();
@@ -277,7 +278,9 @@ try {
   const picks = await pick_times(page);
   tell('pick/oak_component', picks.chosen, 'ms', 30);
   tell('pick/oak_instance', picks.known, 'ms');
-  tell('strip/oak', (await strip_time(page)) / 1000, 's', 1);
+  const strips = await strip_time(page);
+  tell('strip/oak_first', strips.first / 1000, 's');
+  tell('strip/oak', strips.again / 1000, 's', 1);
 
   tell('bytes/oak_leaf', (await bytes_of(page, () => set(page, 'leaf.fold', 12))) / 1e6, 'MB', 1.3);
   tell('bytes/oak_near_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#5a7b31'))) / 1000, 'kB', 2);

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "frames.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/parallel.h"
@@ -124,7 +124,7 @@ ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<I
 void scan(ScanCommand command) {
   // Everything that can be wrong with the command line and the document comes before any work.
   for (const std::string& path : command.outputs) scan_format_of(path);
-  const double time = checked_time(command.time);
+  const double time = film::checked_time(command.time);
   std::optional<InstrumentFile> file;
   const Value request = request_of(command, file);
   const Document document = open_document(command.document, time);

@@ -90,8 +90,9 @@ struct DatasetFolder::State {
   std::map<std::uint64_t, std::vector<std::string>> parts;  // files with rows of each table that is not whole
   std::uint64_t there = 0;
   std::uint64_t found = 0;
-  std::uint64_t given = 0;  // all before it were given or are there
-  double seconds = 0;
+  std::uint64_t given = 0;    // all before it were given or are there
+  double seconds = 0;         // that a plant takes, of late
+  std::uint64_t largest = 0;  // range that was made
   std::vector<std::string> faults;
   std::uint64_t fault_count = 0;
 
@@ -277,7 +278,9 @@ std::optional<PlantRange> DatasetFolder::next(double seconds) {
   if (state.given >= state.info.plants) return std::nullopt;
   // Until the first one is done, nobody knows how long a plant takes.
   const double wanted = state.seconds > 0 ? seconds / state.seconds : 1;
-  const auto most = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(kMostInRange)));
+  // Twice the largest one at most, as the first plants may have been quick by chance.
+  const std::uint64_t limit = std::clamp<std::uint64_t>(2 * state.largest, 1, kMostInRange);
+  const auto most = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(limit)));
   const std::uint64_t last = std::min(state.end_of(state.given / state.info.rows), state.given + most);
   PlantRange range{state.given, state.given + 1};
   while (range.end < last && !state.is_there[range.end]) ++range.end;
@@ -289,6 +292,7 @@ void DatasetFolder::add(PlantRange range, double seconds) {
   State& state = *state_;
   const double each = seconds / static_cast<double>(std::max<std::uint64_t>(1, range.count()));
   state.seconds = state.seconds > 0 ? (1 - kNewShare) * state.seconds + kNewShare * each : each;
+  state.largest = std::max(state.largest, range.count());
   const std::uint64_t table = range.begin / state.info.rows;
   state.parts[table].push_back(rows_path(state.folder, range));
   for (std::uint64_t plant = range.begin; plant < range.end; ++plant) {

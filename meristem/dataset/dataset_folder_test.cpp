@@ -174,8 +174,13 @@ TEST(DatasetFolder, SizesRangesByTimeWithinATable) {
   make_range(maker, plan, {0, 1}, folder / "rods", progress);
   dataset.add({0, 1}, 0.1);
   EXPECT_NEAR(dataset.seconds_per_plant(), 0.1, 1e-12);
-  EXPECT_EQ(dataset.next(0.45), (PlantRange{1, 5}));
-  EXPECT_EQ(dataset.next(100), (PlantRange{5, 10})) << "no range crosses the end of a table";
+  EXPECT_EQ(dataset.next(100), (PlantRange{1, 3})) << "twice the largest so far";
+  make_range(maker, plan, {1, 3}, folder / "rods", progress);
+  dataset.add({1, 3}, 0.2);
+  EXPECT_EQ(dataset.next(0.35), (PlantRange{3, 6}));
+  make_range(maker, plan, {3, 6}, folder / "rods", progress);
+  dataset.add({3, 6}, 0.3);
+  EXPECT_EQ(dataset.next(100), (PlantRange{6, 10})) << "no range crosses the end of a table";
 }
 
 TEST(DatasetFolder, HasACardWithCountsAndHistograms) {

@@ -149,6 +149,7 @@ struct SurfaceLabels::Facts {
   std::uint32_t shoots = 0;
   std::vector<std::string> components;
   std::vector<std::uint32_t> component_of_part;
+  const PlantFacts* facts_of_plant = nullptr;  // those of the plant itself, which most labels are asked of
 
   /// From this shoot on, the shoots are those of one plant on one of its places.
   struct Owner {
@@ -226,6 +227,7 @@ SurfaceLabels::SurfaceLabels(const Plant& plant, const MeshScene& scene, Progres
   facts->root = facts->place(*facts->plant, "", counts, progress);
   facts->shoots = counts.shoots;
   facts->name_components();
+  facts->facts_of_plant = &facts->of_plant.at(facts->plant);
   facts_ = std::move(facts);
 }
 
@@ -257,7 +259,7 @@ SurfaceLabel SurfaceLabels::of(std::uint32_t part, std::uint32_t instance, std::
     plant = planting.variant->plant.get();
     origin = origin->inner.get();
   }
-  const PlantFacts& facts = facts_->of_plant.at(plant);
+  const PlantFacts& facts = plant == facts_->plant ? *facts_->facts_of_plant : facts_->of_plant.at(plant);
   const auto set_shoot = [&](std::uint32_t shoot) {
     label.tree = place->trees + facts.shoots[shoot].tree;
     label.shoot = place->shoots + shoot;

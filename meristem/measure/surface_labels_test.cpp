@@ -9,8 +9,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 
-namespace meristem {
-namespace {
+namespace meristem::surface_labels_test {
 
 /// The two stems, with three leaves: on the fork's branch, on the vine, and on the fork's trunk.
 Plant leafy_stems() {
@@ -139,5 +138,4 @@ TEST(SurfaceLabels, PlacedPlantsAreNumberedAsTheirCopies) {
   EXPECT_EQ(found, known.size());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::surface_labels_test

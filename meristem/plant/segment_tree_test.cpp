@@ -7,8 +7,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::segment_tree_test {
 
 /// The nearest surface by asking every segment.
 std::uint32_t nearest_of_all(const std::vector<RoundSegment>& segments, Vec3 position) {
@@ -68,5 +67,4 @@ TEST(SegmentTree, WithoutSegmentsNothingIsNearest) {
   EXPECT_EQ(SegmentTree({}, Progress()).nearest(Vec3(0)), kNoSegment);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::segment_tree_test

@@ -144,10 +144,14 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
       overrides(std::move(values)),
       seed(other_seed),
       shared(std::move(shared_work)) {
+  // Without the interpreter's lock: who waits for the reading must not keep it from who reads.
+  const std::string models = models_folder();
+  const Registry& registry = component_types();
+  const py::gil_scoped_release released;
   const std::scoped_lock reading(shared->reading);
   shared->files.reload();
-  document = read_document(text, file, component_types(),
-                           {.overrides = overrides, .seed = seed, .store = &shared->files, .models = models_folder()});
+  document = read_document(text, file, registry,
+                           {.overrides = overrides, .seed = seed, .store = &shared->files, .models = models});
 }
 
 DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed)

@@ -50,6 +50,7 @@ class ExecutorPool:
         self._executor = executor
         self._most_together = _MOST_TOGETHER if chunks else 1
         self._seconds = 0.0  #: a task's, of late
+        self._largest = 0  #: chunk that has come back
         self._under_way: deque[tuple[Future[_Answers], list[Any]]] = deque()
         self._workers = 0
         self._counted = -_RECOUNT
@@ -88,7 +89,9 @@ class ExecutorPool:
             self._under_way.append((self._submit(chunk, len(self._job) <= _SMALL), chunk))
 
     def _next_chunk(self, source: Iterator[Any]) -> list[Any]:
-        count = 1 if self._seconds <= 0 else int(min(max(_SECONDS / self._seconds, 1), self._most_together))
+        # Twice the largest one at most, as the first tasks may have been quick by chance.
+        most = min(max(1, 2 * self._largest), self._most_together)
+        count = 1 if self._seconds <= 0 else int(min(max(_SECONDS / self._seconds, 1), most))
         chunk = []
         for task in source:
             chunk.append(task)
@@ -111,6 +114,7 @@ class ExecutorPool:
             assert answers is not None
         results, seconds = answers
         each = seconds / len(chunk)
+        self._largest = max(self._largest, len(chunk))
         self._seconds = each if self._seconds <= 0 else 0.7 * self._seconds + 0.3 * each
         return results
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import time
@@ -54,10 +55,14 @@ def test_a_killed_worker_and_a_killed_program_lose_nothing(tmp_path: Path, engin
     process = python(str(program), str(folder), engine, folder=tmp_path)
     assert process.stdout is not None
     deadline = time.monotonic() + 60
+    workers: set[int] = set()
     while process.poll() is None and rows_there(folder) < min(PLANTS - 20, there + 60):
         assert time.monotonic() < deadline
-        process.stdout.readline()
+        workers.update(map(int, process.stdout.readline().split()))
     process.kill()
+    for left in workers:  # those of the standard library's pool do not end by themselves
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(left, signal.SIGKILL)
     process.communicate(timeout=60)
 
     # Started again, it ends as one that was left in peace.

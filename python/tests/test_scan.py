@@ -8,7 +8,7 @@ from pathlib import Path
 import meristem
 import numpy as np
 import pytest
-from plants import grown_small_tree
+from plants import grown_small_tree, small_tree
 
 COARSE = {"kind": "terrestrial", "step": 0.5}
 
@@ -41,6 +41,15 @@ def test_labels_are_those_of_the_tables() -> None:
     organs = plant.organs
     near = np.linalg.norm(scan["position"][leaves] - organs.position[scan["instance"][leaves]], axis=1)
     assert near.max() < 0.3, "points lie on the leaves that they name"
+
+
+def test_obstacles_are_seen_and_hide_the_plant() -> None:
+    wall = {"name": "wall", "box": [[-9, 0, 2], [9, 9, 2.2]]}
+    plant = meristem.Document({**small_tree(), "scene": {"obstacles": [wall]}}).grow()
+    stations = [[0, 1, 8]]
+    assert set(plant.scan(instrument=COARSE, stations=stations)["kind"]) == {"obstacle"}
+    assert set(plant.scan(instrument=COARSE, stations=stations, obstacles=False)["kind"]) == {"wood", "organ"}
+    assert np.abs(plant.scan(instrument=COARSE)["stations"][:, [0, 2]]).max() < 5, "around the plant, not the wall"
 
 
 def test_scans_are_repeatable_and_have_a_seed() -> None:

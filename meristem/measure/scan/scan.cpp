@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -48,6 +49,15 @@ struct Return {
   double strength = 0;
   SurfaceLabel label;
 };
+
+/// The box around what is of the plant; around all where nothing is known to be.
+Box bounds_of_plants(const MeshScene& meshes, const Box& whole) {
+  const auto is_known = [](const MeshInstances& part) { return part.origin != nullptr; };
+  if (std::ranges::all_of(meshes.meshes, is_known)) return whole;
+  MeshScene plants;
+  std::ranges::copy_if(meshes.meshes, std::back_inserter(plants.meshes), is_known);
+  return plants.meshes.empty() ? whole : plants.bounds();
+}
 
 /// Mean distance, and the label with most of the strength. The echoes are sorted.
 Return merged(std::span<const Echo> echoes) {
@@ -92,12 +102,14 @@ struct Scanner::Parts {
   double reach = 0;     // of the outermost ray, in radii
   double aperture = 0;  // metres: radius of the beam where it leaves
 
-  Parts(const Plant& plant, const MeshScene& meshes, const ScanOptions& given, const Box& bounds, Progress& progress)
+  /// `whole` is the box around all meshes, `plants` that around the plants.
+  Parts(const Plant& plant, const MeshScene& meshes, const ScanOptions& given, const Box& whole, const Box& plants,
+        Progress& progress)
       : options(given),
-        box(bounds),
+        box(whole),
         pattern(given.instrument,
-                given.stations.empty() ? stations_around(bounds, given.around, given.instrument) : given.stations,
-                given.target.value_or(bounds.is_empty() ? Vec3(0) : bounds.centre()), bounds),
+                given.stations.empty() ? stations_around(plants, given.around, given.instrument) : given.stations,
+                given.target.value_or(plants.is_empty() ? Vec3(0) : plants.centre()), plants),
         labels(plant, meshes, progress),
         rays(meshes, progress),
         has_meshes(!meshes.meshes.empty()),
@@ -177,8 +189,14 @@ struct Scanner::Parts {
       Echo echo;
       if (trace(ray, echo)) echoes.push_back(echo);
     }
-    std::stable_sort(echoes.begin(), echoes.end(),
-                     [](const Echo& a, const Echo& b) { return a.distance < b.distance; });
+    // They are few, and std::stable_sort would take memory for each pulse.
+    for (std::size_t k = 1; k < echoes.size(); ++k) {
+      const auto is_nearer = [](const Echo& a, const Echo& b) { return a.distance < b.distance; };
+      const auto place =
+          std::upper_bound(echoes.begin(), echoes.begin() + static_cast<std::ptrdiff_t>(k), echoes[k], is_nearer);
+      std::rotate(place, echoes.begin() + static_cast<std::ptrdiff_t>(k),
+                  echoes.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    }
   }
 
   void add_points(std::uint64_t number, std::vector<Echo>& echoes, std::vector<ScanPoint>& points) const {
@@ -219,11 +237,11 @@ Scanner::Scanner(const Plant& plant, const MeshScene& meshes, const ScanOptions&
   const Box box = meshes.bounds();
   if (options.instrument.kind == ScannerClass::drone && !box.is_empty() && options.instrument.altitude <= box.high.y) {
     throw InputError(
-        Diagnostic{.message = fmt::format("the drone would fly into the plants: they are {:.4g} m high", box.high.y),
-                   .expected = "an altitude above them",
+        Diagnostic{.message = fmt::format("the drone would fly into the scene, which is {:.4g} m high", box.high.y),
+                   .expected = "an altitude above it",
                    .path = "instrument.altitude"});
   }
-  parts_ = std::make_unique<const Parts>(plant, meshes, options, box, progress);
+  parts_ = std::make_unique<const Parts>(plant, meshes, options, box, bounds_of_plants(meshes, box), progress);
   if (parts_->pattern.pulse_count() <= kMostPulses) return;
   throw InputError(Diagnostic{.message = fmt::format("{} pulses are too many", parts_->pattern.pulse_count()),
                               .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),

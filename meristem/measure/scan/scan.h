@@ -35,11 +35,10 @@ struct ScanPoint {
 
 struct ScanOptions {
   Instrument instrument{};
-  /// Positions of the scanner, metres. Empty: `around` ones (stations_around). A drone flies lines over the whole
-  /// scene.
+  /// Positions of the scanner, metres. Empty: `around` ones all around the plants. A drone flies lines over the plants.
   std::vector<Vec3> stations{};
   int around = 4;
-  std::optional<Vec3> target{};  ///< what depth cameras look at; unset: the middle of the scene
+  std::optional<Vec3> target{};  ///< what depth cameras look at; unset: the middle of the plants
   bool ground = false;           ///< whether y = 0 is a flat ground that is seen as well
   std::uint64_t seed = 0;        ///< of the noise
 };
@@ -52,7 +51,7 @@ class Scanner {
  public:
   /// `meshes` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles; both outlive it. Textures
   /// with holes must be painted (has_holes, foliage.h), since pulses pass through the holes. Begins a stage of
-  /// `progress`. Throws InputError where the pulses are too many or a drone would fly into the plants, Cancelled,
+  /// `progress`. Throws InputError where the pulses are too many or a drone would fly into the scene, Cancelled,
   /// MachineError (memory).
   Scanner(const Plant& plant, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
   ~Scanner();

@@ -14,8 +14,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 
-namespace meristem {
-namespace {
+namespace meristem::scan_test {
 
 /// Adds an organ of its own prototype.
 void add_organ(Plant& plant, const std::string& component, Mesh mesh, Vec3 position) {
@@ -308,5 +307,4 @@ TEST(Scan, StopsWhenItIsCancelledAndAtTheMostPoints) {
   EXPECT_THROW(scan(plant, meshes, options, progress, 10), InputError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::scan_test

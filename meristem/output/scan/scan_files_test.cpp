@@ -16,8 +16,7 @@
 #include "tests/support/sample_plants.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::scan_files_test {
 
 /// The bytes at an offset, as a number.
 template <class Number>
@@ -33,13 +32,14 @@ class ScanFiles : public testing::Test {
   ScanFiles() {
     plant_.materials.emplace_back();
     Instrument& scanner = options_.instrument;
-    scanner.step = radians(0.7);
+    scanner.step = radians(1.5);
     scanner.lowest = radians(-25);
     scanner.highest = radians(20);
-    scanner.farthest = 7;
-    // Wide beams, so that some ray meets the thin vine.
+    scanner.farthest = 5;
+    // Wide beams, so that some ray meets the thin vine, and a return of its own before the ground.
+    scanner.resolution = 0.05;
     scanner.rays = 7;
-    scanner.divergence = 12;
+    scanner.divergence = 25;
     scanner.threshold = 0;
     options_.around = 2;
     options_.ground = true;
@@ -176,5 +176,4 @@ TEST(ScanFormats, RefusalsNameTheEndings) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::scan_files_test

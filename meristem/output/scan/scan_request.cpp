@@ -71,8 +71,7 @@ const ParameterTable& instrument_table() {
       Table<Instrument>("an instrument", "A scanner: the ways it looks, the width of its beam, and what it measures.")
           .choice("kind", &Instrument::kind, class_names(),
                   "Class of the scanner, which gives the other parameters their defaults.")
-          .number("step", &Instrument::step,
-                  {.unit = Unit::degree, .min = 0, .max = 45, .usual = {0.01, 1}, .above_min = true},
+          .number("step", &Instrument::step, {.unit = Unit::degree, .min = 0.001, .max = 45, .usual = {0.01, 1}},
                   "Angle from one pulse to the next; of a drone, across its line. Raised, there are fewer points.")
           .number("lowest", &Instrument::lowest, kAngle, "Lowest angle above the horizon that sweeps reach.")
           .number("highest", &Instrument::highest, kAngle, "Highest angle above the horizon that sweeps reach.")

@@ -7,8 +7,7 @@
 #include "meristem/document/json.h"
 #include "tests/support/check_sentence.h"
 
-namespace meristem {
-namespace {
+namespace meristem::scan_request_test {
 
 ScanPlan plan_of(const std::string& json) { return plan_scan(parse_json(json), 7); }
 
@@ -57,5 +56,4 @@ TEST(ScanRequest, EverySentenceStandsAlone) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::scan_request_test

@@ -13,8 +13,7 @@
 #include "tests/support/sample_plants.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cylinder_csv_test {
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -133,5 +132,4 @@ TEST_F(CylinderTables, OfNothingHaveTheirHeadAlone) {
   EXPECT_TRUE(trees({}).ends_with("order\n"));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cylinder_csv_test

@@ -94,7 +94,7 @@ test('of a range the middle moves and the width stays; an expression gives way t
   await step(page, () => page.locator('.strip button').nth(3).click());
   const [low, high] = (await leaf()).fold;
   assert.ok(Math.abs(high - low - 10) < 1e-9 && low > 10, `${low} ${high}`);
-  assert.equal(await page.locator('.strip button[aria-pressed=true]').innerText(), `${low}–${high}`);
+  assert.equal(await page.locator('.strip button[aria-pressed=true]').innerText(), `${low}…${high}`);
   await fold.hover();
   await fold.getByRole('button', { name: 'Plants over fold' }).click();
   const curl = row(page, 'components.leaf.curl');

@@ -182,7 +182,7 @@ test('playing goes on in its own time and stops; another document begins at 0', 
 test('frames are recorded with progress, as many as the times say', async () => {
   await page.getByRole('button', { name: 'Record…' }).click();
   const dialog = page.getByRole('dialog');
-  await dialog.getByRole('button', { name: 'Pictures, .png' }).click();
+  await dialog.getByRole('button', { name: 'PNG each' }).click();
   await type_into(page, dialog.getByRole('textbox', { name: 'To' }), '0.3');
   await dialog.getByRole('button', { name: '640 × 360' }).click();
   await type_into(page, dialog.getByRole('textbox', { name: 'Samples' }), '1');

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { component_order_edits } from '../src/board/board_edits.ts';
 import { graph_of } from '../src/board/plant_graph.ts';
 import { camera_edits, camera_of_document, state_between } from '../src/camera/camera_document.ts';
-import { moved, with_behind, without } from '../src/editors/colour_order.ts';
+import { moved, with_behind, without } from '../src/base/lists.ts';
 import { strip_states, variable_states } from '../src/find/strip_states.ts';
 import { groups_of, shown_measure } from '../src/measures/measure_groups.ts';
 import { values_of } from '../src/measures/sweep_part.tsx';

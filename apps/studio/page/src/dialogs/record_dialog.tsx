@@ -17,6 +17,7 @@ const kSizes = [
   ['1280x720', '1280 × 720'],
   ['1920x1080', '1920 × 1080'],
 ] as const;
+const kFilms: Record<string, string> = { '.mp4': 'MP4 film', '.webm': 'WebM film' };
 type Size = (typeof kSizes)[number][0];
 
 export function RecordDialog({ close }: { close: () => void }): ReactElement {
@@ -56,7 +57,7 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
     <Dialog title="Record" close={close} footer={footer}>
       <div className="field-line">
         <span>As</span>
-        <Segments label="What is recorded" value={ending} choices={[...endings.map((one) => [one, `Film, ${one}`] as const), ['.png', 'Pictures, .png'], ['.jpg', '.jpg']]} choose={set_ending} />
+        <Segments label="What is recorded" value={ending} choices={[...endings.map((one) => [one, kFilms[one] ?? one] as const), ['.png', 'PNG each'], ['.jpg', 'JPEG each']]} choose={set_ending} />
       </div>
       {endings.length === 0 && <p className="quiet">Films need the program ffmpeg beside the studio. Without it, all frames come as pictures in one archive.</p>}
       <NumberLine label="From" unit="s" value={from} step={0.1} low={0} high={to} set={set_from} />

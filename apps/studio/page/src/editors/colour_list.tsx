@@ -4,11 +4,11 @@
 import type { KeyboardEvent, PointerEvent, ReactElement, RefObject } from 'react';
 import { useRef, useState } from 'react';
 
+import { moved, with_behind, without } from '../base/lists.ts';
 import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
 import { TextField } from '../rows/text_field.tsx';
 import { full_colour } from './colour.ts';
-import { moved, with_behind, without } from './colour_order.ts';
 import { ColourPicker } from './colour_picker.tsx';
 import { use_held } from './use_held.ts';
 

@@ -69,7 +69,7 @@ function moved_range(row: Row, [first, last]: [number, number], middle: number, 
   const step = Math.min(fitting_step(row.usual?.[0] ?? 0, row.usual?.[1] ?? 1, 100), half === 0 ? Infinity : fitting_step(0, 2 * Math.abs(half), 100));
   const end = (one: number): number => within_hard_range(row, is_whole ? Math.round(one) : rounded(one, step));
   const range = [end(middle + shift - half), end(middle + shift + half)];
-  const text = `${range[0]}–${range[1]}`;
+  const text = `${range[0]}…${range[1]}`;
   return { value: is_object(value) ? { ...value, range } : range, text, tip: `${range[0]} to ${range[1]}: the middle moves, the width stays` };
 }
 

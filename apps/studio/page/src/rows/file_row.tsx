@@ -7,7 +7,9 @@ import { IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { PictureEditor } from '../editors/picture_editor.tsx';
 import { Thumbnail } from '../editors/thumbnail.tsx';
+import type { Json } from '../document/json.ts';
 import { use_document } from '../studio_context.ts';
+import type { Row } from '../tables/tables.ts';
 import { FileChooser, ShippedFiles } from './file_chooser.tsx';
 import { names_pictures } from './file_endings.ts';
 import type { RowEditorProps } from './row_editor.tsx';
@@ -23,27 +25,30 @@ export function FileRow(props: RowEditorProps): ReactElement {
       {names_pictures(row) && <Thumbnail file={file} />}
       <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="path of a file" />
       <IconButton is_small icon="folder" label={`Choose a file for ${label}`} press={() => set_open(true)} />
-      {is_open && <FileDialog {...props} take={props.actions.commit} close={() => set_open(false)} />}
+      {is_open && <FileDialog label={label} row={row} value={value} take={actions.commit} close={() => set_open(false)} />}
     </div>
   );
 }
 
-interface FileDialogProps extends Pick<RowEditorProps, 'label' | 'row' | 'value'> {
-  take: (file: string) => void;
+interface FileDialogProps {
+  label: string;
+  row: Row;
+  value: Json | undefined; // the file that is named now
+  take: (file: string) => void; // as the document writes it
   close: () => void;
 }
 
-export function FileDialog({ label, row, value, take: commit, close }: FileDialogProps): ReactElement {
+export function FileDialog({ label, row, value, take, close }: FileDialogProps): ReactElement {
   const { model } = use_document();
-  const take = (file: string): void => {
+  const take_and_close = (file: string): void => {
     close();
-    commit(file);
+    take(file);
   };
   return (
     <Dialog title={`A file for ${label}`} close={close}>
       {model !== null && <ShippedFiles close={close} />}
       {model === null && <p className="quiet">{row.doc}</p>}
-      {model === null && <FileChooser row={row} file={typeof value === 'string' ? value : ''} take={take} />}
+      {model === null && <FileChooser row={row} file={typeof value === 'string' ? value : ''} take={take_and_close} />}
     </Dialog>
   );
 }

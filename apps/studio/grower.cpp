@@ -11,6 +11,7 @@
 #include "job_watch.h"
 #include "meristem/document/json.h"
 #include "meristem/graph/instances.h"
+#include "meristem/output/picture/obstacle_meshes.h"
 #include "written_values.h"
 
 namespace meristem::studio {
@@ -319,7 +320,9 @@ void Grower::show() {
     std::string packet =
         packets_.next({.meshes = meshes.get(),
                        .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
-                       .most_segments = static_cast<std::size_t>(budget)},
+                       .most_segments = static_cast<std::size_t>(budget),
+                       .obstacles = parts.surface ? &obstacles_of(*sight.grown, news.progress()) : nullptr,
+                       .scene = &sight.grown->wish.document->scene},
                       {.hash = sight.grown->wish.hash,
                        .is_draft = sight.is_draft,
                        .fits = fits,
@@ -360,6 +363,16 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   counts.emplace_back("placed", grown.placed.empty() ? Value() : Value(std::move(placed)));
   counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
   return counts;
+}
+
+/// Made once for each list of bodies; documents that say the same of them share them.
+const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress) {
+  const Obstacles& obstacles = grown.wish.document->scene.obstacles;
+  if (&obstacles.bodies() != &obstacles_.bodies()) {
+    obstacle_meshes_ = obstacle_meshes(obstacles, progress);
+    obstacles_ = obstacles;
+  }
+  return obstacle_meshes_;
 }
 
 /// The triangles that everything there is would have, about.

@@ -106,6 +106,7 @@ class Grower : public std::enable_shared_from_this<Grower> {
                                                  std::uint64_t budget, double& share, Progress& progress);
   MeshScene clothed(const GrownWish& grown, const Detail& detail, Progress& progress, GrowthCache& cache);
   std::shared_ptr<const MeshScene> with_shown_pictures(const GrownWish& grown, std::shared_ptr<const MeshScene> meshes);
+  const MeshScene& obstacles_of(const GrownWish& grown, Progress& progress);
   std::uint64_t triangles_of(const GrownWish& grown) const;
   Value::Object counts_value(const GrownWish& grown) const;
 
@@ -141,6 +142,8 @@ class Grower : public std::enable_shared_from_this<Grower> {
   std::vector<std::pair<std::string, double>> stages_;
   std::vector<ReuseCount> grown_reuse_;    // of the last growth, until it is told
   std::vector<ReuseCount> clothed_reuse_;  // of its last meshes
+  Obstacles obstacles_;                    // whose meshes these are
+  MeshScene obstacle_meshes_;
   ShownPictures pictures_;
   PacketMaker packets_;
 };

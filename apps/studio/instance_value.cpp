@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "instance_value.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "meristem/components/expanded.h"
 #include "meristem/graph/instances.h"
 #include "meristem/plant/axis_labels.h"
 
@@ -18,6 +20,8 @@ namespace {
 struct StemPlace {
   const Stem* stem = nullptr;
   AxisIndex axis = 0;
+  NodeIndex node =
+      0;  // the end of its segment that is nearer; where that is the lower one of a shoot's first, its parent
 };
 
 float squared(Vec3 v) { return glm::dot(v, v); }
@@ -57,6 +61,48 @@ float distance_to_segment(const Skeleton& skeleton, NodeIndex node, Vec3 point) 
   return glm::length(point - (end - way + along * way)) - skeleton.radius[node];
 }
 
+NodeIndex nearer_end(const Skeleton& skeleton, NodeIndex node, Vec3 point) {
+  if (skeleton.is_root(node)) return node;
+  const NodeIndex below = skeleton.parent[node];
+  return squared(point - skeleton.position[below]) < squared(point - skeleton.position[node]) ? below : node;
+}
+
+/// The number of the tree among those of the component, as operations count them.
+std::uint32_t tree_number(const StemPlace& place) {
+  const Skeleton& skeleton = place.stem->skeleton;
+  NodeIndex root = place.node;
+  while (!skeleton.is_root(root)) root = skeleton.parent[root];
+  const std::size_t part = place.stem->part_index(skeleton.axis[root]);
+  std::uint32_t number = 0;
+  for (NodeIndex node = 0; node < root; ++node) {
+    if (skeleton.is_root(node) && place.stem->part_index(skeleton.axis[node]) == part) ++number;
+  }
+  return number;
+}
+
+/// What is told of the shoot on which a place lies: its name, where it runs, and the metamer at the place.
+Value::Object shoot_value(const StemPlace& place) {
+  const Skeleton& skeleton = place.stem->skeleton;
+  const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
+  Value::List course;
+  Value::List metamers;
+  const auto add = [&](NodeIndex node, std::uint32_t number) {
+    for (int axis = 0; axis < 3; ++axis) course.push_back(static_cast<double>(skeleton.position[node][axis]));
+    metamers.push_back(static_cast<double>(number));
+  };
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (skeleton.axis[node] != place.axis) continue;
+    if (course.empty() && !skeleton.is_root(node)) add(skeleton.parent[node], 0);
+    add(node, numbers[node]);
+  }
+  const bool is_below = skeleton.axis[place.node] != place.axis;
+  return {{"shoot", axis_labels(skeleton)[place.axis]},
+          {"tree", static_cast<double>(tree_number(place))},
+          {"metamer", is_below ? 0.0 : static_cast<double>(numbers[place.node])},
+          {"course", std::move(course)},
+          {"metamers", std::move(metamers)}};
+}
+
 StemPlace nearest_stem(const Plant& plant, const std::string& component, Vec3 point) {
   StemPlace nearest;
   float least = std::numeric_limits<float>::max();
@@ -67,7 +113,7 @@ StemPlace nearest_stem(const Plant& plant, const std::string& component, Vec3 po
       const float distance = distance_to_segment(skeleton, node, point);
       if (distance >= least) continue;
       least = distance;
-      nearest = {&stem, skeleton.axis[node]};
+      nearest = {&stem, skeleton.axis[node], nearer_end(skeleton, node, point)};
     }
   }
   return nearest;
@@ -96,13 +142,13 @@ std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
   const Document& document = *grown.wish.document;
   InstanceWish wish{.component = request.component};
-  Value shoot;
+  Value::Object shoot{{"shoot", Value()}};
   const bool is_in_world = request.frame.axes == Mat3(1) && request.frame.origin == Vec3(0);
   const StemPlace place = is_in_world ? nearest_stem(grown.plant, request.component, request.position) : StemPlace();
   if (place.stem != nullptr) {
     wish.of = InstanceWish::Of::stem;
     wish.number = place.stem->part(place.axis).instance;
-    shoot = axis_labels(place.stem->skeleton)[place.axis];
+    shoot = shoot_value(place);
   } else {
     const std::optional<std::uint64_t> number = nearest_organ(grown.plant, request.component, request.frame);
     if (!number) return {};
@@ -111,8 +157,24 @@ Value instance_value(const GrownWish& grown, const InstanceRequest& request, Pro
   const auto found = find_instance(document.graph, document.scene, grown.time, wish, progress, &cache);
   if (!found) return {};
   Value::Object told = described(request.component, *found);
-  told.emplace_back("shoot", std::move(shoot));
+  for (Value::Member& member : shoot) told.push_back(std::move(member));
+  const auto prototype = std::ranges::find(document.graph.components, request.component, &Prototype::id);
+  const auto last = prototype != document.graph.components.end() ? last_iteration(*prototype) : std::nullopt;
+  told.emplace_back("iteration", last ? Value(*last) : Value());
   return told;
+}
+
+Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
+  const Document& document = *grown.wish.document;
+  const auto found = find_instance(document.graph, document.scene, grown.time,
+                                   {.component = component, .of = InstanceWish::Of::instance}, progress, &cache);
+  if (!found) return {};
+  Value::List rows;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) rows.push_back(static_cast<double>(found->site.frame.axes[column][row]));
+    rows.push_back(static_cast<double>(found->site.frame.origin[row]));
+  }
+  return rows;
 }
 
 }  // namespace meristem::studio

@@ -20,4 +20,8 @@ std::string instance_key(const Site& site);
 /// find_instance throws.
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache);
 
+/// The frame of the site on which the first instance of a component stands, before the component's own `frame`: 12
+/// numbers, three rows of [axes, origin]. Null where it has none. Throws what find_instance throws.
+Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache);
+
 }  // namespace meristem::studio

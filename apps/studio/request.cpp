@@ -96,6 +96,7 @@ class Members {
 };
 
 constexpr double kMostSeconds = 1e9;
+constexpr double kMostIteration = 1e6;
 
 double checked_time(const Members& members) { return members.number("time", -kMostSeconds, kMostSeconds); }
 
@@ -224,6 +225,21 @@ InstanceRequest instance_request(const Members& members) {
   return request;
 }
 
+CurvesRequest curves_request(const Members& members) {
+  CurvesRequest request{.component = members.text("component"), .rank = {}, .leaf = {}};
+  if (members.has("rank")) request.rank = static_cast<int>(members.number("rank", -kMostIteration, kMostIteration));
+  if (members.has("leaf")) request.leaf = static_cast<int>(members.number("leaf", -kMostIteration, kMostIteration));
+  return request;
+}
+
+OperationsRequest operations_request(const Members& members) {
+  OperationsRequest request{.component = members.text("component"),
+                            .operation = members.optional_text("operation").value_or(""),
+                            .iteration = {}};
+  if (members.has("iteration")) request.iteration = static_cast<int>(members.whole("iteration", 0, kMostIteration));
+  return request;
+}
+
 FrameTimes frames_of(const Members& members) {
   const FrameTimes frames{.from = members.number("from", 0, kMostSeconds),
                           .to = members.number("to", 0, kMostSeconds),
@@ -349,6 +365,9 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "measure_rows") return MeasureRowsRequest{};
   if (what == "sweep") return sweep_request(members);
   if (what == "instance") return instance_request(members);
+  if (what == "stand") return StandRequest{members.text("component")};
+  if (what == "curves") return curves_request(members);
+  if (what == "operations") return operations_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};
   if (what == "part") return part_request(members);
   if (what == "export") return ExportRequest{export_options(members)};

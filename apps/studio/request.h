@@ -78,6 +78,22 @@ struct InstanceRequest {
   Frame frame;       ///< of what is seen of it; the world's own for stems
   Vec3 position{0};  ///< on its surface
 };
+/// Where the first instance of a component stands.
+struct StandRequest {
+  std::string component;
+};
+/// The curves that a grass leaf component draws its leaves from.
+struct CurvesRequest {
+  std::string component;
+  std::optional<int> rank;  ///< of the leaf that is asked for; unset: any
+  std::optional<int> leaf;  ///< its number within the rank
+};
+/// What operations have done to the trees of a component.
+struct OperationsRequest {
+  std::string component;
+  std::string operation;         ///< path of the one whose places are told; empty: none
+  std::optional<int> iteration;  ///< after which it acted; unset: after any
+};
 /// Asks for the components of a shipped model.
 struct PartsRequest {
   std::string model;
@@ -156,11 +172,11 @@ struct PictureRequest {
   int size = 96;     ///< pixels along the longer side
 };
 
-using Request =
-    std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
-                 AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
-                 MeasureRowsRequest, SweepRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest,
-                 CommandRequest, StillsRequest, GrammarRequest, ClocksRequest, PictureRequest>;
+using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
+                             ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
+                             ModelsRequest, MeasuresRequest, MeasureRowsRequest, SweepRequest, InstanceRequest,
+                             StandRequest, CurvesRequest, OperationsRequest, PartsRequest, PartRequest, ExportRequest,
+                             CommandRequest, StillsRequest, GrammarRequest, ClocksRequest, PictureRequest>;
 
 struct NumberedRequest {
   double id = 0;

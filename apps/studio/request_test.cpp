@@ -60,6 +60,15 @@ TEST(Request, ReadsEachKind) {
   EXPECT_TRUE(grammar.is_drawn);
   EXPECT_EQ(grammar.first + grammar.count, 30U);
   EXPECT_EQ(read<PictureRequest>(R"({"do": "picture", "id": 1, "file": "bark.png"})").size, 96);
+  EXPECT_EQ(read<StandRequest>(R"({"do": "stand", "id": 1, "component": "oak"})").component, "oak");
+  const auto curves = read<CurvesRequest>(R"({"do": "curves", "id": 1, "component": "leaf", "rank": -3})");
+  EXPECT_EQ(curves.rank, -3);
+  EXPECT_EQ(curves.leaf, std::nullopt);
+  const auto operations = read<OperationsRequest>(
+      R"({"do": "operations", "id": 1, "component": "pear", "operation": "a", "iteration": 3})");
+  EXPECT_EQ(operations.operation, "a");
+  EXPECT_EQ(operations.iteration, 3);
+  EXPECT_EQ(read<OperationsRequest>(R"({"do": "operations", "id": 1, "component": "pear"})").iteration, std::nullopt);
   const auto film = read<ExportRequest>(
       R"({"do": "export", "id": 1, "format": ".mp4", "options": {"frames": {"from": 1, "to": 2, "step": 0.04}}})");
   EXPECT_EQ(film.options.frames->count(), 26U);
@@ -91,6 +100,8 @@ TEST(Request, SaysWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "step": -1})").find("'step'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "count": 1e6})").find("'count'"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "operations", "component": "a", "iteration": -1})").find("'iteration'"),
             std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "picture", "file": "a.png", "size": 1})").find("'size'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[1, 2]]})").find("splice"), std::string::npos);

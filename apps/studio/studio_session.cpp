@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "clock_values.h"
+#include "curve_values.h"
 #include "export_job.h"
 #include "film_job.h"
 #include "grammar_job.h"
@@ -21,6 +22,7 @@
 #include "meristem/base/version.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
+#include "operation_values.h"
 #include "part_values.h"
 #include "refusal.h"
 #include "text_units.h"
@@ -510,6 +512,29 @@ void StudioSession::ask_grown(double id, Question question) {
 std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
   ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
     return {"instance", instance_value(grown, request, progress, cache)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRequest& request) {
+  ask_grown(
+      id,
+      [component = request.component](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
+        return {"stand", stand_value(grown, component, progress, cache)};
+      });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const CurvesRequest& request) {
+  ask_grown(id, [request](const GrownWish& grown, Progress&, GrowthCache&) -> Value::Member {
+    return {"curves", curves_value(grown, request)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const OperationsRequest& request) {
+  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache&) -> Value::Member {
+    return {"operations", operations_value(grown, request, progress)};
   });
   return std::nullopt;
 }

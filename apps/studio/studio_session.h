@@ -95,6 +95,9 @@ class StudioSession {
   std::optional<Answer> act(double id, const MeasureRowsRequest& request);
   std::optional<Answer> act(double id, const SweepRequest& request);
   std::optional<Answer> act(double id, const InstanceRequest& request);
+  std::optional<Answer> act(double id, const StandRequest& request);
+  std::optional<Answer> act(double id, const CurvesRequest& request);
+  std::optional<Answer> act(double id, const OperationsRequest& request);
   std::optional<Answer> act(double id, const PartsRequest& request);
   std::optional<Answer> act(double id, const PartRequest& request);
   std::optional<Answer> act(double id, const ExportRequest& request);

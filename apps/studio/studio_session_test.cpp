@@ -656,6 +656,63 @@ TEST(StudioSession, TellsTheShootThatIsSeen) {
       studio.ask("instance", R"("component": "stem", "frame": [1,0,0,0, 0,1,0,0, 0,0,1,0], "position": [0, 1, 0.01])");
   ASSERT_NE(answer.find("instance"), nullptr);
   EXPECT_EQ(Studio::text_of(*answer.find("instance"), "shoot"), "main");
+  EXPECT_TRUE(answer.find("instance")->find("iteration")->is_null());
+}
+
+const std::string kPear =
+    R"json("text": "{\"meristem\": 1, \"scene\": {\"sun\": {\"azimuth\": 90, \"altitude\": 45}, \"obstacles\": [{\"box\": [[-3, 0, -2], [3, 2, -1]]}]}, \"components\": {\"pear\": {\"type\": \"organize\", \"frame\": {\"translate\": [0, 0, 1]}, \"iterations\": 9, \"roots\": [[0, 0, 0], [2, 0, 0]], \"operations\": [{\"do\": \"cut\", \"at\": 8, \"shoots\": \"leader\", \"above\": 5}, {\"do\": \"cut\", \"at\": 9, \"shoots\": \"rank == 1\", \"above\": 1, \"off\": true}]}}}")json";
+
+TEST(StudioSession, TellsWhereAShootIsSeenAndWhatCouldCutIt) {
+  Studio studio;
+  studio.ask("open", kPear);
+  studio.mailbox().packet(0);
+  const Value answer = studio.ask(
+      "instance", R"("component": "pear", "frame": [1,0,0,0, 0,1,0,0, 0,0,1,0], "position": [2, 0.305, 1.01])");
+  const Value& instance = *answer.find("instance");
+  EXPECT_EQ(Studio::text_of(instance, "shoot"), "main");
+  EXPECT_EQ(*instance.find("tree")->number(), 1);
+  EXPECT_EQ(*instance.find("metamer")->number(), 3);
+  EXPECT_EQ(*instance.find("iteration")->number(), 9);
+  const std::size_t nodes = instance.find("metamers")->list()->size();
+  EXPECT_EQ(instance.find("course")->list()->size(), 3 * nodes);
+  EXPECT_EQ(*(*instance.find("metamers")->list())[0].number(), 0);
+}
+
+TEST(StudioSession, TellsWhatOperationsHaveDone) {
+  Studio studio;
+  studio.ask("open", kPear);
+  studio.mailbox().packet(0);
+  const Value all = studio.ask("operations", R"("component": "pear")");
+  const Value& told = *all.find("operations");
+  EXPECT_EQ(*told.find("iteration")->number(), 9);
+  // One that is off does nothing.
+  const Value::List& acts = *told.find("acts")->list();
+  ASSERT_EQ(acts.size(), 1U);
+  EXPECT_EQ(acts[0], Value(Value::List{"components.pear.operations[0]", 8, "cut", 2.0}));
+  EXPECT_TRUE(told.find("places")->list()->empty());
+  const Value one =
+      studio.ask("operations", R"("component": "pear", "operation": "components.pear.operations[0]", "iteration": 8)");
+  const Value::List& places = *one.find("operations")->find("places")->list();
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_EQ(*places[1].find("tree")->number(), 1);
+  EXPECT_EQ(Studio::text_of(places[1], "shoot"), "main");
+  EXPECT_EQ(places[1].find("course")->list()->size(), 6U);
+  EXPECT_TRUE(studio.ask("operations", R"("component": "nobody")").find("operations")->is_null());
+}
+
+TEST(StudioSession, TellsWhereAComponentStandsAndWhatSurroundsIt) {
+  Studio studio;
+  studio.ask("open", kPear);
+  const ReadPacket packet(studio.mailbox().packet(0));
+  const Value::List& batches = *packet.head.find("batches")->list();
+  EXPECT_EQ(Studio::text_of(batches.back(), "component"), "scene.obstacles[0]");
+  EXPECT_NE(packet.head.find("scene"), nullptr);
+  const Value answer = studio.ask("stand", R"("component": "pear")");
+  const Value::List& stand = *answer.find("stand")->list();
+  ASSERT_EQ(stand.size(), 12U);
+  EXPECT_EQ(*stand[0].number(), 1);
+  EXPECT_EQ(*stand[11].number(), 0);  // before the component's own frame
+  EXPECT_TRUE(studio.ask("stand", R"("component": "nobody")").find("stand")->is_null());
 }
 
 TEST(StudioSession, CountsInstancesOfTheGraph) {

@@ -11,8 +11,10 @@ const ParameterTable& view_table() {
       Table<View>("a camera", "The view of pictures and the root of the graph.")
           .vector("position", &View::position, {.unit = Unit::metre, .min = -1e7, .max = 1e7, .usual = {-50, 50}},
                   "Position of the camera; by default, one from which the whole plant is seen.")
+          .in_space(InSpace::position)
           .vector("target", &View::target, {.unit = Unit::metre, .min = -1e7, .max = 1e7, .usual = {-50, 50}},
                   "Point that the camera looks at; by default, the middle of the plant.")
+          .in_space(InSpace::position)
           .number(
               "azimuth", &View::azimuth,
               {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}, .fixed = true},

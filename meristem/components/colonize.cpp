@@ -160,6 +160,7 @@ const ParameterTable& growth_table() {
                    "Largest number of growth steps; growth ends earlier when no attraction points are left in reach.")
           .vector("bias", &ColonizeParameters::bias, {.min = -100, .max = 100},
                   "Vector added to each growth direction; [0, 0.2, 0] makes all branches grow upward a little.")
+          .in_space(InSpace::direction)
           .object("finish", &ColonizeParameters::finish, finish_table,
                   "What is done to the skeleton after growth: nodes removed, forks softened, curves smoothed.");
   return table;

@@ -17,6 +17,7 @@ const ParameterTable& control_point_table() {
       Table<ControlPoint>("a control point", "Position of a control point of a hyperpatch.")
           .vector("at", &ControlPoint::at, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
                   "Position of the control point, in the component's frame.")
+          .in_space(InSpace::position)
           .required()
           .shorthand("at");
   return table;

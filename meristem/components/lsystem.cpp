@@ -208,6 +208,7 @@ const ParameterTable& turtle_table() {
           .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100, .usual = {-1, 1}},
                   "Direction toward which segments bend; by default, straight down. The bend is proportional to the "
                   "vector's length.")
+          .in_space(InSpace::direction)
           .number(
               "elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10, .usual = {-0.5, 0.5}},
               "Bend of each segment toward the tropism, in radians where it is at right angles; negative bends away.");

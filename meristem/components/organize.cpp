@@ -33,12 +33,11 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
   growth.radii.tip_radius *= scale;
   growth.light = tree.light.model;
   growth.light.voxel *= scale;
-  if (tree.training) {
-    for (const AnyOperation& operation : tree.training->operations) {
-      growth.operations.push_back(build_operation(operation, axes));
-    }
-  }
-  for (const AnyOperation& operation : tree.operations) growth.operations.push_back(build_operation(operation, axes));
+  const auto add = [&](const AnyOperation& operation) {
+    if (!common_of(operation).off) growth.operations.push_back(build_operation(operation, axes));
+  };
+  if (tree.training) std::ranges::for_each(tree.training->operations, add);
+  std::ranges::for_each(tree.operations, add);
   growth.marks = mark_words(tree.operations);
   return growth;
 }
@@ -152,6 +151,7 @@ void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
   };
   const std::vector<RootPlace> places = places_of(tree);
   const auto show = [&](const AnyOperation& operation) {
+    if (common_of(operation).off) return;
     if (const auto* support = std::get_if<SupportParameters>(&operation); support && !support->named.empty()) {
       return show_named(*support);
     }
@@ -207,7 +207,7 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {
     const OperationParameters& common = common_of(tree.operations[k]);
     const int first = common.at.value_or(common.from);
-    if (first <= tree.growth.iterations) continue;
+    if (common.off || first <= tree.growth.iterations) continue;
     const DocumentPath operation(operations, k);
     reader.warn(
         DocumentPath(operation, common.at ? "at" : "from"),

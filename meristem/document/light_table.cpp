@@ -125,6 +125,7 @@ const ParameterTable& lamp_table() {
       Table<Lamp>("a lamp", "A lamp that shines to all sides.")
           .vector("position", &Lamp::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
                   "Position of the lamp.")
+          .in_space(InSpace::position)
           .required()
           .number(
               "strength", &Lamp::strength, {.min = 0, .max = 1e6, .usual = {0.05, 10}, .above_min = true},

@@ -125,6 +125,7 @@ class TableList {
     if (row.count > 0) made.emplace_back("count", static_cast<double>(row.count));
     if (row.kind == ParameterKind::points || row.kind == ParameterKind::positions)
       made.emplace_back("together", std::string(points_form_name(row.together)));
+    if (row.in_space != InSpace::none) made.emplace_back("in_space", std::string(in_space_name(row.in_space)));
     if (row.kinds != nullptr) {
       made.emplace_back("kinds", kinds(row.kinds(), table_name + "." + row.name));
     } else if (row.nested != nullptr) {

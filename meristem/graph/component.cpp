@@ -33,9 +33,11 @@ const ParameterTable& transform_table() {
       Table<Transform>("a transform", "A transform: scales first, then turns, then moves.")
           .vector("translate", &Transform::translate, {.unit = Unit::metre, .min = -1e6, .max = 1e6},
                   "Shift along x (right), y (heading) and z (out of the upper face).")
+          .in_space(InSpace::shift)
           .vector("rotate", &Transform::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
                   "Angles of pitch about x, roll about y and yaw about z; the roll acts first, then the pitch, then "
                   "the yaw.")
+          .in_space(InSpace::turn)
           .vector("scale", &Transform::scale, {.min = 1e-4, .max = 1e4, .usual = {0.1, 5}},
                   "Scale factors along x, y and z.");
   return table;

@@ -493,6 +493,11 @@ class Expansion {
       return static_cast<std::uint64_t>(std::ranges::count_if(block.stems, &EmittedStem::visible));
     };
     const std::vector<Site>& sites = batch.sites();
+    if (wish_->of == InstanceWish::Of::instance) {
+      if (wish_->number - passed_ < sites.size()) found_ = described(prototype, sites[wish_->number - passed_]);
+      passed_ += sites.size();
+      return;
+    }
     const std::size_t size = prototype.type->grow ? 1 : kBlock;
     for (std::size_t k = 0; k < result.blocks.size(); ++k) {
       const std::uint64_t made = count(result.blocks[k]);

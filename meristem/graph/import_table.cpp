@@ -26,9 +26,11 @@ const ParameterTable& import_table() {
                   "Scale factor on the file's lengths, applied first.")
           .vector("rotate", &ImportPose::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
                   "Angles of pitch about x, roll about y and yaw about z, applied after the scale.")
+          .in_space(InSpace::turn)
           .vector("translate", &ImportPose::translate,
                   {.unit = Unit::metre, .min = -1e8, .max = 1e8, .usual = {-10, 10}},
-                  "Shift along x, y and z, applied last.");
+                  "Shift along x, y and z, applied last.")
+          .in_space(InSpace::shift);
   return table;
 }
 

@@ -52,8 +52,9 @@ std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, dou
 /// A part of a plant whose instance is asked for, as expand() orders what it gives.
 struct InstanceWish {
   enum class Of {
-    organ,  ///< number `number` among the organs of the component
-    stem,   ///< number `number` among its visible stems: StemPart::instance
+    organ,     ///< number `number` among the organs of the component
+    stem,      ///< number `number` among its visible stems: StemPart::instance
+    instance,  ///< number `number` among its instances, whatever they make
   };
   std::string component;
   Of of = Of::organ;
@@ -62,7 +63,7 @@ struct InstanceWish {
 
 /// An instance with what it is given.
 struct FoundInstance {
-  Site site;
+  Site site;  ///< before the `frame` of the component
   /// The parameters that differ from instance to instance, by their path in the document, with their values here, in
   /// the units of the document.
   std::vector<std::pair<std::string, double>> values;

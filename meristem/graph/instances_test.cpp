@@ -76,6 +76,12 @@ TEST(Instances, EachOrganAndStemHasItsInstance) {
   }
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "leaf", .number = organs}, progress, &cache));
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "nobody"}, progress, &cache));
+  const auto third = find_instance(
+      graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::instance, .number = 2}, progress, &cache);
+  ASSERT_TRUE(third);
+  EXPECT_EQ(third->site.i, 2U);
+  EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::instance, .number = 300},
+                             progress, &cache));
   const auto pole = find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem, .number = 271},
                                   progress, &cache);
   ASSERT_TRUE(pole);

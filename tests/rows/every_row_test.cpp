@@ -83,6 +83,7 @@ const std::map<std::string, std::string>& circumstances() {
       {"an operation.from", "there may be nothing to do then"},
       {"an operation.every", "as from"},
       {"an operation.to", "as from"},
+      {"an operation.off", "as from"},
       {"an operation.once", "it may find nothing to do a second time"},
       {"an operation.leader", "no shoot may be there to take the lead"},
       {"a bud to cut to.window", "there may be one bud that faces the right way"},

@@ -131,6 +131,7 @@ const ParameterTable& profile_table() {
           .points("profile", &ProfileParameters::profile, kProfile,
                   "Points [radius, height] of the crown's outline above the root, with rising heights.")
           .together(PointsForm::silhouette)
+          .in_space(InSpace::profile)
           .required()
           .shorthand("profile");
   return table;
@@ -140,8 +141,10 @@ const ParameterTable& ellipsoid_table() {
   static const ParameterTable table =
       Table<EllipsoidParameters>("an ellipsoid", "A ball stretched along the axes.")
           .vector("centre", &EllipsoidParameters::centre, kCoordinate, "Centre of the ellipsoid, relative to the root.")
+          .in_space(InSpace::position)
           .required()
           .vector("radii", &EllipsoidParameters::radii, kLength, "Radii of the ellipsoid along x, y and z.")
+          .in_space(InSpace::radii)
           .required();
   return table;
 }
@@ -150,8 +153,10 @@ const ParameterTable& sphere_table() {
   static const ParameterTable table =
       Table<SphereParameters>("a sphere", "A ball.")
           .vector("centre", &SphereParameters::centre, kCoordinate, "Centre of the sphere, relative to the root.")
+          .in_space(InSpace::position)
           .required()
           .number("radius", &SphereParameters::radius, kLength, "Radius of the sphere.")
+          .in_space(InSpace::radius)
           .required();
   return table;
 }
@@ -160,10 +165,13 @@ const ParameterTable& cone_table() {
   static const ParameterTable table =
       Table<ConeParameters>("a cone", "A cone with its apex up.")
           .vector("base", &ConeParameters::base, kCoordinate, "Centre of the cone's base, relative to the root.")
+          .in_space(InSpace::position)
           .required()
           .number("radius", &ConeParameters::radius, kLength, "Radius of the cone's base.")
+          .in_space(InSpace::radius)
           .required()
           .number("height", &ConeParameters::height, kLength, "Height of the cone from its base to its apex.")
+          .in_space(InSpace::height)
           .required();
   return table;
 }
@@ -173,10 +181,13 @@ const ParameterTable& cylinder_table() {
       Table<UprightCylinderParameters>("a cylinder", "An upright cylinder.")
           .vector("base", &UprightCylinderParameters::base, kCoordinate,
                   "Centre of the cylinder's base, relative to the root.")
+          .in_space(InSpace::position)
           .required()
           .number("radius", &UprightCylinderParameters::radius, kLength, "Radius of the cylinder.")
+          .in_space(InSpace::radius)
           .required()
           .number("height", &UprightCylinderParameters::height, kLength, "Height of the cylinder.")
+          .in_space(InSpace::height)
           .required();
   return table;
 }
@@ -185,10 +196,13 @@ const ParameterTable& pyramid_table() {
   static const ParameterTable table =
       Table<PyramidParameters>("a pyramid", "A pyramid on a square, with its apex up.")
           .vector("base", &PyramidParameters::base, kCoordinate, "Centre of the pyramid's base, relative to the root.")
+          .in_space(InSpace::position)
           .required()
           .number("width", &PyramidParameters::width, kLength, "Length of each side of the pyramid's square base.")
+          .in_space(InSpace::width)
           .required()
           .number("height", &PyramidParameters::height, kLength, "Height of the pyramid from its base to its apex.")
+          .in_space(InSpace::height)
           .required();
   return table;
 }
@@ -197,10 +211,12 @@ const ParameterTable& half_space_table() {
   static const ParameterTable table =
       Table<HalfSpaceParameters>("a half space", "All that lies on one side of a plane.")
           .vector("point", &HalfSpaceParameters::point, kCoordinate, "A position on the plane, relative to the root.")
+          .in_space(InSpace::position)
           .required()
           .vector("normal", &HalfSpaceParameters::normal, {.min = -1e5, .max = 1e5, .usual = {-1, 1}},
                   "Direction from the plane out of the half space, of any length above 0; [0, 1, 0] keeps what lies "
                   "below the plane.")
+          .in_space(InSpace::direction)
           .required();
   return table;
 }
@@ -272,6 +288,7 @@ const ParameterTable& crown_table() {
                   "Points [radius, height] of the crown's outline above the root, with rising heights; a spline "
                   "through them is turned about the vertical.")
           .together(PointsForm::silhouette)
+          .in_space(InSpace::profile)
           .map("profiles", &CrownParameters::profiles, profile_table,
                "Outlines by azimuth in degrees from north over east, such as \"90\"; the radius changes evenly between "
                "them.")

@@ -82,12 +82,6 @@ std::vector<MeasuredCurve> curves_of(const std::vector<AgedPoints>& midribs) {
   return curves;
 }
 
-std::vector<MeasuredCurve> midribs_from(const GrassSource& source) {
-  if (source.midrib) return *source.midrib;
-  if (!source.midribs.empty()) return curves_of(source.midribs);
-  return {curve_of(source.midrib_points.empty() ? arching_midrib() : source.midrib_points)};
-}
-
 FittedWidths widths_of_curve(const Curve& profile, int pieces) {
   FittedWidths fitted{.r = {}, .width = 1, .length = 1, .are_shares = true};
   double largest = 0;
@@ -142,6 +136,12 @@ std::vector<MeasuredCurve> read_width_file(const std::string& text, const std::s
 }
 
 }  // namespace
+
+std::vector<MeasuredCurve> measured_midribs(const GrassSource& source) {
+  if (source.midrib) return *source.midrib;
+  if (!source.midribs.empty()) return curves_of(source.midribs);
+  return {curve_of(source.midrib_points.empty() ? arching_midrib() : source.midrib_points)};
+}
 
 MeasuredCurve curve_of(const std::vector<Vec2>& points) {
   MeasuredCurve curve;
@@ -208,7 +208,7 @@ GrassStock make_stock(const GrassSource& source, const StockOptions& how) {
       widths.push_back({curve.rank, curve.lindex, fit_widths(curve, options)});
     }
   }
-  std::vector<StockedMidrib> midribs = stock_midribs(midribs_from(used), options, how.full_age);
+  std::vector<StockedMidrib> midribs = stock_midribs(measured_midribs(used), options, how.full_age);
   if (!used.midrib) {
     for (StockedMidrib& midrib : midribs) midrib.length = 0;
   }

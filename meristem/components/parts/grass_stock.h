@@ -93,6 +93,9 @@ Fingerprint fingerprint_of(const GrassSource& source, const StockOptions& option
 /// Fits all of it. Throws InputError for midribs that stand alone at an age of 0 or less, and for faults of curves.
 GrassStock make_stock(const GrassSource& source, const StockOptions& options);
 
+/// The midribs of a source, those that documents hold as measured ones; the built-in leaf's where it has none.
+std::vector<MeasuredCurve> measured_midribs(const GrassSource& source);
+
 /// The points of a document's midrib as a measured one.
 MeasuredCurve curve_of(const std::vector<Vec2>& points);
 

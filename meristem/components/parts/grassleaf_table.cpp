@@ -70,10 +70,12 @@ const ParameterTable& forces_table() {
       Table<GrassForces>("forces", "Forces that bend a leaf.")
           .vector("wind", &GrassForces::wind, {.min = -60, .max = 60, .usual = {-15, 15}},
                   "Velocity of the wind in metres per second, in the direction in which it blows.")
+          .in_space(InSpace::direction)
           .number("light", &GrassForces::light, {.min = -100, .max = 100, .usual = {-3, 3}},
                   "Pull toward the light, in weights of the leaf; negative pulls away from it.")
           .vector("pull", &GrassForces::pull, {.min = -100, .max = 100, .usual = {-3, 3}},
                   "Further pull on the leaf, in weights of the leaf along x, y and z.")
+          .in_space(InSpace::direction)
           .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000, .usual = {0.5, 10}},
                   "Weight of the leaf in newtons per square metre; raised, wind moves it less.")
           .members(&GrassForces::strip, strip_table())

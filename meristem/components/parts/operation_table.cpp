@@ -43,6 +43,8 @@ const ParameterTable& common_table() {
                 "age, light, resource, radius, height, inclination, azimuth, clearance, inward, marked or states.")
           .integer("tree", &OperationParameters::tree, {.min = 0, .max = 1e6, .usual = {0, 10}},
                    "Number of the root whose tree the operation is for, from 0; by default, it is for all trees.")
+          .boolean("off", &OperationParameters::off,
+                   "Whether the operation is switched off: it stays in the list, and never acts.")
           .never_with("at", {"from", "every", "to", "once"});
   return table;
 }
@@ -85,6 +87,7 @@ const ParameterTable& bud_table() {
                   "Side that the bud faces: 'down', 'up', 'out' from the stem, or the given 'direction'.")
           .vector("direction", &BudParameters::direction, {.min = -1e3, .max = 1e3, .usual = {-1, 1}},
                   "Direction [x, y, z] that the bud faces.")
+          .in_space(InSpace::direction)
           .integer("window", &BudParameters::window, {.min = 0, .max = 1e6, .usual = {0, 10}},
                    "Number of metamers to each side of the middle, among whose buds the one that faces best is chosen; "
                    "0 takes the nearest bud that faces that side.")

@@ -29,6 +29,7 @@ struct OperationParameters {
   Season season = Season::winter;
   std::string shoots;
   std::optional<int> tree;
+  bool off = false;
   ShootChoice chosen;  ///< what `shoots` says
   std::string path;    ///< in the document
 };

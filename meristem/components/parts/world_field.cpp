@@ -21,8 +21,10 @@ const ParameterTable& axis_table() {
   static const ParameterTable table =
       Table<FieldLine>("an axis", "A line in space.")
           .vector("point", &FieldLine::point, kPlace, "Point on the axis, in the frame of the world.")
+          .in_space(InSpace::position)
           .vector("direction", &FieldLine::direction, kDirection,
-                  "Direction of the axis, in the frame of the world; its length does not count.");
+                  "Direction of the axis, in the frame of the world; its length does not count.")
+          .in_space(InSpace::direction);
   return table;
 }
 
@@ -33,6 +35,7 @@ const ParameterTable& cylinder_table() {
           .number("radius", &CylinderParameters::radius,
                   {.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.01, 1}},
                   "Radius of the cylinder; outside it the field pulls inward, inside it outward.")
+          .in_space(InSpace::radius)
           .number("edge", &CylinderParameters::edge, kDistance,
                   "Distance from the surface within which the pull falls to nothing; raised, stems come to the surface "
                   "in a gentler curve.");
@@ -53,6 +56,7 @@ const ParameterTable& wind_table() {
       Table<WindParameters>("a wind", "A pull in one direction, with gusts.")
           .vector("direction", &WindParameters::direction, kDirection,
                   "Direction in which the wind blows, in the frame of the world; its length does not count.")
+          .in_space(InSpace::direction)
           .number("gusts", &WindParameters::gusts, {.min = 0, .max = 10, .usual = {0, 2}},
                   "Change of the wind from place to place, as a share of its strength; raised, more restless branches.")
           .number("size", &WindParameters::size, kDistance,
@@ -151,8 +155,11 @@ const ParameterTable& world_field_table() {
                   "Expressions for the pull along x, y and z; its length counts as strength.")
           .vector("uniform", &WorldField::uniform, kDirection,
                   "Direction of an even pull; its length counts as strength.")
+          .in_space(InSpace::direction)
           .vector("toward", &WorldField::toward, kPlace, "Point that the field pulls to.")
+          .in_space(InSpace::position)
           .vector("away", &WorldField::away, kPlace, "Point that the field pushes away from.")
+          .in_space(InSpace::position)
           .number("reach", &WorldField::reach, kDistance,
                   "Distance from the point at which the pull is half as strong; by default, it never falls.")
           .object("cylinder", &WorldField::cylinder, cylinder_table,

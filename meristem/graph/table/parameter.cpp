@@ -34,6 +34,32 @@ std::string_view unit_name(Unit unit) {
   return "";
 }
 
+std::string_view in_space_name(InSpace what) {
+  switch (what) {
+    case InSpace::none:
+      return "";
+    case InSpace::position:
+      return "position";
+    case InSpace::shift:
+      return "shift";
+    case InSpace::turn:
+      return "turn";
+    case InSpace::direction:
+      return "direction";
+    case InSpace::radii:
+      return "radii";
+    case InSpace::radius:
+      return "radius";
+    case InSpace::height:
+      return "height";
+    case InSpace::width:
+      return "width";
+    case InSpace::profile:
+      return "profile";
+  }
+  return "";
+}
+
 std::string_view points_form_name(PointsForm form) {
   switch (form) {
     case PointsForm::line:

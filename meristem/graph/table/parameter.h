@@ -58,6 +58,22 @@ enum class PointsForm {
 };
 std::string_view points_form_name(PointsForm form);  ///< as it is spelt here: "line", "polygon", ...
 
+/// What a row says of space, for editors with handles in it: in metres (turns: degrees), in the frame of whatever the
+/// row's table belongs to. Boxes and positions say so by their kind.
+enum class InSpace {
+  none,
+  position,   ///< where the table's thing stands
+  shift,      ///< how far all that the table places is moved
+  turn,       ///< angles of its turns about x, y and z
+  direction,  ///< where it points; its length may count
+  radii,      ///< half of its size along x, y and z, from its position
+  radius,     ///< about its direction, or about the vertical where it has none
+  height,     ///< upward from its position
+  width,      ///< of the square around its position
+  profile,    ///< pairs [radius, height] above its root, turned about the vertical
+};
+std::string_view in_space_name(InSpace what);  ///< as it is spelt here; empty for none
+
 std::string_view kind_name(ParameterKind kind);  ///< as it is spelt here: "number", "integer", ...
 
 /// From `low` to `high`, in document units; an end that is NaN is left to usual_range (usual_range.h).
@@ -115,6 +131,7 @@ struct Parameter {
   std::vector<std::string> choices;        ///< the values of a choice
   std::size_t count = 0;                   ///< number of integers
   PointsForm together = PointsForm::line;  ///< what points or positions are together
+  InSpace in_space = InSpace::none;        ///< what it says of space
   /// The table of an object, or of the elements of a list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
   const Kinds& (*kinds)() =

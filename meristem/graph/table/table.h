@@ -225,6 +225,11 @@ class Table {
     table_.parameters.back().together = form;
     return std::move(*this);
   }
+  /// What the row just written says of space.
+  Table&& in_space(InSpace what) && {
+    table_.parameters.back().in_space = what;
+    return std::move(*this);
+  }
   /// The row just written must be given.
   Table&& required() && {
     table_.parameters.back().required = true;

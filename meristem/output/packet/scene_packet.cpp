@@ -92,12 +92,42 @@ class PacketMaker::Builder {
   }
 
   void add_meshes(const MeshScene& scene, const SceneKeys& keys) {
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) add_material(scene.materials[m], m, keys);
-    for (std::size_t k = 0; k < scene.meshes.size(); ++k) add_batch(scene.meshes[k], keys.batches[k]);
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) add_material(scene.materials[m], m, keys, m);
+    for (std::size_t k = 0; k < scene.meshes.size(); ++k) add_batch(scene.meshes[k], keys.batches[k], 0);
     if (const Box bounds = scene.bounds(); !bounds.is_empty())
       bounds_ = Value::List{vector_value(bounds.low), vector_value(bounds.high)};
     triangles_ = scene.triangle_count();
     instances_ = scene.instance_count();
+  }
+
+  /// Materials of obstacles stand behind those of plants.
+  void add_obstacles(const MeshScene& scene, const SceneKeys& keys) {
+    const std::size_t before = now_.materials.size();
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) add_material(scene.materials[m], before + m, keys, m);
+    for (std::size_t k = 0; k < scene.meshes.size(); ++k)
+      add_batch(scene.meshes[k], keys.batches[k], static_cast<std::uint32_t>(before));
+    if (const Box bounds = scene.bounds(); bounds_.is_null() && !bounds.is_empty())
+      bounds_ = Value::List{vector_value(bounds.low), vector_value(bounds.high)};
+  }
+
+  /// What of a scene is no mesh.
+  void add_scene(const Scene& scene) {
+    const Vec3 sun = unit_vector(scene.sun);
+    Fingerprint hash;
+    hash.add(sun.x).add(sun.y).add(sun.z);
+    for (const Lamp& lamp : scene.light.lamps) {
+      hash.add(lamp.position.x).add(lamp.position.y).add(lamp.position.z).add(lamp.strength);
+    }
+    for (const auto& [name, points] : scene.supports) hash.add_text(name).add_array(points);
+    now_.scene = hash.hash();
+    if (now_.scene == before_.scene) return;
+    Value::List lamps;
+    for (const Lamp& lamp : scene.light.lamps)
+      lamps.push_back(Value::Object{{"position", vector_value(lamp.position)}, {"strength", lamp.strength}});
+    Value::List supports;
+    for (const auto& [name, points] : scene.supports)
+      supports.push_back(Value::Object{{"name", name}, {"points", arrays_.add(packed_vectors(points))}});
+    scene_ = Value::Object{{"sun", vector_value(sun)}, {"lamps", std::move(lamps)}, {"supports", std::move(supports)}};
   }
 
   void add_skeletons(const Plant& plant, std::size_t most_segments) {
@@ -153,7 +183,6 @@ class PacketMaker::Builder {
     Value::List pictures, materials, meshes, instances, batches, skeletons;
   };
 
-  /// The key of a texture's picture, which is sent where the viewer has it not.
   /// The key of a texture's picture, which is sent where the viewer has it not. On a screen a JPEG of a third of the
   /// bytes does, but for holes.
   Value add_picture(const Image& image, PixelKind kind, bool has_holes) {
@@ -170,8 +199,9 @@ class PacketMaker::Builder {
     return key_value(key);
   }
 
-  void add_material(const Material& material, std::size_t index, const SceneKeys& keys) {
-    now_.materials.push_back(keys.materials[index]);
+  /// `index` is that of the viewer, `own` that of the scene which the keys are of.
+  void add_material(const Material& material, std::size_t index, const SceneKeys& keys, std::size_t own) {
+    now_.materials.push_back(keys.materials[own]);
     Value::Object object{{"index", number_value(index)},
                          {"name", material.name},
                          {"colour", vector_value(material.tint())},
@@ -185,7 +215,7 @@ class PacketMaker::Builder {
       if (texture->has_normals())
         object.emplace_back("normals", add_picture(texture->normals, PixelKind::numbers, false));
     }
-    if (index < before_.materials.size() && before_.materials[index] == keys.materials[index]) return;
+    if (index < before_.materials.size() && before_.materials[index] == keys.materials[own]) return;
     lists_.materials.push_back(std::move(object));
   }
 
@@ -227,17 +257,18 @@ class PacketMaker::Builder {
     lists_.instances.push_back(std::move(object));
   }
 
-  void add_batch(const MeshInstances& instances, const SceneKeys::Batch& keys) {
+  /// `first` is the index of the viewer for the first material of the scene.
+  void add_batch(const MeshInstances& instances, const SceneKeys::Batch& keys, std::uint32_t first) {
     add_mesh(*instances.mesh, keys.mesh);
     add_instances(instances, keys.instances);
     const BatchName name(keys.component, keys.number);
-    const Batch batch{.mesh = keys.mesh, .instances = keys.instances, .material = instances.material};
+    const Batch batch{.mesh = keys.mesh, .instances = keys.instances, .material = first + instances.material};
     now_.batches.emplace(name, batch);
     if (const auto was = before_.batches.find(name); was != before_.batches.end() && was->second == batch) return;
     lists_.batches.push_back(Value::Object{{"component", keys.component},
                                            {"number", number_value(keys.number)},
                                            {"mesh", key_value(keys.mesh)},
-                                           {"material", number_value(instances.material)},
+                                           {"material", number_value(batch.material)},
                                            {"instances_of", key_value(keys.instances)}});
   }
 
@@ -279,6 +310,7 @@ class PacketMaker::Builder {
     add_list(head, "batches", std::move(lists_.batches));
     add_list(head, "skeletons", std::move(lists_.skeletons));
     if (now_.lines != before_.lines) head.emplace_back("lines", key_list(now_.lines));
+    if (!scene_.is_null()) head.emplace_back("scene", std::move(scene_));
     if (Value gone = this->gone(); !gone.object()->empty()) head.emplace_back("gone", std::move(gone));
     return head;
   }
@@ -289,6 +321,7 @@ class PacketMaker::Builder {
   PacketArrays arrays_;
   Lists lists_;
   Value bounds_;
+  Value scene_;
   std::uint64_t triangles_ = 0;
   std::uint64_t instances_ = 0;
 };
@@ -297,6 +330,8 @@ std::string PacketMaker::next(const PacketScene& scene, const PacketFacts& facts
   Builder builder(shown_, progress);
   if (scene.meshes != nullptr) builder.add_meshes(*scene.meshes, key_maker_.keys_of(*scene.meshes));
   if (scene.skeletons != nullptr) builder.add_skeletons(*scene.skeletons, scene.most_segments);
+  if (scene.obstacles != nullptr) builder.add_obstacles(*scene.obstacles, key_maker_.keys_of(*scene.obstacles));
+  if (scene.scene != nullptr) builder.add_scene(*scene.scene);
   if (facts.is_draft) builder.keep(rest_);
   std::string packet = builder.packet(number_ + 1, facts);
   shown_ = builder.take_shown();

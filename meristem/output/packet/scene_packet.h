@@ -13,6 +13,7 @@
 
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
+#include "meristem/scene/scene.h"
 #include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/scene_keys.h"
 
@@ -39,6 +40,10 @@ struct PacketScene {
   const MeshScene* meshes = nullptr;  ///< null: none; textures must be painted
   const Plant* skeletons = nullptr;   ///< whose stems are drawn as lines; null: none
   std::size_t most_segments = 0;      ///< segments that are drawn of all skeletons, the thickest ones; 0: all
+  /// Bodies around the plants, as obstacle_meshes() makes them; null: none. They do not count as what is shown, and the
+  /// bounds are theirs only where there are no plants.
+  const MeshScene* obstacles = nullptr;
+  const Scene* scene = nullptr;  ///< whose sun, lamps and supports are told; null: nothing is said of them
 };
 
 /// Makes the packets for one viewer. They are little-endian:
@@ -86,6 +91,7 @@ class PacketMaker {
     std::map<BatchName, Batch> batches;
     std::vector<std::uint64_t> materials;
     std::vector<std::uint64_t> lines;
+    std::uint64_t scene = 0;  // hash of what is told of it; 0: nothing
     Held held;
   };
   class Builder;

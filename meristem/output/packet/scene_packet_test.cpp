@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "meristem/base/random.h"
+#include "meristem/output/picture/obstacle_meshes.h"
 #include "tests/support/sample_plants.h"
 #include "tests/support/sample_scenes.h"
 #include "tests/support/shown_scene.h"
@@ -228,6 +229,46 @@ TEST(ScenePacket, HasTheSameBytesForTheSameScenes) {
   PacketMaker one;
   PacketMaker other;
   for (const std::size_t leaves : {3U, 7U}) EXPECT_EQ(next(one, leafy_scene(leaves)), next(other, leafy_scene(leaves)));
+}
+
+TEST(ScenePacket, ObstaclesStandBehindThePlantsAndDoNotCount) {
+  const MeshScene plants = scene_of(triangle(), {Frame()});
+  Progress progress;
+  const Obstacles wall({{.mesh = box_mesh({-4, 0, -3}, {4, 6, -2}), .colour = {0.9F, 0.1F, 0.1F}}});
+  const MeshScene bodies = obstacle_meshes(wall, progress);
+  PacketMaker maker;
+  const ReadPacket both(maker.next({.meshes = &plants, .obstacles = &bodies}, {.hash = "0"}, progress));
+  EXPECT_EQ(both.number("triangles"), 1);
+  const Value& batches = *both.head.find("batches");
+  ASSERT_EQ(batches.list()->size(), 2U);
+  const Value& wall_batch = (*batches.list())[1];
+  EXPECT_EQ(*wall_batch.find("component")->text(), "scene.obstacles[0]");
+  EXPECT_EQ(*wall_batch.find("material")->number(), static_cast<double>(plants.materials.size()));
+  // The bounds are the plant's.
+  const ReadPacket alone(PacketMaker().next({.meshes = &plants}, {.hash = "0"}, progress));
+  EXPECT_EQ(*both.head.find("bounds"), *alone.head.find("bounds"));
+  // Without obstacles they are gone.
+  const ReadPacket without(maker.next({.meshes = &plants}, {.hash = "1"}, progress));
+  EXPECT_EQ(without.head.find("gone")->find("batches")->list()->size(), 1U);
+}
+
+TEST(ScenePacket, TellsOfASceneOnceAndAgainWhenItChanges) {
+  Scene scene;
+  scene.sun = {kPi / 2, 0};
+  scene.light.lamps = {{.position = {1, 2, 3}, .strength = 0.5}};
+  scene.supports = {{"wire", {Vec3(-1, 1, 0), Vec3(1, 1, 0)}}};
+  Progress progress;
+  PacketMaker maker;
+  const ReadPacket first(maker.next({.scene = &scene}, {.hash = "0"}, progress));
+  const Value& told = *first.head.find("scene");
+  EXPECT_EQ(*(*told.find("lamps")->list())[0].find("strength")->number(), 0.5);
+  const Value& wire = (*told.find("supports")->list())[0];
+  EXPECT_EQ(*wire.find("name")->text(), "wire");
+  EXPECT_EQ(array<float>(first, wire, "points"), (std::vector<float>{-1, 1, 0, 1, 1, 0}));
+  EXPECT_NEAR(*(*told.find("sun")->list())[0].number(), 1, 1e-6);
+  EXPECT_EQ(ReadPacket(maker.next({.scene = &scene}, {.hash = "0"}, progress)).head.find("scene"), nullptr);
+  scene.light.lamps[0].strength = 1;
+  EXPECT_NE(ReadPacket(maker.next({.scene = &scene}, {.hash = "0"}, progress)).head.find("scene"), nullptr);
 }
 
 }  // namespace meristem::scene_packet_test

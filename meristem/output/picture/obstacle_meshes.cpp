@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "meristem/shape/mesh/shading.h"
+
 namespace meristem {
 
 namespace {
@@ -23,6 +27,10 @@ MeshInstances instances_of(const Obstacle& body, std::uint32_t material) {
           .individuals = {kNoIndividual}};
 }
 
+Material material_of(const Obstacle& body) {
+  return {.name = body.name.empty() ? "obstacle" : body.name, .colour = body.colour, .roughness = 1};
+}
+
 }  // namespace
 
 bool has_visible(const Obstacles& obstacles) {
@@ -30,13 +38,26 @@ bool has_visible(const Obstacles& obstacles) {
                      [](const Obstacle& body) { return !body.is_hidden; });
 }
 
+MeshScene obstacle_meshes(const Obstacles& obstacles, Progress& progress) {
+  MeshScene scene;
+  const std::vector<Obstacle>& bodies = obstacles.bodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].is_hidden || bodies[k].mesh.triangles.empty()) continue;
+    MeshInstances made = instances_of(bodies[k], static_cast<std::uint32_t>(scene.materials.size()));
+    made.component = fmt::format("scene.obstacles[{}]", k);
+    made.mesh = std::make_shared<const Mesh>(flat_shaded(*made.mesh, progress));
+    scene.materials.push_back(material_of(bodies[k]));
+    scene.meshes.push_back(std::move(made));
+  }
+  return scene;
+}
+
 MeshScene with_obstacles(const MeshScene& plants, const Obstacles& obstacles) {
   MeshScene scene = plants;
   for (const Obstacle& body : obstacles.bodies()) {
     if (body.is_hidden || body.mesh.triangles.empty()) continue;
     const auto material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back(
-        {.name = body.name.empty() ? "obstacle" : body.name, .colour = body.colour, .roughness = 1});
+    scene.materials.push_back(material_of(body));
     scene.meshes.push_back(instances_of(body, material));
   }
   return scene;

@@ -35,6 +35,18 @@ TEST(ObstacleMeshes, FollowThePlantsWithTheirColours) {
   EXPECT_FALSE(has_visible(Obstacles()));
 }
 
+TEST(ObstacleMeshes, AloneTheyAreCalledByTheirPathsAndAreFlat) {
+  Progress progress;
+  Obstacles obstacles({{.mesh = box_mesh({2, 0, 2}, {3, 3, 3}), .is_hidden = true},
+                       {.mesh = box_mesh({-4, 0, -3}, {4, 6, -2}), .colour = {0.9F, 0.1F, 0.1F}}});
+  const MeshScene alone = obstacle_meshes(obstacles, progress);
+  ASSERT_EQ(alone.meshes.size(), 1U);
+  EXPECT_EQ(alone.meshes[0].component, "scene.obstacles[1]");
+  EXPECT_EQ(alone.materials[0].colour, Vec3(0.9F, 0.1F, 0.1F));
+  for (const Vec3 normal : alone.meshes[0].mesh->normals)
+    EXPECT_FLOAT_EQ(std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z), 1);
+}
+
 TEST(ObstacleMeshes, StandBehindThePlantInPictures) {
   const MeshScene plants = scene_of(triangle(), {Frame()});
   Scene scene;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the pictures of the manual's chapter on the studio, as `./dev gallery studio` has them drawn:
 // node tests/studio/page/pictures.mjs [FOLDER]
-import { cp, mkdir, stat } from 'node:fs/promises';
+import { cp, mkdir, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
@@ -168,7 +168,106 @@ export const kPictures = [
       await page.locator('.instance').waitFor();
     },
   },
+  {
+    name: 'steer-house',
+    theme: 'light',
+    act: async (page) => {
+      await open_file(page, 'yard.json');
+      await choose(page, 'Scene');
+      await page.locator('.view canvas').focus();
+      for (let k = 0; k < 4; k += 1) await page.keyboard.press('-');
+      await show_handles(page, 'obstacle 1, box');
+    },
+  },
+  {
+    name: 'steer-crown',
+    theme: 'dark',
+    act: async (page) => {
+      await open_file(page, 'yard.json');
+      await choose(page, 'tree');
+      await page.locator('.view canvas').focus();
+      await page.keyboard.press('1');
+      await show_handles(page, 'crown, profile');
+    },
+  },
+  {
+    name: 'steer-plan',
+    theme: 'light',
+    act: async (page) => {
+      await open_model(page, 'pear-espalier');
+      await choose(page, 'pear');
+      await page.keyboard.press('o');
+      await page.getByRole('button', { name: 'By year' }).click();
+      await page.locator('.plan-entry').last().click();
+      await page.waitForFunction(() => window.studio.bench.pruning.told.get()?.operations.places.length > 0);
+    },
+  },
+  {
+    name: 'steer-cut',
+    theme: 'dark',
+    act: async (page) => {
+      await open_file(page, 'young-pear.json');
+      await page.locator('.view canvas').focus();
+      await page.keyboard.press('1');
+      await page.evaluate(() => window.studio.view.drawn());
+      const [x, y] = await page.evaluate(() => window.studio.view.eye.project([0, 0.5, 0.01]));
+      const box = await page.locator('.view canvas').boundingBox();
+      await page.mouse.click(box.x + x, box.y + y);
+      await page.locator('.shoot-tool').waitFor();
+    },
+  },
+  {
+    name: 'steer-leaf',
+    theme: 'light',
+    act: async (page) => {
+      await open_file(page, 'grass-measured.json');
+      await choose(page, 'leaf');
+      await page.getByRole('button', { name: 'Midrib and width…' }).click();
+      await page.locator('.leaf-curves .curve-dots circle').first().waitFor();
+      await page.keyboard.press('f');
+    },
+  },
+  {
+    name: 'steer-hedge',
+    theme: 'dark',
+    act: async (page) => {
+      await open_model(page, 'box-hedge');
+      await choose(page, await page.evaluate(() => Object.entries(window.studio.document.state.get().tree.value.components).find(([, one]) => one.type === 'organize')[0]));
+      await show_handles(page, /^operation 3, outside, box/);
+    },
+  },
 ];
+
+/// Chooses what has handles in the list beside the view.
+async function show_handles(page, label) {
+  await page.locator('.gizmo-card').waitFor();
+  const select = page.locator('.gizmo-card select');
+  const names = await select.locator('option').allInnerTexts();
+  const wanted = typeof label === 'string' ? label : names.filter((one) => label.test(one)).at(-1);
+  await select.selectOption({ label: wanted });
+  await page.locator('.gizmo-handle').first().waitFor();
+}
+
+/// What the pictures of steering show; plain numbers, so that all of it has handles.
+const kOwn = {
+  yard: {
+    meristem: 1,
+    name: 'A tree beside a house',
+    seed: 4,
+    scene: { latitude: 51.5, sun: { day: 141, hour: 10 }, obstacles: [{ name: 'house', box: [[1.1, 0, -1.6], [3.4, 2.4, 1.2]], colour: '#cfc4b2' }] },
+    components: {
+      tree: { type: 'colonize', crown: { profile: [[0.2, 1], [1, 1.5], [1.25, 2.3], [0.8, 3.2], [0, 3.6]] }, points: 900, step: 0.06, influence: 0.8, kill: 0.16 },
+      leaf: { type: 'leaf', length: 0.09, width: 0.05, rows: 2, colours: ['#3f6b26', '#5c8a35'] },
+    },
+    links: [{ from: 'tree', to: 'leaf', kind: 'branch', density: 30, divergence: 137.5, where: 'radius < 0.012' }],
+  },
+  'young-pear': {
+    meristem: 1,
+    name: 'A young pear',
+    seed: 3,
+    components: { pear: { type: 'organize', iterations: 11, resource: { alpha: 2.2 }, tip_radius: 0.006, colour: '#6b5b4a' } },
+  },
+};
 
 /// Draws a picture as good as its size allows, and gives its path.
 async function draw(browser, address, out, { name, theme, act }) {
@@ -189,6 +288,8 @@ async function draw(browser, address, out, { name, theme, act }) {
 
 export async function draw_all(browser, out, tell = () => undefined) {
   const place = await temporary_folder();
+  for (const [name, document] of Object.entries(kOwn)) await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));
+  for (const file of ['grass-measured.json', 'grass-midribs.csv', 'grass-widths.csv']) await cp(path.join(kSource, 'docs/manual/figures', file), path.join(place.folder, file));
   for (const name of ['sunflower-head', 'sunflower-stem', 'film-primrose']) await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
   const server = await start_server(place.folder);
   await mkdir(out, { recursive: true });

@@ -62,7 +62,7 @@ test('two pictures of different things are told apart', async () => {
 });
 
 test('manual and README show all of them', async () => {
-  const pages = ['studio', 'studio-flower'].map((name) => readFile(path.join(kSource, `docs/manual/${name}.md`), 'utf8'));
+  const pages = ['studio', 'studio-flower', 'studio-steer'].map((name) => readFile(path.join(kSource, `docs/manual/${name}.md`), 'utf8'));
   const manual = (await Promise.all(pages)).join('\n');
   for (const { name } of kPictures) assert.ok(manual.includes(`(studio/${name}.jpg)`), name);
   assert.ok((await readFile(path.join(kSource, 'README.md'), 'utf8')).includes('(docs/manual/studio/oak.jpg)'));

@@ -31,7 +31,7 @@ export class Studio {
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, solo: null });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_handles: true, is_sunlit: false, solo: null });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
   readonly instance = new InstanceChoice(this);
@@ -101,11 +101,12 @@ export class Studio {
   }
 
   refresh_view(): void {
-    const { drawing, shows_ground } = this.view_state.get();
+    const { drawing, shows_ground, is_sunlit } = this.view_state.get();
     const hidden = this.board.hidden_components(this.view?.plant.components ?? []);
     const chosen = /^components\.([^.[]+)/.exec(this.chosen.get())?.[1] ?? '';
     this.view?.show(drawing, hidden, chosen);
     this.view?.paint(this.shell.get().is_dark, shows_ground);
+    this.view?.shine(is_sunlit);
   }
 
   /// Changes the document as one step of the undo list.

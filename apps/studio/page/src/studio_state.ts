@@ -44,6 +44,8 @@ export interface ViewState {
   drawing: Drawing;
   hidden: ReadonlySet<string>; // components that are not drawn
   shows_ground: boolean;
+  shows_handles: boolean; // of what is chosen
+  is_sunlit: boolean; // by the document's sun
   solo: string | null; // the component that is drawn alone, with all that stands on it
 }
 
@@ -53,7 +55,7 @@ export type Dialog = 'open' | 'save' | 'record' | 'still' | 'models' | 'export' 
 
 export interface ShellState {
   dialog: Dialog;
-  side: 'inspector' | 'text' | 'grammar' | 'measures';
+  side: 'inspector' | 'text' | 'grammar' | 'measures' | 'plan';
   left: 'outline' | 'board';
   theme: Theme;
   is_dark: boolean;

@@ -4,16 +4,23 @@
 import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
+import { LeafCurvesModel } from './grass/leaf_curves.ts';
 import { MeasureModel } from './measures/measure_model.ts';
+import { Pruning } from './pruning/pruning.ts';
 import type { Studio } from './studio.ts';
 import { Recording } from './time/recording.ts';
 import { TimeModel } from './time/time_model.ts';
+import { Gizmo } from './view/gizmo/gizmo.ts';
 
 export class Workbench {
   readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
   readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
   readonly pins = new PinList();
   readonly derivation: DerivationModel;
+  readonly pruning: Pruning;
+  readonly gizmo: Gizmo;
+  readonly leaf_curves: LeafCurvesModel;
+
   readonly time: TimeModel;
   readonly measures: MeasureModel;
   readonly record: Recording;
@@ -21,6 +28,9 @@ export class Workbench {
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
+    this.pruning = new Pruning(studio);
+    this.gizmo = new Gizmo(studio);
+    this.leaf_curves = new LeafCurvesModel(studio);
     this.time = new TimeModel(studio);
     this.measures = new MeasureModel(studio);
     this.record = new Recording(studio, true);
@@ -33,6 +43,9 @@ export class Workbench {
     this.strip.set(null);
     this.pins.clear();
     this.derivation.forget();
+    this.pruning.forget();
+    this.gizmo.forget();
+    this.leaf_curves.forget();
     this.measures.forget();
     this.still.made.set(null);
     this.record.made.set(null);

@@ -10,7 +10,7 @@ import type { PlaneLine } from './plane_canvas.tsx';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import { use_snapping } from './snapping.ts';
 import type { Frame, Point, Shape } from './shape.ts';
-import { frame_of, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, without_point } from './shape.ts';
+import { frame_of, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, with_room_for, without_point } from './shape.ts';
 import type { EditorSize } from './sizes.ts';
 import { kPlaneSizes } from './sizes.ts';
 
@@ -18,6 +18,7 @@ interface PlaneEditorProps {
   label: string;
   shape: Shape;
   is_dim: boolean; // a default that nobody gave
+  behind?: readonly PlaneLine[]; // drawn below it, as what it was fitted to
   size: EditorSize;
   drag: (shape: Shape) => void; // for a while
   commit: (shape: Shape) => void; // as one step
@@ -29,7 +30,8 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
   const root = useRef<HTMLDivElement>(null);
   const [chosen, choose] = useState(0);
   const { snaps, set_snaps } = use_snapping();
-  const frame = frame_of(shape);
+  const behind = props.behind ?? [];
+  const frame = with_room_for(frame_of(shape), behind.flatMap((line) => line.points));
   const index = Math.min(chosen, shape.points.length - 1);
   const digits = Math.min(fitting_step(frame.x.low, frame.x.high, 200), fitting_step(frame.y.low, frame.y.high, 200));
   const least = least_points(shape);
@@ -56,7 +58,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
         point_label={label}
         names={names_of(shape)}
         points={shape.points}
-        lines={lines_of(shape)}
+        lines={[...behind, ...lines_of(shape)]}
         frame={frame}
         is_even={shape.form !== 'function'}
         size={kPlaneSizes[size]}

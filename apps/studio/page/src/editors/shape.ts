@@ -122,6 +122,12 @@ export function frame_of(shape: Shape): Frame {
   return { x: { low: x.low - around, high: x.high + around }, y: { low: y.low - around, high: y.high + around } };
 }
 
+/// A frame that shows further points, too.
+export function with_room_for({ x, y }: Frame, points: readonly Point[]): Frame {
+  const [xs, ys] = [points.map(([one]) => one), points.map(([, one]) => one)];
+  return { x: { low: Math.min(x.low, ...xs), high: Math.max(x.high, ...xs) }, y: { low: Math.min(y.low, ...ys), high: Math.max(y.high, ...ys) } };
+}
+
 const kLeastGap = 0.001; // between the points of a function, as a share of its range
 
 /// The shape with one point elsewhere; those of a function stay in their order and range.

@@ -18,7 +18,7 @@ export function ModuleOverlay(): ReactElement | null {
   const has_places = (told?.places.length ?? 0) > 0;
   useEffect(() => (has_places ? listen(studio) : undefined), [studio, has_places]);
   const place = told && pointed ? place_of(told.places, pointed.module) : null;
-  const [from, to] = [place && studio.view?.project(place.from), place && studio.view?.project(place.to)];
+  const [from, to] = [place && studio.view?.eye.project(place.from), place && studio.view?.eye.project(place.to)];
   if (!told || !pointed || !from || !to) return null;
   const [left, top] = [Math.max(from[0], to[0]) + 12, Math.min(from[1], to[1]) - 6];
   return (
@@ -57,7 +57,7 @@ function listen(studio: Studio): () => void {
 
 function point(studio: Studio, view: View, at: [number, number]): void {
   const places = studio.bench.derivation.state.get().told?.places ?? [];
-  const module = nearest_place(places, (place) => view.project(place), at);
+  const module = nearest_place(places, (place) => view.eye.project(place), at);
   const now = studio.bench.derivation.pointed.get();
   if (module === null && now?.by !== 'view') return;
   if (module !== now?.module) studio.bench.derivation.pointed.set(module === null ? null : { module, by: 'view' });

@@ -9,7 +9,9 @@ import { Splitter } from '../controls/splitter.tsx';
 import { Dialogs } from '../dialogs/dialogs.tsx';
 import { Drawer } from '../editors/drawer.tsx';
 import { PinnedViews } from '../find/pinned_views.tsx';
+import { CurvePanel } from '../grass/curve_panel.tsx';
 import { GrammarPanel } from '../grammar/grammar_panel.tsx';
+import { PlanPanel } from '../pruning/plan_panel.tsx';
 import { MeasuresPanel } from '../measures/measures_panel.tsx';
 import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
@@ -33,6 +35,7 @@ const kSides: Record<Side, { title: string; Content: () => ReactElement }> = {
   inspector: { title: 'Inspector', Content: InspectorWithHints },
   text: { title: 'Text', Content: TextPanel },
   grammar: { title: 'Grammar', Content: GrammarPanel },
+  plan: { title: 'Plan', Content: PlanPanel },
   measures: { title: 'Measures', Content: MeasuresPanel },
 };
 const kTabs = (Object.keys(kSides) as Side[]).map((name) => [name, kSides[name].title] as const);
@@ -54,6 +57,7 @@ export function App(): ReactElement {
             <ViewPanel />
           </div>
           <Drawer />
+          <CurvePanel />
           <TimelinePanel />
         </section>
         <SidePanel />
@@ -91,11 +95,11 @@ function LeftPanel(): ReactElement {
 function SidePanel(): ReactElement {
   const studio = use_studio();
   const { side } = use_store(studio.shell);
-  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), measures: use_width('measures') };
+  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), measures: use_width('measures'), plan: use_width('plan') };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
-    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar and measures" style={{ width: width ?? undefined }}>
+    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar, measures and plan" style={{ width: width ?? undefined }}>
       <div className="side-tabs">
         <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
       </div>

@@ -9,12 +9,15 @@ import { Icon } from '../controls/icon.tsx';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { steps_of, value_at } from '../document/path.ts';
+import { CurvesButton } from '../grass/curves_button.tsx';
 import { Faults, RowView } from '../rows/row_editor.tsx';
 import { use_faults } from '../rows/row_actions.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { Row, RowGroup } from '../tables/tables.ts';
 import { has_meaning } from '../tables/tables.ts';
+import { SceneTools } from '../scene/scene_tools.tsx';
+import { SunDial } from '../scene/sun_dial.tsx';
 import { InstancePanel } from './instance_panel.tsx';
 import { NamedTools } from './named_tools.tsx';
 
@@ -38,6 +41,12 @@ export function Inspector(): ReactElement {
     <section className="panel inspector" aria-labelledby="inspector-title">
       <InspectorHead path={path} value={value} />
       <InstancePanel path={path} />
+      {path === 'scene' && (
+        <>
+          <SunDial />
+          <SceneTools />
+        </>
+      )}
       <div className="inspector-tools">
         <label className="search">
           <Icon name="search" />
@@ -68,6 +77,7 @@ function InspectorHead({ path, value }: { path: string; value: Json | undefined 
       </h2>
       {doc && <p className="quiet">{doc}</p>}
       <NamedTools path={path} />
+      <CurvesButton path={path} />
       {path !== '' && <Faults faults={faults} />}
     </div>
   );

@@ -5,7 +5,7 @@ import { useState } from 'react';
 import { prefer, preference } from '../base/preferences.ts';
 
 /// The panel left of the view, and those at its right.
-export type Panel = 'left' | 'board' | 'inspector' | 'text' | 'grammar' | 'measures';
+export type Panel = 'left' | 'board' | 'inspector' | 'text' | 'grammar' | 'measures' | 'plan';
 
 /// Pixels that a panel may have.
 export const kWidths: Record<Panel, { low: number; high: number }> = {
@@ -15,6 +15,7 @@ export const kWidths: Record<Panel, { low: number; high: number }> = {
   text: { low: 320, high: 1200 },
   measures: { low: 300, high: 900 },
   grammar: { low: 320, high: 1200 },
+  plan: { low: 300, high: 900 },
 };
 
 /// The width, null where the style says it, and what changes it.

@@ -8,10 +8,15 @@ import { CameraMenu } from '../camera/camera_menu.tsx';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
+import { LeafPointsOverlay } from '../grass/leaf_points_overlay.tsx';
+import { PruningOverlay } from '../pruning/pruning_overlay.tsx';
+import { ShootTool } from '../pruning/shoot_tool.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
+import { GizmoOverlay } from '../view/gizmo/gizmo_overlay.tsx';
 import { TimeButton } from '../time/timeline_panel.tsx';
 import { View } from '../view/view.ts';
+import { seen_name } from '../view/seen_name.ts';
 import { scale_bar } from '../view/scale_bar.ts';
 
 const kDrawings = [
@@ -33,9 +38,13 @@ export function ViewPanel(): ReactElement {
       <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
       <Nothing />
       <ModuleOverlay />
+      <PruningOverlay />
+      <LeafPointsOverlay />
+      <GizmoOverlay />
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
+        <IconButton icon="handles" label="Handles of what is chosen" keys="E" is_on={view.shows_handles} press={() => studio.change_view({ shows_handles: !view.shows_handles })} />
         <PinButton />
         <TimeButton />
         <CameraMenu />
@@ -57,6 +66,7 @@ export function ViewPanel(): ReactElement {
       </div>
       <Scale />
       <PointedAt />
+      <ShootTool />
     </div>
   );
 }
@@ -112,7 +122,7 @@ function PointedAt(): ReactElement | null {
   if (!at) return null;
   return (
     <span className="pointed-at" aria-hidden="true" style={{ left: at.x, top: at.y }}>
-      {at.component}
+      {seen_name(at.component)}
     </span>
   );
 }

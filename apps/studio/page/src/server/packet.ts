@@ -63,6 +63,13 @@ export interface PacketSkeleton {
 
 export type Corner = [number, number, number];
 
+/// What surrounds plants and is no mesh.
+export interface PacketScene {
+  sun: Corner; // unit vector to it
+  lamps: { position: Corner; strength: number }[];
+  supports: { name: string; points: ArrayPlace }[];
+}
+
 export interface PacketHead {
   packet: number;
   whole?: boolean;
@@ -74,6 +81,7 @@ export interface PacketHead {
   instances: number;
   of: { triangles: number; instances: number; nodes: number };
   bounds?: [Corner, Corner];
+  scene?: PacketScene;
   pictures?: PacketPicture[];
   materials?: PacketMaterial[];
   meshes?: PacketMesh[];

@@ -92,6 +92,37 @@ export interface FoundInstance {
   position: [number, number, number];
   values: { path: string; value: number }[];
   shoot: string | null; // label of the axis that was pointed at
+  tree?: number; // whose axis it is, among the trees of the component
+  metamer?: number; // at the place that was pointed at, counted from the axis's base
+  course?: number[]; // three numbers for each node of the axis, with the one that it springs from
+  metamers?: number[]; // number of the metamer that ends at each of these nodes
+  iteration: number | null; // of growth, after which operations on it would act; null where none could
+}
+
+/// A shoot that operations could act on.
+export type FoundShoot = FoundInstance & { shoot: string; tree: number; metamer: number; course: number[]; metamers: number[]; iteration: number };
+
+/// Path of an operation, iteration after which it acted, what it did, how often.
+export type OperationAct = [string, number, string, number];
+
+/// One thing that an operation did.
+export interface OperationPlace {
+  act: string;
+  iteration: number;
+  tree: number;
+  shoot: string;
+  metamer: number;
+  position: [number, number, number];
+  metamers: number; // that it took away
+  course: [number, number, number][]; // of the shoot as it stands now
+}
+
+/// What operations have done to the trees of a component.
+export interface ToldOperations {
+  iteration: number | null;
+  acts: OperationAct[];
+  places: OperationPlace[]; // of the operation that was asked for
+  left: number; // places that are not told
 }
 
 /// Clocks that instances of a component have begun: when each starts, and how fast it runs.

@@ -21,6 +21,8 @@ export interface Row {
   kinds?: { key: string; doc: string; tables: Record<string, string> };
   /// What points and positions are together: line, polygon, silhouette, or apart.
   together?: string;
+  /// What the row says of space: position, shift, turn, direction, radii, radius, height, width, profile.
+  in_space?: string;
   required?: boolean;
   keyed?: boolean; // whether it can have keys
   default?: Json;

@@ -64,6 +64,12 @@ export class PlantScene {
     return drawn ? this.buffers.frame_of(drawn.batch.instances_of, instance) : [];
   }
 
+  /// The same of the first instance of a component that is drawn; null where none is.
+  first_frame(component: string): number[] | null {
+    const key = [...this.drawn_.keys()].find((one) => this.drawn_.get(one)?.said.component === component);
+    return key === undefined ? null : this.frame_of(key, 0);
+  }
+
   /// Marks one instance of a batch until it is drawn otherwise; of null none is marked.
   mark(key: string | null, instance: number): void {
     const drawn = key === null ? undefined : this.drawn_.get(key);

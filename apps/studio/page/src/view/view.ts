@@ -4,15 +4,18 @@ import * as three from 'three';
 
 import type { Packet } from '../server/packet.ts';
 import { draws_by_software } from './budgets.ts';
+import { Eye } from './eye.ts';
 import { Ground } from './ground.ts';
-import type { Light } from './materials.ts';
 import type { CameraState } from './orbit.ts';
-import { kFieldOfView, Orbit } from './orbit.ts';
+import { Orbit } from './orbit.ts';
+import { Overlays } from './overlays.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
 import { Picker } from './picker.ts';
 import { PictureQueue } from './picture_queue.ts';
 import { listen } from './pointer.ts';
+import { Sunlight } from './sunlight.ts';
+import { Surroundings } from './surroundings.ts';
 import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
 export type { SeenInstance, ViewEvents, ViewFacts };
@@ -27,19 +30,15 @@ const kAfterMove = 200; // ms without a move of the camera until all pixels are 
 
 export class View {
   readonly orbit = new Orbit();
+  readonly eye: Eye;
   readonly plant: PlantScene;
+  readonly overlays = new Overlays(() => this.ask());
   readonly is_software: boolean;
   frames_drawn = 0;
-  private readonly light_: Light = {
-    sun: { value: new three.Vector3(0.5, 0.75, 0.42).normalize() },
-    sun_colour: { value: new three.Color(1.35, 1.27, 1.1) },
-    sky_colour: { value: new three.Color(0.62, 0.7, 0.8) },
-    ground_colour: { value: new three.Color(0.3, 0.29, 0.24) },
-    crown_centre: { value: new three.Vector3() },
-    crown_size: { value: new three.Vector3(1, 1, 1) },
-  };
+  private readonly sunlight_ = new Sunlight();
   private readonly renderer_: three.WebGLRenderer;
   private readonly scene_ = new three.Scene();
+  readonly surroundings = new Surroundings(this.overlays);
   private readonly ground_ = new Ground();
   private readonly box_ = new three.Box3();
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
@@ -54,13 +53,14 @@ export class View {
     private readonly canvas_: HTMLCanvasElement,
     private readonly events_: ViewEvents,
   ) {
+    this.eye = new Eye(this.orbit, canvas_);
     this.is_software = draws_by_software();
     this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: !this.is_software, alpha: true, powerPreference: 'high-performance' });
     this.renderer_.setPixelRatio(this.is_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer_.setClearColor(0, 0);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
-    this.plant = new PlantScene(this.light_, this.is_software ? 1 : 4, () => this.ask());
-    this.scene_.add(this.ground_.mesh, this.plant.root);
+    this.plant = new PlantScene(this.sunlight_.light, this.is_software ? 1 : 4, () => this.ask());
+    this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
     this.scene_.matrixWorldAutoUpdate = false;
     this.picker_ = new Picker(this.renderer_);
     listen(canvas_, this.orbit, {
@@ -81,11 +81,12 @@ export class View {
   /// What three holds on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
+    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts, overlays: this.overlays.counts };
   }
 
   apply(packet: Packet): void {
     this.plant.apply(packet);
+    this.surroundings.apply(packet);
     this.is_draft_ = packet.head.draft ?? false;
     const bounds = packet.head.bounds;
     this.box_.makeEmpty();
@@ -93,8 +94,7 @@ export class View {
     if (packet.head.fit) this.fit();
     if (bounds) {
       this.ground_.suit(this.box_);
-      this.box_.getCenter(this.light_.crown_centre.value);
-      this.box_.getSize(this.light_.crown_size.value).multiplyScalar(0.5).addScalar(1e-6);
+      this.sunlight_.suit(this.box_);
     }
     this.ask();
   }
@@ -106,6 +106,7 @@ export class View {
 
   paint(is_dark: boolean, shows_ground: boolean): void {
     this.ground_.paint(is_dark);
+    this.surroundings.paint(is_dark);
     this.ground_.mesh.visible = shows_ground;
     this.plant.materials.wire.uniforms['line']?.value.set(is_dark ? 0x9fc7ae : 0x2d4a38).convertLinearToSRGB();
     this.ask();
@@ -115,6 +116,11 @@ export class View {
   unmark(): void {
     this.plant.mark(null, 0);
     this.ask();
+  }
+
+  /// Around all that is shown.
+  get bounds(): three.Box3 {
+    return this.box_;
   }
 
   /// How far the eye stands where all is seen.
@@ -153,15 +159,18 @@ export class View {
 
   /// A picture now; `ask` is for all but measuring.
   draw(): void {
-    // The sun stands behind the left shoulder, so that no side of a plant is dark.
-    const azimuth = (this.orbit.azimuth - 50) * (Math.PI / 180);
-    this.light_.sun.value.set(0.66 * Math.sin(azimuth), 0.75, -0.66 * Math.cos(azimuth)).normalize();
+    this.sunlight_.place(this.orbit.azimuth, this.surroundings.said?.sun);
     this.suit_pixels();
     this.renderer_.render(this.scene_, this.orbit.camera);
     this.frames_drawn += 1;
-    const height = 2 * this.orbit.distance * Math.tan((kFieldOfView / 360) * Math.PI);
-    this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: height / Math.max(1, this.canvas_.clientHeight) });
+    this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: this.eye.metres_per_pixel });
     this.queue_.watch_card();
+  }
+
+  /// Whether it is lit by the sun of the document, where that stands over the horizon.
+  shine(is_sunlit: boolean): void {
+    this.sunlight_.is_sunlit = is_sunlit;
+    this.ask();
   }
 
   /// Looks as another view does.
@@ -170,16 +179,15 @@ export class View {
   }
 
   /// Where a point of the world stands, in pixels of the canvas; null behind the eye.
-  project([x, y, z]: readonly [number, number, number]): [number, number] | null {
-    const point = new three.Vector4(x, y, z, 1).applyMatrix4(this.orbit.camera.matrixWorldInverse).applyMatrix4(this.orbit.camera.projectionMatrix);
-    if (point.w <= 0) return null;
-    return [((point.x / point.w + 1) / 2) * this.canvas_.clientWidth, ((1 - point.y / point.w) / 2) * this.canvas_.clientHeight];
+  project(place: readonly [number, number, number]): [number, number] | null {
+    return this.eye.project(place);
   }
 
   /// Lets go what the view holds; it draws no more.
   destroy(): void {
     this.queue_.stop();
     this.plant.clear();
+    this.overlays.clear();
     this.renderer_.dispose();
     this.renderer_.forceContextLoss();
   }

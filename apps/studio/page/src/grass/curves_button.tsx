@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
+import { steps_of } from '../document/path.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import { groups_at } from '../tables/resolve.ts';
+
+const kDrawnBy = ['midrib_points', 'profile']; // rows of what is drawn by midrib and width
+
+/// Opens midrib and width of a component that is drawn by them, large and side by side.
+export function CurvesButton({ path }: { path: string }): ReactElement | null {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const open = use_store(studio.bench.leaf_curves.component);
+  const [head, component] = steps_of(path);
+  if (head !== 'components' || typeof component !== 'string') return null;
+  const names = groups_at(studio.tables, tree, path).flatMap(({ rows }) => rows.map((row) => row.name));
+  if (!kDrawnBy.every((name) => names.includes(name))) return null;
+  const is_open = open === component;
+  return (
+    <Button is_open={is_open} tip="With the measured points, and beside the leaf in the view" press={() => studio.bench.leaf_curves.component.set(is_open ? null : component)}>
+      Midrib and width…
+    </Button>
+  );
+}

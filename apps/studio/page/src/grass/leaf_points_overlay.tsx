@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The measured points of a midrib and the curve that is fitted to them, beside the leaf in the view: beside the instance
+// that was clicked at, or else the first, as long as its blade.
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { use_studio } from '../studio_context.ts';
+import { frame_of_rows, point_in } from '../view/gizmo/space_math.ts';
+import { ProjectedLine } from '../view/projected_line.tsx';
+import { line_length, place_beside } from './curves.ts';
+
+const kAside = 0.1; // of the length
+
+export function LeafPointsOverlay(): ReactElement | null {
+  const studio = use_studio();
+  const component = use_store(studio.bench.leaf_curves.component);
+  const curves = use_store(studio.bench.leaf_curves.told);
+  const seen = use_store(studio.instance.seen);
+  use_store(studio.view_facts); // the camera may have moved
+  const { view } = studio;
+  if (!view || !curves || component === null) return null;
+  const rows = seen?.component === component ? seen.frame : view.plant.first_frame(component);
+  if (!rows) return null;
+  // Blades are made 1 long and scaled by their frames.
+  const frame = frame_of_rows(rows);
+  const scale = 1 / (line_length(curves.midrib) || 1);
+  const places = (points: typeof curves.midrib): [number, number, number][] => points.map((one) => [...point_in(frame, place_beside(one, scale, kAside))]);
+  return (
+    <svg className="leaf-points" aria-hidden="true" data-points={curves.midrib_points.length}>
+      <ProjectedLine view={view} places={places(curves.midrib)} className="fitted" />
+      {places(curves.midrib_points).map((place, k) => {
+        const at = view.eye.project(place);
+        return at && <circle key={k} cx={at[0].toFixed(1)} cy={at[1].toFixed(1)} r="3" />;
+      })}
+    </svg>
+  );
+}

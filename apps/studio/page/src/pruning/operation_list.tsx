@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The operations of a component in the order in which they act, each with its buttons; the chosen one with its rows.
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { IconButton } from '../controls/button.tsx';
+import type { Json } from '../document/json.ts';
+import { member_of, path_below } from '../document/path.ts';
+import { use_faults } from '../rows/row_actions.ts';
+import { Faults } from '../rows/row_editor.tsx';
+import { TableRows } from '../rows/nested_rows.tsx';
+import { use_document, use_studio } from '../studio_context.ts';
+import { groups_at } from '../tables/resolve.ts';
+import type { ParameterTable } from '../tables/tables.ts';
+import { table_of } from '../tables/tables.ts';
+import { is_off, times_of, what_of, when_of } from './operation_text.ts';
+import { list_path } from './pruning.ts';
+
+export function OperationList({ component }: { component: string }): ReactElement {
+  const studio = use_studio();
+  use_document();
+  const operations = studio.bench.pruning.operations_of(component);
+  if (operations.length === 0) {
+    return <p className="empty">No operations yet. Click a shoot of {component} in the view to cut, bend, tie or mark it.</p>;
+  }
+  return (
+    <ol className="plan-list" aria-label={`Operations of ${component}`}>
+      {operations.map((operation, index) => (
+        <OperationItem key={index} component={component} operation={operation} index={index} count={operations.length} />
+      ))}
+    </ol>
+  );
+}
+
+interface OperationItemProps {
+  component: string;
+  operation: Json;
+  index: number;
+  count: number;
+}
+
+function OperationItem({ component, operation, index, count }: OperationItemProps): ReactElement {
+  const studio = use_studio();
+  const { pruning, pins } = studio.bench;
+  const told = use_store(pruning.told);
+  const pinned = use_store(pins.shown);
+  const path = path_below(list_path(component), index);
+  const looked_at = use_store(pruning.looked_at);
+  const is_chosen = looked_at?.path === path;
+  const is_dim = is_off(operation);
+  const times = told?.component === component ? times_of(told.operations.acts, path) : null;
+  const faults = use_faults(path);
+  const name = `operation ${index + 1}`;
+  return (
+    <li className={`plan-item${is_chosen ? ' chosen' : ''}${is_dim ? ' off' : ''}`}>
+      <div className="plan-line">
+        <button type="button" className="plan-choice" aria-expanded={is_chosen} onClick={() => pruning.look_at(path, null)}>
+          <span className="plan-name">{what_of(operation)}</span>
+          <span className="quiet">
+            {when_of(operation)}
+            {is_dim ? '; off' : times === null ? '' : times === 0 ? '; has not acted' : `; acted ${times} time${times === 1 ? '' : 's'}`}
+          </span>
+        </button>
+        <span className="plan-buttons">
+          <IconButton is_small icon="up" label={`Move ${name} up`} is_off={index === 0} press={() => pruning.move(component, index, index - 1)} />
+          <IconButton is_small icon="down" label={`Move ${name} down`} is_off={index === count - 1} press={() => pruning.move(component, index, index + 1)} />
+          <IconButton is_small icon={is_dim ? 'eye_off' : 'eye'} label={`Let ${name} act`} is_on={!is_dim} press={() => pruning.switch_off(path, !is_dim)} />
+          <IconButton is_small icon="pin" label={`Pin the state without ${name} beside the view`} is_off={is_dim || pinned.length >= 2} press={() => pruning.pin_without(path)} />
+          <IconButton is_small icon="bin" label={`Remove ${name}`} press={() => pruning.remove(path)} />
+        </span>
+      </div>
+      <Faults faults={faults} />
+      {is_chosen && <OperationRows component={component} operation={operation} path={path} />}
+    </li>
+  );
+}
+
+function OperationRows({ component, operation, path }: { component: string; operation: Json; path: string }): ReactElement | null {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const row = groups_at(studio.tables, tree, path_below('components', component))
+    .flatMap(({ rows }) => rows)
+    .find((one) => one.name === 'operations');
+  const kind = row?.kinds && member_of(operation, row.kinds.key);
+  const table: ParameterTable | null = row?.kinds && typeof kind === 'string' ? table_of(studio.tables, row.kinds.tables[kind] ?? '') : null;
+  return table && <div className="plan-rows inspector"><TableRows table={table} path={path} value={operation} without={row?.kinds?.key ?? ''} /></div>;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operations of a document in words, and by the years in which they have acted.
+import type { Json } from '../document/json.ts';
+import { is_object, write_json } from '../document/json.ts';
+import type { OperationAct } from '../server/protocol.ts';
+
+/// What all kinds have: when they act, and on which trees and shoots.
+const kCommon: ReadonlySet<string> = new Set(['do', 'at', 'from', 'every', 'to', 'when', 'once', 'season', 'shoots', 'tree', 'off']);
+
+function members_of(operation: Json): { [name: string]: Json } {
+  return is_object(operation) ? operation : {};
+}
+
+function plain(value: Json): string {
+  return typeof value === 'string' ? value : write_json(value);
+}
+
+/// What is done to which shoots: "cut main.4.2, above 3".
+export function what_of(operation: Json): string {
+  const said = members_of(operation);
+  const shoots = typeof said['shoots'] === 'string' ? ` ${said['shoots']}` : '';
+  const rest = Object.entries(said)
+    .filter(([name]) => !kCommon.has(name))
+    .map(([name, value]) => `, ${name.replaceAll('_', ' ')} ${plain(value)}`);
+  return `${plain(said['do'] ?? 'operation')}${shoots}${rest.join('')}`;
+}
+
+/// When it acts: "year 8, summer".
+export function when_of(operation: Json): string {
+  const { at, from, every, to, when, once, season, tree } = members_of(operation) as Record<string, Json | undefined>;
+  const parts: string[] = [];
+  if (at !== undefined) parts.push(`year ${plain(at)}`);
+  else if (from === undefined && to === undefined) parts.push(every === undefined ? 'every year' : `every ${plain(every)} years`);
+  else parts.push(`${to === undefined ? `from year ${plain(from ?? 1)}` : `years ${plain(from ?? 1)} to ${plain(to)}`}${every === undefined ? '' : `, every ${plain(every)}`}`);
+  if (when !== undefined) parts.push(`when ${plain(when)}`);
+  if (once === true) parts.push('once');
+  if (season === 'summer') parts.push('summer');
+  if (tree !== undefined) parts.push(`tree ${plain(tree)}`);
+  return parts.join(', ');
+}
+
+export function is_off(operation: Json): boolean {
+  return members_of(operation)['off'] === true;
+}
+
+/// How often an operation has acted in all.
+export function times_of(acts: readonly OperationAct[], path: string): number {
+  return acts.reduce((sum, [operation, , , count]) => sum + (operation === path ? count : 0), 0);
+}
+
+export interface PlanYear {
+  year: number;
+  seasons: { season: 'summer' | 'winter'; entries: { path: string; act: string; count: number }[] }[];
+}
+
+/// What has been done year by year, summers before winters, in the order of the document's list; that of a training
+/// comes first.
+export function years_of(acts: readonly OperationAct[], operations: readonly Json[], list: string): PlanYear[] {
+  const index_of = (path: string): number => (path.startsWith(`${list}[`) ? Number(path.slice(list.length + 1, -1)) : -1);
+  const season_of = (path: string): 'summer' | 'winter' => (members_of(operations[index_of(path)] ?? null)['season'] === 'summer' ? 'summer' : 'winter');
+  const years = [...new Set(acts.map(([, year]) => year))].sort((a, b) => a - b);
+  return years.map((year) => {
+    const entries = acts
+      .filter(([, one]) => one === year)
+      .map(([path, , act, count]) => ({ path, act, count }))
+      .sort((a, b) => index_of(a.path) - index_of(b.path));
+    const seasons = (['summer', 'winter'] as const).map((season) => ({ season, entries: entries.filter(({ path }) => season_of(path) === season) }));
+    return { year, seasons: seasons.filter((one) => one.entries.length > 0) };
+  });
+}
+
+/// The text of a document in which one operation is off, as a state to compare with. `start` is where the operation's
+/// object begins.
+export function text_with_off(text: string, start: number, is_empty: boolean): string {
+  return `${text.slice(0, start + 1)}"off": true${is_empty ? '' : ', '}${text.slice(start + 1)}`;
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plan of a component's trees: its operations in their order, or what they have done year by year. What is chosen
+// here is shown on the tree.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button, Segments } from '../controls/button.tsx';
+import { path_below, value_at } from '../document/path.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import { OperationList } from './operation_list.tsx';
+import type { PlanYear } from './operation_text.ts';
+import { what_of, years_of } from './operation_text.ts';
+import { list_path } from './pruning.ts';
+import { use_plan_component } from './use_plan_component.ts';
+
+export function PlanPanel(): ReactElement {
+  const studio = use_studio();
+  const component = use_plan_component();
+  const [order, set_order] = useState<'list' | 'years'>('list');
+  if (component === null) {
+    return (
+      <section className="panel plan-panel" aria-label="Plan">
+        <p className="empty">No component of this document takes operations. Trees of the type organize do: their shoots can be cut, bent and tied.</p>
+      </section>
+    );
+  }
+  const all = studio.bench.pruning.components();
+  return (
+    <section className="panel plan-panel" aria-label="Plan">
+      {all.length > 1 && (
+        <select className="select" aria-label="Component whose plan is shown" value={component} onChange={(event) => studio.choose(path_below('components', event.target.value))}>
+          {all.map((one) => (
+            <option key={one}>{one}</option>
+          ))}
+        </select>
+      )}
+      <div className="plan-head">
+        <Segments label="Order of the plan" value={order} choices={[['list', 'In order'], ['years', 'By year']]} choose={set_order} />
+        <span className="stretch" />
+        <BeforeButton component={component} />
+      </div>
+      {order === 'list' ? <OperationList component={component} /> : <Years component={component} />}
+    </section>
+  );
+}
+
+/// Shows the trees as they stood before the operations of the last year, for as long as it is on.
+function BeforeButton({ component }: { component: string }): ReactElement | null {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const plan = path_below(path_below('components', component), 'plan');
+  const is_on = use_store(studio.dragged)[plan] === true;
+  const has_operations = studio.bench.pruning.operations_of(component).length > 0 || value_at(tree, path_below(path_below('components', component), 'training')) !== undefined;
+  if (!has_operations) return null;
+  return (
+    <Button is_open={is_on} tip="The tree before the cuts of its last year, which are only planned; Escape goes back" press={() => (is_on ? studio.stop_drag() : studio.drag({ [plan]: true }))}>
+      {is_on ? 'After the last cuts' : 'Before the last cuts'}
+    </Button>
+  );
+}
+
+function Years({ component }: { component: string }): ReactElement {
+  const studio = use_studio();
+  use_document();
+  const { pruning } = studio.bench;
+  const told = use_store(pruning.told);
+  const looked_at = use_store(pruning.looked_at);
+  const list = list_path(component);
+  const operations = pruning.operations_of(component);
+  const years = told?.component === component ? years_of(told.operations.acts, operations, list) : [];
+  if (years.length === 0) return <p className="empty">Nothing has been done to the trees up to the year on show.</p>;
+  const index_of = (path: string): number => (path.startsWith(`${list}[`) ? Number(path.slice(list.length + 1, -1)) : -1);
+  const name_of = (path: string): string => {
+    const operation = operations[index_of(path)];
+    return operation === undefined ? 'training' : what_of(operation);
+  };
+  const entry = ({ path, act, count }: PlanYear['seasons'][number]['entries'][number], year: number): ReactElement => (
+    <li key={`${path} ${act}`}>
+      <button type="button" className="plan-entry" aria-pressed={looked_at?.path === path && looked_at.iteration === year} onClick={() => pruning.look_at(path, year)}>
+        <span className={`act-dot of-${act}`} aria-hidden="true" />
+        <span className="plan-count">
+          {count} {act}
+        </span>
+        <span className="plan-name">{name_of(path)}</span>
+      </button>
+    </li>
+  );
+  return (
+    <ol className="plan-years" aria-label="Years in which operations acted">
+      {years.map(({ year, seasons }) => (
+        <li key={year}>
+          <h3>Year {year}</h3>
+          {seasons.map(({ season, entries }) => (
+            <div key={season} className="plan-season">
+              <h4>{season}</h4>
+              <ul>{entries.map((one) => entry(one, year))}</ul>
+            </div>
+          ))}
+        </li>
+      ))}
+    </ol>
+  );
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operations on trees: what they have done, which one is looked at, and what a hand adds to their list.
+import { Store } from '../base/store.ts';
+import type { Json } from '../document/json.ts';
+import { member_of, node_at, path_below, value_at } from '../document/path.ts';
+import type { Edit, FoundShoot, ToldOperations } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import { component_groups } from '../tables/tables.ts';
+import type { DeedChoice } from './shoot_cut.ts';
+import { kFirstChoice, label_of, operation_of } from './shoot_cut.ts';
+import { text_with_off } from './operation_text.ts';
+
+/// The operation that is looked at, and the year; in all years where it is null.
+export interface LookedAt {
+  path: string;
+  iteration: number | null;
+}
+
+export class Pruning {
+  readonly choice = new Store<DeedChoice>(kFirstChoice);
+  readonly looked_at = new Store<LookedAt | null>(null);
+  readonly told = new Store<{ component: string; operations: ToldOperations } | null>(null);
+  private asked_ = 0;
+
+  constructor(private readonly studio_: Studio) {}
+
+  /// Another document is opened.
+  forget(): void {
+    this.asked_ += 1;
+    this.looked_at.set(null);
+    this.told.set(null);
+  }
+
+  /// The components that have a list of operations.
+  components(): string[] {
+    const all = member_of(this.studio_.document.state.get().tree?.value, 'components');
+    const types = this.studio_.tables;
+    return Object.entries(typeof all === 'object' && all !== null ? all : {}).flatMap(([id, component]) => {
+      const type = member_of(component as Json, 'type');
+      const has_list = component_groups(types, String(type)).some(({ rows }) => rows.some((row) => row.name === 'operations' && row.kinds !== undefined));
+      return has_list ? [id] : [];
+    });
+  }
+
+  /// The list of a component, as it is written.
+  operations_of(component: string): Json[] {
+    const said = value_at(this.studio_.document.state.get().tree, list_path(component));
+    return Array.isArray(said) ? said : [];
+  }
+
+  /// Asks what the operations of a component have done to what has grown last; the newest answer counts.
+  ask(component: string): void {
+    this.asked_ += 1;
+    const number = this.asked_;
+    const { path = '', iteration = null } = this.looked_at.get() ?? {};
+    this.studio_.connection
+      .request<{ operations: ToldOperations | null }>('operations', { component, operation: path, ...(iteration === null ? {} : { iteration }) })
+      .then(({ operations }) => {
+        if (number === this.asked_) this.told.set(operations ? { component, operations } : null);
+      })
+      .catch(() => undefined);
+  }
+
+  look_at(path: string, iteration: number | null): void {
+    const now = this.looked_at.get();
+    this.looked_at.set(now?.path === path && now.iteration === iteration ? null : { path, iteration });
+  }
+
+  /// Does to a shoot what the tool says, as the last operation of the list.
+  async act(shoot: FoundShoot): Promise<void> {
+    const list = list_path(shoot.component);
+    const before = this.operations_of(shoot.component);
+    const roots = value_at(this.studio_.document.state.get().tree, path_below(path_below('components', shoot.component), 'roots'));
+    const trees = Math.max(Array.isArray(roots) ? roots.length : 1, shoot.tree + 1);
+    const choice = this.choice.get();
+    const operation: Json = operation_of(shoot, choice, trees);
+    const edit: Edit = value_at(this.studio_.document.state.get().tree, list) === undefined ? { set: list, value: [operation] } : { insert: path_below(list, -1), value: operation };
+    const faults = await this.studio_.edit([edit], label_of(shoot, choice), { only_if_good: true });
+    if (faults) return this.studio_.tell(faults[0]?.message ?? 'That cannot be done', true);
+    this.studio_.instance.forget();
+    this.studio_.view?.unmark();
+    this.looked_at.set({ path: path_below(list, before.length), iteration: null });
+  }
+
+  /// Pins the state without an operation beside the view.
+  pin_without(path: string): void {
+    const { text, tree, path: file, model } = this.studio_.document.state.get();
+    const node = node_at(tree, path);
+    if (!node?.members) return;
+    this.studio_.bench.pins.add({ text: text_with_off(text, node.start, node.members.length === 0), path: file, model });
+  }
+
+  switch_off(path: string, is_off: boolean): void {
+    const at = path_below(path, 'off');
+    void this.studio_.edit([is_off ? { set: at, value: true } : { unset: at }], is_off ? 'Switch an operation off' : 'Switch an operation on');
+  }
+
+  /// The operation moves with what looks at it.
+  move(component: string, from: number, to: number): void {
+    const list = list_path(component);
+    if (this.looked_at.get()?.path === path_below(list, from)) this.looked_at.set({ path: path_below(list, to), iteration: null });
+    void this.studio_.edit([{ move: path_below(list, from), index: to }], 'Move an operation');
+  }
+
+  remove(path: string): void {
+    this.looked_at.set(null);
+    void this.studio_.edit([{ remove: path }], 'Remove an operation');
+  }
+}
+
+export function list_path(component: string): string {
+  return path_below(path_below('components', component), 'operations');
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawn over the plant: the shoot that the tool has hold of, with what would go, and where an operation has acted.
+import type { ReactElement } from 'react';
+import { useEffect } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { InstanceChoice } from '../instance_choice.ts';
+import { use_studio } from '../studio_context.ts';
+import { places_of_numbers, ProjectedLine } from '../view/projected_line.tsx';
+import { use_plan_component } from './use_plan_component.ts';
+import { kept_metamers, parts_of } from './shoot_cut.ts';
+
+const kMostDrawn = 400; // places of an operation; more would hide the plant
+
+export function PruningOverlay(): ReactElement | null {
+  const studio = use_studio();
+  const { pruning } = studio.bench;
+  const shoot = InstanceChoice.shoot_of(use_store(studio.instance.found));
+  const choice = use_store(pruning.choice);
+  const told = use_store(pruning.told);
+  const looked_at = use_store(pruning.looked_at);
+  use_told_operations();
+  use_store(studio.view_facts); // the camera may have moved
+  const { view } = studio;
+  const places = looked_at ? (told?.operations.places.slice(0, kMostDrawn) ?? []) : [];
+  if (!view || (!shoot && places.length === 0)) return null;
+  const parts = shoot && parts_of(shoot, choice.deed === 'cut' ? kept_metamers(shoot, choice) : Infinity);
+  return (
+    <svg className="pruning-overlay" aria-hidden="true" data-places={places.length} data-shoot={shoot?.shoot}>
+      {places.map((place, k) => (
+        <ProjectedLine key={k} view={view} places={place.course} className="touched" />
+      ))}
+      {places.map((place, k) => {
+        const at = view.eye.project(place.position);
+        return at && <circle key={k} className={`act of-${place.act}`} cx={at[0].toFixed(1)} cy={at[1].toFixed(1)} r="4" />;
+      })}
+      {parts && (
+        <>
+          <ProjectedLine view={view} places={places_of_numbers(parts.stays)} className="stays" />
+          {parts.goes.length > 3 && <ProjectedLine view={view} places={places_of_numbers(parts.goes)} className="goes" />}
+        </>
+      )}
+    </svg>
+  );
+}
+
+/// Keeps what is told of operations up to date while somebody looks at them.
+function use_told_operations(): void {
+  const studio = use_studio();
+  const { pruning } = studio.bench;
+  const { side } = use_store(studio.shell);
+  const looked_at = use_store(pruning.looked_at);
+  const { shown } = use_store(studio.growth);
+  const component = use_plan_component();
+  const is_wanted = component !== null && (side === 'plan' || looked_at !== null);
+  useEffect(() => {
+    if (is_wanted && component !== null && shown) pruning.ask(component);
+  }, [pruning, is_wanted, component, looked_at, shown]);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a hand does to one shoot that it has chosen, as an operation of the document.
+import type { Json } from '../document/json.ts';
+import type { FoundShoot } from '../server/protocol.ts';
+
+export type Deed = 'cut' | 'bend' | 'tie' | 'mark';
+
+/// The choices of the tool; those of one deed are kept while another is tried.
+export interface DeedChoice {
+  deed: Deed;
+  cut_at: 'here' | 'base' | 'count';
+  count: number; // metamers that stay
+  inclination: number; // degrees
+  bent: number; // metamers that the bend extends over
+  string: number; // metres
+  state: string;
+  season: 'winter' | 'summer';
+}
+
+export const kFirstChoice: DeedChoice = { deed: 'cut', cut_at: 'here', count: 3, inclination: 0, bent: 3, string: 0.5, state: 'marked', season: 'winter' };
+
+/// Metamers that stay of the shoot where it is cut.
+export function kept_metamers(shoot: FoundShoot, choice: DeedChoice): number {
+  if (choice.cut_at === 'base') return 0;
+  return choice.cut_at === 'here' ? shoot.metamer : Math.max(0, Math.round(choice.count));
+}
+
+/// Why it cannot be done; nothing where it can.
+export function why_not(shoot: FoundShoot, choice: DeedChoice): string {
+  const is_stem = shoot.shoot === 'main';
+  if (choice.deed === 'tie' && is_stem) return 'A stem cannot be tied down; choose a branch';
+  const is_all = choice.deed === 'cut' && kept_metamers(shoot, choice) === 0 && is_stem;
+  return is_all ? 'Nothing would be left of the tree' : '';
+}
+
+/// The operation, after the iteration on show; `trees` is how many trees could be meant.
+export function operation_of(shoot: FoundShoot, choice: DeedChoice, trees: number): { [name: string]: Json } {
+  const head: { [name: string]: Json } = {
+    do: choice.deed,
+    at: shoot.iteration,
+    ...(choice.season === 'summer' ? { season: 'summer' } : {}),
+    shoots: shoot.shoot,
+    ...(trees > 1 ? { tree: shoot.tree } : {}),
+  };
+  if (choice.deed === 'cut') return { ...head, above: kept_metamers(shoot, choice) };
+  if (choice.deed === 'bend') return { ...head, below: shoot.metamer, metamers: Math.max(1, Math.round(choice.bent)), inclination: choice.inclination };
+  if (choice.deed === 'tie') return { ...head, ...(shoot.metamer > 0 ? { below: shoot.metamer } : {}), anchor: 'ground', length: choice.string };
+  return { ...head, state: choice.state };
+}
+
+/// The step of the undo list.
+export function label_of(shoot: FoundShoot, choice: DeedChoice): string {
+  return `${choice.deed[0]?.toUpperCase() ?? ''}${choice.deed.slice(1)} ${shoot.shoot}`;
+}
+
+/// The shoot's course up to what stays, and beyond.
+export function parts_of(shoot: FoundShoot, kept: number): { stays: number[]; goes: number[] } {
+  const first_gone = shoot.metamers.findIndex((number) => number > kept);
+  const end = 3 * Math.max(1, first_gone < 0 ? shoot.metamers.length : first_gone);
+  return { stays: shoot.course.slice(0, end), goes: shoot.course.slice(end - 3) };
+}

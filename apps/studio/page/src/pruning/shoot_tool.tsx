@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tool over the view while a shoot is chosen that operations can act on: cut, bend, tie or mark it after the
+// iteration on show.
+import type { KeyboardEvent, ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button, IconButton, Segments } from '../controls/button.tsx';
+import { NumberField } from '../controls/number_field.tsx';
+import { InstanceChoice } from '../instance_choice.ts';
+import { TextField } from '../rows/text_field.tsx';
+import type { FoundShoot } from '../server/protocol.ts';
+import { use_studio } from '../studio_context.ts';
+import type { Deed, DeedChoice } from './shoot_cut.ts';
+import { kept_metamers, why_not } from './shoot_cut.ts';
+
+const kDeeds: [Deed, string][] = [
+  ['cut', 'Cut'],
+  ['bend', 'Bend'],
+  ['tie', 'Tie'],
+  ['mark', 'Mark'],
+];
+
+export function ShootTool(): ReactElement | null {
+  const studio = use_studio();
+  const shoot = InstanceChoice.shoot_of(use_store(studio.instance.found));
+  const choice = use_store(studio.bench.pruning.choice);
+  if (!shoot) return null;
+  const { pruning } = studio.bench;
+  const close = (): void => {
+    studio.instance.forget();
+    studio.view?.unmark();
+    document.querySelector<HTMLElement>('.centre .view canvas')?.focus();
+  };
+  const key = (event: KeyboardEvent): void => {
+    if (event.key === 'Escape' && !event.defaultPrevented) close();
+  };
+  const fault = why_not(shoot, choice);
+  return (
+    <section className="shoot-tool" aria-label="The chosen shoot" onKeyDown={key}>
+      <header>
+        <h3>{shoot.shoot}</h3>
+        <span className="quiet">
+          metamer {shoot.metamer} of {shoot.metamers.at(-1) ?? 0}, year {shoot.iteration}
+        </span>
+        <span className="stretch" />
+        <IconButton is_small icon="close" label="Let the shoot go" press={close} />
+      </header>
+      <Segments label="What is done to the shoot" value={choice.deed} choices={kDeeds} choose={(deed) => pruning.choice.merge({ deed })} />
+      <DeedFields shoot={shoot} choice={choice} change={(part) => pruning.choice.merge(part)} />
+      <div className="shoot-act">
+        <Segments label="Season of the operation" value={choice.season} choices={[['winter', 'Winter'], ['summer', 'Summer']]} choose={(season) => pruning.choice.merge({ season })} />
+        <span className="stretch" />
+        <Button kind="main" is_off={fault !== ''} press={() => void pruning.act(shoot)}>
+          {said_of(shoot, choice)}
+        </Button>
+      </div>
+      {fault !== '' && <p className="fault-line">{fault}</p>}
+    </section>
+  );
+}
+
+function said_of(shoot: FoundShoot, choice: DeedChoice): string {
+  const kept = kept_metamers(shoot, choice);
+  if (choice.deed === 'cut') return kept === 0 ? 'Cut off' : `Cut above ${kept}`;
+  return { bend: 'Bend', tie: 'Tie to the ground', mark: 'Mark' }[choice.deed];
+}
+
+interface DeedFieldsProps {
+  shoot: FoundShoot;
+  choice: DeedChoice;
+  change: (part: Partial<DeedChoice>) => void;
+}
+
+/// The numbers of the deed that is chosen.
+function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
+  if (choice.deed === 'cut') {
+    const places: [DeedChoice['cut_at'], string][] = [
+      ['here', 'Here'],
+      ['base', 'At its base'],
+      ['count', 'Above'],
+    ];
+    return (
+      <div className="shoot-fields">
+        <Segments label="Where the shoot is cut" value={choice.cut_at} choices={places} choose={(cut_at) => change({ cut_at })} />
+        {choice.cut_at === 'count' && <Field label="Metamers that stay" value={choice.count} step={1} low={0} high={shoot.metamers.at(-1) ?? 0} take={(count) => change({ count })} />}
+      </div>
+    );
+  }
+  if (choice.deed === 'bend') {
+    return (
+      <div className="shoot-fields">
+        <Field label="Inclination" unit="°" value={choice.inclination} step={5} low={-90} high={90} take={(inclination) => change({ inclination })} />
+        <Field label="Metamers bent" value={choice.bent} step={1} low={1} high={1000} take={(bent) => change({ bent })} />
+      </div>
+    );
+  }
+  if (choice.deed === 'tie') {
+    return (
+      <div className="shoot-fields">
+        <Field label="String" unit="m" value={choice.string} step={0.05} low={0} high={1000} take={(string) => change({ string })} />
+      </div>
+    );
+  }
+  return (
+    <div className="shoot-fields">
+      <label className="shoot-field">
+        <span>State</span>
+        <TextField label="State of the mark" value={choice.state} commit={(state) => change({ state: state.trim() === '' ? 'marked' : state.trim() })} />
+      </label>
+    </div>
+  );
+}
+
+interface FieldProps {
+  label: string;
+  unit?: string;
+  value: number;
+  step: number;
+  low: number;
+  high: number;
+  take: (value: number) => void;
+}
+
+function Field({ label, unit, value, step, low, high, take }: FieldProps): ReactElement {
+  return (
+    <label className="shoot-field">
+      <span>{label}</span>
+      <NumberField label={label} value={value} step={step} unit={unit} limit={(one) => Math.min(high, Math.max(low, one))} drag={take} commit={take} cancel={() => undefined} />
+    </label>
+  );
+}

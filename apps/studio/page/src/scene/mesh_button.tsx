@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { Button } from '../controls/button.tsx';
+import { FileDialog } from '../rows/file_row.tsx';
+import { use_studio } from '../studio_context.ts';
+import { table_of } from '../tables/tables.ts';
+import type { Row } from '../tables/tables.ts';
+
+/// The row of the obstacles' mesh, whose sentence says which files it takes.
+function mesh_row(studio: ReturnType<typeof use_studio>): Row | undefined {
+  const { tables } = studio;
+  const scene = table_of(tables, table_of(tables, tables.document).rows.find((row) => row.name === 'scene')?.table ?? '');
+  const obstacles = table_of(tables, scene.rows.find((row) => row.name === 'obstacles')?.table ?? '');
+  return obstacles.rows.find((row) => row.name === 'mesh');
+}
+
+/// Finds a file with a mesh.
+export function MeshButton({ take }: { take: (file: string) => void }): ReactElement | null {
+  const studio = use_studio();
+  const [is_open, set_open] = useState(false);
+  const row = mesh_row(studio);
+  if (!row) return null;
+  return (
+    <>
+      <Button icon="plus" tip="An obstacle from a file" press={() => set_open(true)}>
+        Mesh…
+      </Button>
+      {is_open && <FileDialog label="mesh" row={row} value={undefined} take={take} close={() => set_open(false)} />}
+    </>
+  );
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be put into a scene: boxes, meshes, lamps, poles. They are put beside the plants, as large as suits them, and
+// their handles are shown.
+import type { ReactElement } from 'react';
+
+import { Button } from '../controls/button.tsx';
+import { rounded } from '../document/arithmetic.ts';
+import type { Json } from '../document/json.ts';
+import { is_object } from '../document/json.ts';
+import { path_below, value_at } from '../document/path.ts';
+import type { Edit } from '../server/protocol.ts';
+import { use_studio } from '../studio_context.ts';
+import type { Studio } from '../studio.ts';
+import { MeshButton } from './mesh_button.tsx';
+
+/// About the plants, metres: least and greatest corner, and a step that suits them.
+interface Room {
+  low: [number, number, number];
+  high: [number, number, number];
+  step: number;
+}
+
+export function room_of(studio: Studio): Room {
+  const box = studio.view?.bounds;
+  const known = box && !box.isEmpty();
+  const [low, high] = known ? [box.min.toArray(), box.max.toArray()] : [[-1, 0, -1] as [number, number, number], [1, 2, 1] as [number, number, number]];
+  const size = Math.max(high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-3);
+  return { low, high, step: 10 ** Math.floor(Math.log10(size / 20)) };
+}
+
+export function SceneTools(): ReactElement {
+  const studio = use_studio();
+  const round = (one: number): number => rounded(one, room_of(studio).step);
+  const box = (): void => {
+    const { low, high } = room_of(studio);
+    const [wide, tall] = [Math.max(high[0] - low[0], 0.3 * (high[1] - low[1])), high[1] - low[1]];
+    put(studio, 'obstacles', { box: [[round(high[0] + 0.2 * wide), 0, round(-wide / 2)], [round(high[0] + 0.6 * wide), round(0.8 * tall), round(wide / 2)]] }, 'Add a box');
+  };
+  const lamp = (): void => {
+    const { low, high } = room_of(studio);
+    put(studio, 'lamps', { position: [round(high[0] + 0.2 * (high[0] - low[0])), round(high[1]), 0], strength: 1 }, 'Add a lamp');
+  };
+  const line = (name: string, points: [number, number, number][], label: string): void => put_support(studio, name, points.map((one) => one.map(round)), label);
+  const pole = (): void => line('pole', [[0, 0, 0], [0, room_of(studio).high[1], 0]], 'Add a pole');
+  const wire = (): void => {
+    const { low, high } = room_of(studio);
+    line('wire', [[low[0], high[1] / 2, 0], [high[0], high[1] / 2, 0]], 'Add a wire');
+  };
+  return (
+    <div className="scene-tools" role="toolbar" aria-label="Add to the scene">
+      <Button icon="plus" tip="An obstacle beside the plants" press={box}>
+        Box
+      </Button>
+      <MeshButton take={(mesh) => put(studio, 'obstacles', { mesh }, 'Add a mesh')} />
+      <Button icon="plus" tip="A light at a place" press={lamp}>
+        Lamp
+      </Button>
+      <Button icon="plus" tip="An upright line that operations tie shoots to" press={pole}>
+        Pole
+      </Button>
+      <Button icon="plus" tip="A level line that operations tie shoots to" press={wire}>
+        Wire
+      </Button>
+    </div>
+  );
+}
+
+/// Behind what the list of the scene has.
+function put(studio: Studio, list: string, value: Json, label: string): void {
+  const path = path_below('scene', list);
+  const said = value_at(studio.document.state.get().tree, path);
+  const count = Array.isArray(said) ? said.length : 0;
+  const edit: Edit = Array.isArray(said) ? { insert: path_below(path, -1), value } : { set: path, value: [value] };
+  void studio.edit([edit], label).then((faults) => {
+    if (faults === null) studio.bench.gizmo.show(path_below(path, count));
+  });
+}
+
+/// Under a name that is free.
+function put_support(studio: Studio, name: string, points: number[][], label: string): void {
+  const said = value_at(studio.document.state.get().tree, 'scene.supports');
+  const taken = is_object(said) ? Object.keys(said) : [];
+  let [free, number] = [name, 2];
+  for (; taken.includes(free); number += 1) free = `${name}_${number}`;
+  const path = path_below('scene.supports', free);
+  const edit: Edit = is_object(said) ? { set: path, value: points } : { set: 'scene.supports', value: { [free]: points } };
+  void studio.edit([edit], label).then((faults) => {
+    if (faults === null) studio.bench.gizmo.show(`${path}[${points.length - 1}]`);
+  });
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sun as the scene says it, and what a hand on the dial writes.
+import { rounded } from '../document/arithmetic.ts';
+import type { Json } from '../document/json.ts';
+import { member_of } from '../document/path.ts';
+import type { SkyPlace } from './sun_math.ts';
+import { date_of_day, day_of_date, hour_of, hour_text } from './sun_math.ts';
+
+export interface SunState {
+  /// fixed: a position; day: of a day; season: of several days; clock: by a local clock; none: nothing is said; other:
+  /// expressions stand in it.
+  kind: 'fixed' | 'day' | 'season' | 'clock' | 'none' | 'other';
+  latitude: number | null;
+  place: SkyPlace | null; // of a fixed one
+  day: number; // the middle one of a season
+  days: [number, number] | null; // first and last of a season
+  hour: number;
+  every_hours: number | null; // between the positions of a day, where light counts all day
+}
+
+export const kNoLatitude = 50; // degrees, shown until one is given
+
+export function sun_state(scene: Json | undefined): SunState {
+  const sun = member_of(scene, 'sun');
+  const of = (name: string): Json | undefined => member_of(sun, name);
+  const number = (name: string): number | null => (typeof of(name) === 'number' ? (of(name) as number) : null);
+  const latitude = member_of(scene, 'latitude');
+  const days = of('days');
+  const ends = Array.isArray(days) && days.length === 2 && days.every((one) => typeof one === 'number') ? (days as [number, number]) : null;
+  const date = of('date');
+  const day = typeof date === 'string' ? day_of_date(date) : number('day');
+  const [azimuth, altitude] = [number('azimuth'), number('altitude')];
+  const state: SunState = {
+    kind: 'other',
+    latitude: typeof latitude === 'number' ? latitude : null,
+    place: azimuth !== null && altitude !== null ? { azimuth, altitude } : null,
+    day: day ?? (ends ? middle_of(ends) : 172),
+    days: ends,
+    hour: hour_of(of('time')) ?? hour_of(of('hour')) ?? 12,
+    every_hours: number('every_hours') ?? (ends ? 1 : null),
+  };
+  if (sun === undefined) return { ...state, kind: 'none' };
+  if (state.place) return { ...state, kind: 'fixed' };
+  if (of('time') !== undefined) return { ...state, kind: day !== null && hour_of(of('time')) !== null ? 'clock' : 'other' };
+  if (ends) return { ...state, kind: 'season' };
+  const hour = of('hour');
+  return { ...state, kind: day !== null && (hour === undefined || hour_of(hour) !== null) ? 'day' : 'other' };
+}
+
+/// A season may go on into the next year.
+function middle_of([first, last]: [number, number]): number {
+  const end = last < first ? last + 365 : last;
+  return ((Math.round((first + end) / 2) - 1) % 365) + 1;
+}
+
+/// The values that put the sun to another day and hour, as the scene says them.
+export function with_time(scene: Json | undefined, state: SunState, day: number, hour: number): Record<string, Json> {
+  const sun = member_of(scene, 'sun');
+  const held = Math.min(24, Math.max(0, hour));
+  const is_clock = state.kind === 'clock';
+  const row = is_clock ? 'scene.sun.time' : 'scene.sun.hour';
+  const is_text = typeof member_of(sun, is_clock ? 'time' : 'hour') === 'string';
+  const values: Record<string, Json> = { [row]: is_text ? hour_text(held) : rounded(held, 0.05) };
+  if (state.kind === 'season' || Math.round(day) === Math.round(state.day)) return values;
+  const date = member_of(sun, 'date');
+  if (typeof date === 'string') values['scene.sun.date'] = date_of_day(day, Number(date.slice(0, 4)));
+  else values['scene.sun.day'] = Math.round(day);
+  return values;
+}
+
+/// The values that put a fixed sun elsewhere.
+export function with_place({ azimuth, altitude }: SkyPlace): Record<string, Json> {
+  return { 'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5), 'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5) };
+}

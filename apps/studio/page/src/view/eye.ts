@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where things of the world stand in the canvas, and what of the world lies under a pixel.
+import * as three from 'three';
+
+import type { Ray, Vec } from './gizmo/space_math.ts';
+import type { Orbit } from './orbit.ts';
+import { kFieldOfView } from './orbit.ts';
+
+export class Eye {
+  constructor(
+    private readonly orbit_: Orbit,
+    private readonly canvas_: HTMLCanvasElement,
+  ) {}
+
+  /// Where a point of the world stands, in pixels of the canvas; null behind the eye.
+  project([x, y, z]: Vec): [number, number] | null {
+    const { camera } = this.orbit_;
+    const point = new three.Vector4(x, y, z, 1).applyMatrix4(camera.matrixWorldInverse).applyMatrix4(camera.projectionMatrix);
+    if (point.w <= 0) return null;
+    return [((point.x / point.w + 1) / 2) * this.canvas_.clientWidth, ((1 - point.y / point.w) / 2) * this.canvas_.clientHeight];
+  }
+
+  /// The line of sight through a pixel of the canvas.
+  ray_at(x: number, y: number): Ray {
+    const { camera } = this.orbit_;
+    const [across, up] = [(2 * x) / Math.max(1, this.canvas_.clientWidth) - 1, 1 - (2 * y) / Math.max(1, this.canvas_.clientHeight)];
+    const way = new three.Vector3(across, up, 0.5).unproject(camera).sub(camera.position).normalize();
+    return { origin: camera.position.toArray(), way: way.toArray() };
+  }
+
+  /// Unit vectors of the world to the right of the screen and toward the eye.
+  get sides(): { right: Vec; toward: Vec } {
+    const [right, up, toward] = [new three.Vector3(), new three.Vector3(), new three.Vector3()];
+    this.orbit_.camera.matrixWorld.extractBasis(right, up, toward);
+    return { right: right.toArray(), toward: toward.toArray() };
+  }
+
+  /// At the point that the camera looks at.
+  get metres_per_pixel(): number {
+    const height = 2 * this.orbit_.distance * Math.tan((kFieldOfView / 360) * Math.PI);
+    return height / Math.max(1, this.canvas_.clientHeight);
+  }
+}

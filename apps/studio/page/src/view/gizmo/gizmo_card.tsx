@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of the handles that are shown, and the list of all things that have handles.
+import type { ReactElement } from 'react';
+
+import { IconButton } from '../../controls/button.tsx';
+import { NumberField } from '../../controls/number_field.tsx';
+import { use_snapping } from '../../editors/snapping.ts';
+import { use_studio } from '../../studio_context.ts';
+import type { HandleField, HandleGroup, Values } from './handle.ts';
+
+interface GizmoCardProps {
+  groups: readonly HandleGroup[];
+  shown: HandleGroup | null;
+}
+
+export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
+  const studio = use_studio();
+  const { active } = studio.bench.gizmo;
+  const { snaps, set_snaps } = use_snapping();
+  return (
+    <section className="gizmo-card" aria-label="Handles">
+      <header>
+        <select className="select" aria-label="What has handles" value={shown?.key ?? ''} onChange={(event) => active.set(event.target.value === '' ? null : event.target.value)}>
+          <option value="">{groups.length === 1 ? '1 thing has handles' : `${groups.length} things have handles`}</option>
+          {groups.map((group) => (
+            <option key={group.key} value={group.key}>
+              {group.label}
+            </option>
+          ))}
+        </select>
+        <IconButton is_small icon="magnet" label="Move in whole steps; Alt holds it off" is_on={snaps} press={() => set_snaps(!snaps)} />
+        {shown && <IconButton is_small icon="close" label="Hide the handles" press={() => active.set(null)} />}
+      </header>
+      {shown && shown.fields.length > 0 && (
+        <div className="gizmo-fields">
+          {shown.fields.map((field) => (
+            <Field key={field.label} group={shown} field={field} />
+          ))}
+        </div>
+      )}
+    </section>
+  );
+}
+
+function Field({ group, field }: { group: HandleGroup; field: HandleField }): ReactElement {
+  const studio = use_studio();
+  const commit = (values: Values): void => void studio.edit(Object.entries(values).map(([set, value]) => ({ set, value })), `Set ${group.label}`);
+  return (
+    <label className="gizmo-field">
+      <span>{field.label}</span>
+      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => studio.drag(field.values(one))} commit={(one) => commit(field.values(one))} cancel={() => studio.stop_drag()} />
+    </label>
+  );
+}

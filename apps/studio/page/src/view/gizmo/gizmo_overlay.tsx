@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Handles over the view. A hand or the arrow keys move them; one gesture is one step, and Escape puts back.
+import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
+import { useEffect, useRef } from 'react';
+
+import { use_store } from '../../base/store.ts';
+import { fitting_step } from '../../document/arithmetic.ts';
+import { steps_of } from '../../document/path.ts';
+import { use_snapping } from '../../editors/snapping.ts';
+import { use_held } from '../../editors/use_held.ts';
+import { use_document, use_studio } from '../../studio_context.ts';
+import type { Studio } from '../../studio.ts';
+import { ProjectedLine } from '../projected_line.tsx';
+import type { View } from '../view.ts';
+import { GizmoCard } from './gizmo_card.tsx';
+import { HandleShape } from './handle_shape.tsx';
+import type { Grip, Handle, HandleGroup, Sight, Values } from './handle.ts';
+import { amount_of, amount_of_key } from './handle.ts';
+import { object_of } from './gizmo.ts';
+
+const kReach = 72; // pixels from the middle of a group to the ends of its arrows
+const kSnap = { pixels: 8, degrees: 5 };
+const kFine = { pixels: 0.5, degrees: 0.5 };
+
+export function GizmoOverlay(): ReactElement | null {
+  const studio = use_studio();
+  const { gizmo } = studio.bench;
+  use_document();
+  use_store(studio.dragged);
+  use_store(gizmo.stand);
+  use_store(studio.view_facts); // the camera may have moved
+  const { shows_handles } = use_store(studio.view_state);
+  const active = use_store(gizmo.active);
+  use_stand(studio);
+  const { view } = studio;
+  if (!view || !shows_handles) return null;
+  const sight = sight_of(view);
+  const groups = gizmo.groups(sight);
+  if (groups.length === 0) return null;
+  const shown = groups.find((one) => one.key === active) ?? groups.find((one) => active !== null && one.key.startsWith(`${active}.`)) ?? null;
+  return (
+    <>
+      <svg className="gizmo" role="group" aria-label="Handles of what is chosen" data-groups={groups.length}>
+        {groups.map((group) => group !== shown && <Dot key={group.key} view={view} group={group} press={() => gizmo.active.set(group.key)} />)}
+        {shown && <ActiveGroup key={shown.key} view={view} group={shown} sight={sight} />}
+      </svg>
+      <GizmoCard groups={groups} shown={shown} />
+    </>
+  );
+}
+
+/// Asks anew where the chosen component stands when it has grown.
+function use_stand(studio: Studio): void {
+  const object = object_of(use_store(studio.chosen));
+  const { shown } = use_store(studio.growth);
+  const component = object === null || object === 'scene' ? null : String(steps_of(object)[1]);
+  useEffect(() => {
+    // In a drag the frame stays, so that nothing moves under the hand.
+    if (component !== null && shown && Object.keys(studio.dragged.get()).length === 0) studio.bench.gizmo.ask(component);
+  }, [studio, component, shown]);
+}
+
+function sight_of(view: View): Sight {
+  return { ...view.eye.sides, reach: kReach * view.eye.metres_per_pixel };
+}
+
+/// A group that is not shown in full; the keyboard chooses it in the list beside.
+function Dot({ view, group, press }: { view: View; group: HandleGroup; press: () => void }): ReactElement | null {
+  const at = view.eye.project(group.at);
+  if (!at) return null;
+  return (
+    <g className="gizmo-dot" data-group={group.key} transform={`translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`} onPointerDown={(event) => event.stopPropagation()} onClick={press}>
+      <circle className="reach" r="11" />
+      <circle r="5" />
+      <title>{group.label}</title>
+    </g>
+  );
+}
+
+interface ActiveGroupProps {
+  view: View;
+  group: HandleGroup;
+  sight: Sight;
+}
+
+function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
+  const studio = use_studio();
+  const { snaps } = use_snapping();
+  const root = useRef<SVGGElement>(null);
+  const held = use_held<{ grip: Grip; values: Values | null }>();
+  const chosen = use_held<string>();
+  const label = `Set ${group.label}`;
+  const step_of = (handle: Handle, is_fine: boolean): number => {
+    const { pixels, degrees } = is_fine ? kFine : kSnap;
+    return handle.motion === 'ring' ? degrees : fitting_step(0, pixels * view.eye.metres_per_pixel, 1);
+  };
+  const ray = (event: PointerEvent): Grip['start'] => {
+    const box = root.current?.ownerSVGElement?.getBoundingClientRect();
+    return view.eye.ray_at(event.clientX - (box?.left ?? 0), event.clientY - (box?.top ?? 0));
+  };
+  const down = (event: PointerEvent<SVGGElement>, handle: Handle): void => {
+    if (event.button !== 0) return;
+    event.stopPropagation();
+    event.currentTarget.setPointerCapture(event.pointerId);
+    event.currentTarget.focus();
+    held.set({ grip: { handle, start: ray(event) }, values: null });
+  };
+  const move = (event: PointerEvent): void => {
+    const hand = held.get();
+    if (!hand) return;
+    const { handle } = hand.grip;
+    const amount = amount_of(hand.grip, ray(event), sight.toward, step_of(handle, !snaps || event.altKey || event.shiftKey));
+    if (!amount) return;
+    if (handle.motion === 'ring') amount.degrees = amount.step * Math.round(amount.degrees / amount.step);
+    const is_still = amount.degrees === 0 && amount.by.every((one) => one === 0);
+    const values = is_still ? {} : handle.values(amount);
+    held.set({ ...hand, values: is_still ? null : values });
+    studio.drag(values);
+  };
+  const let_go = (commits: boolean): void => {
+    const hand = held.get();
+    held.set(null);
+    if (hand?.values && commits) void studio.edit(edits_of(hand.values), label);
+    else if (hand) studio.stop_drag();
+  };
+  const key = (event: KeyboardEvent, handle: Handle): void => {
+    if (event.key === 'Alt') return event.preventDefault();
+    const way = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as const)[event.key];
+    const go = { PageUp: -1, PageDown: 1 }[event.key];
+    if (event.key === 'Escape' && held.get()) let_go(false);
+    else if (event.key === 'Escape') studio.bench.gizmo.active.set(null);
+    else if (go !== undefined) focus_handle(root.current, handle.key, go);
+    else if (way) {
+      const step = step_of(handle, event.shiftKey) * (event.ctrlKey || event.metaKey ? 10 : 1);
+      void studio.edit(edits_of(handle.values(amount_of_key(handle, way, sight, step))), label);
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  const first = chosen.shown !== null && group.handles.some((one) => one.key === chosen.shown) ? chosen.shown : (group.handles[0]?.key ?? '');
+  const holding = held.shown?.grip.handle.key ?? null;
+  return (
+    <g ref={root} className="gizmo-group">
+      {group.lines.map((line, k) => (
+        <ProjectedLine key={k} view={view} places={line} className="gizmo-outline" />
+      ))}
+      {in_order(group.handles).map((handle) => (
+        <g
+          key={handle.key}
+          className={`gizmo-handle of-${handle.look}${holding === handle.key ? ' held' : ''}`}
+          data-handle={handle.key}
+          data-axis={/[xyz]+$/.exec(handle.key)?.[0]}
+          tabIndex={handle.key === first ? 0 : -1}
+          role="slider"
+          aria-label={`${group.label}: ${handle.label}`}
+          aria-valuenow={handle.now}
+          aria-valuetext={handle.said}
+          onPointerDown={(event) => down(event, handle)}
+          onPointerMove={move}
+          onPointerUp={() => let_go(true)}
+          onPointerCancel={() => let_go(false)}
+          onFocus={() => chosen.set(handle.key)}
+          onKeyDown={(event) => key(event, handle)}
+        >
+          <HandleShape view={view} handle={handle} reach={sight.reach} />
+        </g>
+      ))}
+    </g>
+  );
+}
+
+/// What is small lies over what is large, so that hands can take hold of it.
+function in_order(handles: readonly Handle[]): Handle[] {
+  const looks: readonly Handle['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
+  return [...handles].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));
+}
+
+function edits_of(values: Values): { set: string; value: Values[string] }[] {
+  return Object.entries(values).map(([set, value]) => ({ set, value }));
+}
+
+function focus_handle(root: SVGGElement | null, key: string, by: number): void {
+  const all = [...(root?.querySelectorAll<SVGGElement>('.gizmo-handle') ?? [])];
+  const at = all.findIndex((one) => one.dataset['handle'] === key);
+  all[(at + by + all.length) % all.length]?.focus();
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// A shift and turns of something whose form the tables do not say: moved along the axes, turned by rings.
+import { rounded } from '../../document/arithmetic.ts';
+import type { Json } from '../../document/json.ts';
+import type { Handle, HandleField, HandleGroup, Values } from './handle.ts';
+import { moved_vector } from './handle.ts';
+import { move_handles } from './move_handles.ts';
+import type { Spot } from './row_groups.ts';
+import { pose_of, vec_of } from './row_groups.ts';
+import type { Frame3, Vec } from './space_math.ts';
+import { minus, point_in, turned, turns_to, unit, vector_in, vector_out } from './space_math.ts';
+
+const kAxes = ['x', 'y', 'z'] as const;
+const kTurns = ['pitch', 'roll', 'yaw'] as const;
+const kStill: Vec = [0, 0, 0];
+
+function role_path(spot: Spot, role: string): { path: string; value: Vec | null } | null {
+  const row = spot.table.rows.find((one) => one.in_space === role);
+  // Some rows are given beside others alone, as the pose of a file.
+  const is_free = row !== undefined && (spot.table.only_with ?? []).every(([name, other]) => name !== row.name || spot.value[other] !== undefined);
+  if (!row || !is_free) return null;
+  const said = spot.value[row.name];
+  return { path: spot.path_of(row.name), value: said === undefined ? kStill : vec_of(said) };
+}
+
+/// The pose of what is written; nothing where expressions stand in it.
+export function pose_group(spot: Spot): HandleGroup | null {
+  const shift = role_path(spot, 'shift');
+  if (!shift?.value || !spot.is_given || Object.keys(spot.value).length === 0) return null;
+  if (!poses_something(spot)) return null;
+  const { frame } = spot;
+  const from = shift.value;
+  const at = point_in(frame, from);
+  const handles = [...move_handles(at, frame, from.map((one) => one.toFixed(2)).join(', '), ({ by, step }) => ({ [shift.path]: moved_vector(from, vector_out(frame, by), step) as Json })), ...turn_handles(spot, kStill, frame)];
+  return { key: shift.path, label: spot.title === 'frame' ? 'frame' : `${spot.title}, place`, at, handles, fields: [...fields_of(from, shift.path, kAxes, 'm', 0.05), ...turn_fields(spot)], lines: [] };
+}
+
+/// Tables that may hold a file have a pose for it alone.
+function poses_something({ table, value }: Spot): boolean {
+  const file = table.rows.find((row) => row.kind === 'file');
+  return !file || value[file.name] !== undefined;
+}
+
+function turn_fields(spot: Spot): HandleField[] {
+  const turn = role_path(spot, 'turn');
+  return turn?.value ? fields_of(turn.value, turn.path, kTurns, '°', 1) : [];
+}
+
+export function fields_of(from: Vec, path: string, names: readonly string[], unit_name: string, step: number): HandleField[] {
+  return names.map((name, axis) => ({
+    label: name,
+    unit: unit_name,
+    value: from[axis] ?? 0,
+    step,
+    limit: (one) => one,
+    values: (one) => ({ [path]: from.map((old, k) => (k === axis ? one : old)) as Json }),
+  }));
+}
+
+/// Rings about the axes of the frame around the pose. `middle`, in the frame of what is posed, stays where it is.
+export function turn_handles(spot: Spot, middle: Vec, base: Frame3): Handle[] {
+  const [turn, shift] = [role_path(spot, 'turn'), role_path(spot, 'shift')];
+  if (!turn?.value || !shift?.value) return [];
+  const pose = pose_of(spot.table, spot.value);
+  const centre = point_in(base, point_in(pose, middle));
+  const [from, origin] = [turn.value, shift.value];
+  return kAxes.map((name, axis): Handle => {
+    const about: Vec = [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
+    const values = ({ degrees, step }: { degrees: number; step: number }): Values => {
+      const axes = pose.axes.map((one) => turned(one, about, degrees)) as [Vec, Vec, Vec];
+      const turns = turns_to(axes.map((one) => unit(one)) as [Vec, Vec, Vec]).map((one) => rounded(one, Math.min(step, 0.01)));
+      const kept = minus(point_in(pose, middle), vector_in({ axes, origin: kStill }, middle));
+      const is_moved = kept.some((one, k) => Math.abs(one - (origin[k] ?? 0)) > 1e-9);
+      return { [turn.path]: turns as Json, ...(is_moved ? { [shift.path]: kept.map((one) => rounded(one, 1e-4)) as Json } : {}) };
+    };
+    return { key: `turn ${name}`, label: `Turn about ${name}`, motion: 'ring', look: 'ring', at: centre, centre, way: unit(vector_in(base, about)), said: `${from[axis] ?? 0} degrees`, now: from[axis] ?? 0, values };
+  });
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of the world, drawn over the view.
+import type { ReactElement } from 'react';
+
+import type { View } from './view.ts';
+
+export type Place3 = readonly [number, number, number];
+
+/// Three numbers for each place, one after another.
+export function places_of_numbers(numbers: readonly number[]): Place3[] {
+  return Array.from({ length: Math.floor(numbers.length / 3) }, (_, k) => [numbers[3 * k] ?? 0, numbers[3 * k + 1] ?? 0, numbers[3 * k + 2] ?? 0]);
+}
+
+interface ProjectedLineProps {
+  view: View;
+  places: readonly Place3[];
+  className: string;
+}
+
+/// Broken where it passes behind the eye.
+export function ProjectedLine({ view, places, className }: ProjectedLineProps): ReactElement | null {
+  let path = '';
+  let is_broken = true;
+  for (const place of places) {
+    const at = view.eye.project(place);
+    if (at) path += `${is_broken ? 'M' : 'L'}${at[0].toFixed(1)} ${at[1].toFixed(1)}`;
+    is_broken = at === null;
+  }
+  return path === '' ? null : <path className={className} d={path} />;
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+// Growth steered by hand: shoots are cut by a click, obstacles moved by their handles, the sun by its dial, crowns by
+// their outlines, grass leaves by their curves. Each gesture is one step of the undo list.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+
+import { choose, leave_fields, open_file, row, step, type_into, undo_all } from './hands.mjs';
+import { kAxe, meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+
+const kPear = `{
+  "meristem": 1, // a tree to cut
+  "name": "Pear",
+  "components": {
+    "pear": {"type": "organize", "iterations": 9, "lateral_threshold": 900, "jitter": 0, "resource": {"alpha": 1.3}, "tip_radius": 0.012}
+  }
+}
+`;
+const kYard = `{
+  "meristem": 1,
+  "name": "Yard",
+  "scene": {
+    "latitude": 50,
+    "sun": {"day": 172, "hour": 12},
+    "obstacles": [{"box": [[1, 0, -0.5], [2, 1.5, 0.5]], "name": "house"}],
+    "supports": {"wire": [[-1, 1, 0], [1, 1, 0]]}
+  },
+  "components": {
+    "tree": {"type": "colonize", "crown": {"profile": [[0.2, 0.6], [0.8, 1.2], [0, 2]]}, "points": 60, "step": 0.1, "influence": 1, "kill": 0.3}
+  }
+}
+`;
+const kGrass = `{
+  "meristem": 1,
+  "name": "Grass",
+  "components": {"leaf": {"type": "grassleaf", "midrib": "midribs.csv", "widths": "widths.csv", "rank": 2, "unit": 0.01}}
+}
+`;
+const kMidribs = `rank,x,y\n${[1, 2].flatMap((rank) => Array.from({ length: 9 }, (_, k) => `${rank},${(rank * k * k) / 10},${2 * k - 0.1 * k * k}`)).join('\n')}\n`;
+const kWidths = `rank,s,r\n${[1, 2].flatMap((rank) => Array.from({ length: 6 }, (_, k) => `${rank},${k / 5},${1 - (k / 5) ** 3}`)).join('\n')}\n`;
+
+let place, server, browser, page;
+
+before(async () => {
+  place = await temporary_folder();
+  await write_document(place.folder, 'pear.json', kPear);
+  await write_document(place.folder, 'yard.json', kYard);
+  await write_document(place.folder, 'grass.json', kGrass);
+  await write_document(place.folder, 'midribs.csv', kMidribs);
+  await write_document(place.folder, 'widths.csv', kWidths);
+  server = await start_server(place.folder, 'pear.json');
+  browser = await start_browser();
+  page = await open_page(await browser.newContext({ viewport: { width: 1280, height: 720 } }), server.address);
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+  await place?.remove();
+});
+
+const tree_of = async () => page.evaluate(() => window.studio.document.state.get().tree.value);
+
+/// The pixel of the page at which a point of the world is seen.
+async function seen_at(point) {
+  return page.evaluate(async (at) => {
+    await window.studio.view.drawn(); // a panel may just have become wider
+    const box = document.querySelector('.centre .view canvas').getBoundingClientRect();
+    const [x, y] = window.studio.view.eye.project(at);
+    return [box.left + x, box.top + y];
+  }, point);
+}
+
+/// Clicks a shoot of the tree, and gives it as the page knows it.
+async function click_shoot(point) {
+  await page.mouse.click(...(await seen_at(point)));
+  await page.locator('.shoot-tool').waitFor();
+  return page.evaluate(() => window.studio.instance.found.get());
+}
+
+const tool = () => page.locator('.shoot-tool');
+const acted = (path) => page.waitForFunction((wanted) => window.studio.bench.pruning.told.get()?.operations.places.length > 0 && window.studio.bench.pruning.looked_at.get()?.path === wanted, path);
+
+/// The end of a metamer of the stem, where nothing hides it from the front.
+const kOnStem = [0, 0.52, 0.01];
+
+test('a click on a shoot takes hold of it, and a cut stands in the document and undoes', async () => {
+  const nodes = await page.evaluate(() => window.studio.growth.get().grown.nodes);
+  const shoot = await click_shoot(kOnStem);
+  assert.equal(shoot.shoot, 'main');
+  assert.equal(shoot.iteration, 9);
+  assert.equal(shoot.metamer, 5);
+  assert.equal(await page.locator('.pruning-overlay .goes').count(), 1);
+  await step(page, () => tool().getByRole('button', { name: `Cut above ${shoot.metamer}` }).click());
+  const [cut] = (await tree_of()).components.pear.operations;
+  assert.deepEqual(cut, { do: 'cut', at: 9, shoots: 'main', above: shoot.metamer });
+  assert.equal(await undo_count(page), 1);
+  const left = await page.evaluate(() => window.studio.growth.get().grown.nodes);
+  assert.ok(left < nodes, `${left} of ${nodes}`);
+  // What the page writes is what the command line does.
+  await write_document(place.folder, 'cut.json', await text_of(page));
+  const { stdout } = await meristem('measure', `${place.folder}/cut.json`);
+  assert.match(stdout, /height/);
+  await acted('components.pear.operations[0]');
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kPear);
+  assert.equal(await page.evaluate(() => window.studio.growth.get().grown.nodes), nodes);
+});
+
+test('a shoot is cut off at its base, and the whole tree is not', async () => {
+  await click_shoot(kOnStem);
+  await tool().getByRole('button', { name: 'At its base' }).click();
+  assert.match(await tool().locator('.fault-line').innerText(), /Nothing would be left/);
+  assert.ok(await tool().getByRole('button', { name: 'Cut off' }).isDisabled());
+  await tool().getByRole('button', { name: 'Above' }).click();
+  await type_into(page, tool().getByRole('textbox', { name: 'Metamers that stay' }), '6');
+  await step(page, () => tool().getByRole('button', { name: 'Cut above 6' }).click());
+  assert.equal((await tree_of()).components.pear.operations[0].above, 6);
+  await undo_all(page);
+  await settled(page);
+  await page.evaluate(() => window.studio.bench.pruning.choice.merge({ cut_at: 'here' }));
+});
+
+test('a bend and marks are written with their numbers', async () => {
+  const shoot = await click_shoot(kOnStem);
+  await tool().getByRole('button', { name: 'Bend', exact: true }).first().click();
+  await type_into(page, tool().getByRole('textbox', { name: 'Inclination' }), '40');
+  await step(page, () => tool().locator('.shoot-act .button.main').click());
+  await click_shoot([0, 0.21, 0.01]);
+  await tool().getByRole('button', { name: 'Mark', exact: true }).first().click();
+  await type_into(page, tool().getByRole('textbox', { name: 'State of the mark' }), 'spare');
+  await step(page, () => tool().locator('.shoot-act .button.main').click());
+  await click_shoot([0, 0.21, 0.01]);
+  await tool().getByRole('button', { name: 'Tie', exact: true }).first().click();
+  assert.match(await tool().locator('.fault-line').innerText(), /stem cannot be tied/);
+  await tool().getByRole('button', { name: 'Mark', exact: true }).first().click();
+  await type_into(page, tool().getByRole('textbox', { name: 'State of the mark' }), 'weak');
+  await tool().getByRole('button', { name: 'Summer', exact: true }).click();
+  await step(page, () => tool().locator('.shoot-act .button.main').click());
+  const operations = (await tree_of()).components.pear.operations;
+  assert.deepEqual(operations[0], { do: 'bend', at: 9, shoots: 'main', below: shoot.metamer, metamers: 3, inclination: 40 });
+  assert.deepEqual(operations[1], { do: 'mark', at: 9, shoots: 'main', state: 'spare' });
+  assert.equal(operations[2].season, 'summer');
+  assert.equal(await undo_count(page), 3);
+  await page.evaluate(() => window.studio.bench.pruning.choice.merge({ season: 'winter', deed: 'cut' }));
+});
+
+test('the plan lists operations in order and by year; it moves, switches off and takes them away', async () => {
+  await leave_fields(page);
+  await page.keyboard.press('o');
+  const items = page.locator('.plan-item');
+  assert.equal(await items.count(), 3);
+  assert.match(await items.nth(0).innerText(), /bend main/);
+  await page.waitForFunction(() => /acted 1 time/.test(document.querySelector('.plan-item')?.textContent ?? ''));
+  await items.nth(1).hover();
+  await step(page, () => items.nth(1).getByRole('button', { name: 'Move operation 2 up' }).click());
+  assert.equal((await tree_of()).components.pear.operations[0].do, 'mark');
+  await items.nth(0).hover();
+  await step(page, () => items.nth(0).getByRole('button', { name: 'Let operation 1 act' }).click());
+  assert.equal((await tree_of()).components.pear.operations[0].off, true);
+  await page.waitForFunction(() => /off/.test(document.querySelector('.plan-item')?.textContent ?? ''));
+  await items.nth(2).hover();
+  await step(page, () => items.nth(2).getByRole('button', { name: 'Remove operation 3' }).click());
+  assert.equal(await items.count(), 2);
+  // The rows of the one that is chosen are those of the inspector.
+  await items.nth(1).locator('.plan-choice').click();
+  await acted('components.pear.operations[1]');
+  assert.equal(await page.locator('.pruning-overlay .act').count(), 1);
+  const inclination = items.nth(1).locator('[data-path="components.pear.operations[1].inclination"]');
+  await step(page, () => type_into(page, inclination.getByRole('textbox').first(), '20'));
+  assert.equal((await tree_of()).components.pear.operations[1].inclination, 20);
+  await page.getByRole('button', { name: 'By year' }).click();
+  await page.locator('.plan-entry').first().waitFor();
+  assert.match(await page.locator('.plan-years').innerText(), /Year 9/);
+});
+
+test('before and after stand side by side', async () => {
+  await page.getByRole('button', { name: 'In order' }).click();
+  const item = page.locator('.plan-item').nth(1);
+  await item.hover();
+  await item.getByRole('button', { name: 'Pin the state without operation 2 beside the view' }).click();
+  await page.locator('.pinned').waitFor();
+  await page.waitForFunction(() => !document.querySelector('.pinned .view-note'), null, { timeout: 20000 });
+  assert.equal(await page.evaluate(() => JSON.parse(window.studio.bench.pins.shown.get()[0].text.replace(/\/\/.*/, '')).components.pear.operations[1].off), true);
+  await page.getByRole('button', { name: /^Let state A go/ }).click();
+});
+
+test('the tree before the last cuts is shown and goes again', async () => {
+  const before_it = await text_of(page);
+  await page.getByRole('button', { name: 'Before the last cuts' }).click();
+  await page.waitForFunction(() => window.studio.growth.get().grown?.dragged === true);
+  await page.getByRole('button', { name: 'After the last cuts' }).click();
+  await settled(page);
+  assert.equal(await text_of(page), before_it);
+  await axe_finds_nothing();
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kPear);
+  await leave_fields(page);
+  await page.keyboard.press('o');
+});
+
+/// A handle of the group that is shown, with the middle of what is drawn of it.
+const handle = (key) => page.locator(`.gizmo-handle[data-handle="${key}"]`);
+async function drag_by(from, [dx, dy], { steps = 12, lets_go = true } = {}) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  for (let k = 1; k <= steps; k += 1) await page.mouse.move(from[0] + (dx * k) / steps, from[1] + (dy * k) / steps);
+  if (lets_go) await page.mouse.up();
+}
+const middle_of = async (target) => {
+  const box = await target.boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+};
+
+test('an obstacle is seen, chosen by a click, and moved by its handles; a drag of many moves is one step', async () => {
+  await open_file(page, 'yard.json');
+  await page.locator('.view canvas').focus();
+  for (const key of ['1', '-', '-', '-', '-']) await page.keyboard.press(key);
+  await page.mouse.click(...(await seen_at([1.5, 0.4, 0.5])));
+  assert.equal(await page.evaluate(() => window.studio.chosen.get()), 'scene');
+  await handle('upper y').waitFor();
+  const count = await undo_count(page);
+  await step(page, async () => drag_by(await middle_of(handle('upper x').locator('rect')), [40, 0], { steps: 40 }));
+  const box = (await tree_of()).scene.obstacles[0].box;
+  assert.deepEqual(box[0], [1, 0, -0.5]);
+  assert.ok(box[1][0] > 2.05 && box[1][1] === 1.5, JSON.stringify(box));
+  assert.equal(await undo_count(page), count + 1);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kYard);
+});
+
+test('Escape puts a handle back, and the arrow keys move it', async () => {
+  await drag_by(await middle_of(handle('upper x').locator('rect')), [30, 0], { lets_go: false });
+  await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length > 0);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await settled(page);
+  assert.equal(await text_of(page), kYard);
+  await handle('move x').focus();
+  await step(page, () => page.keyboard.press('ArrowLeft'));
+  const [low, high] = (await tree_of()).scene.obstacles[0].box;
+  assert.ok(low[0] < 1 && Math.abs(high[0] - low[0] - 1) < 1e-9, JSON.stringify([low, high]));
+  await page.keyboard.press('PageDown');
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.handle), 'move y');
+  await step(page, () => type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: /height/ }), '3'));
+  assert.deepEqual((await tree_of()).scene.obstacles[0].box.map((one) => one[1]), [0, 3]);
+});
+
+test('a turn keeps the middle of a box where it is', async () => {
+  await handle('turn y').focus();
+  await step(page, () => page.keyboard.press('ArrowRight'));
+  const obstacle = (await tree_of()).scene.obstacles[0];
+  assert.deepEqual(obstacle.rotate, [0, 5, 0]);
+  assert.ok(obstacle.translate.some((one) => one !== 0));
+  await undo_all(page);
+  await settled(page);
+});
+
+test('boxes, lamps and poles are put into the scene with their handles', async () => {
+  for (const name of ['Box', 'Lamp', 'Pole']) {
+    await step(page, () => page.locator('.scene-tools').getByRole('button', { name, exact: true }).click());
+    await page.locator('.gizmo-handle').first().waitFor();
+  }
+  const { obstacles, lamps, supports } = (await tree_of()).scene;
+  assert.equal(obstacles.length, 2);
+  assert.equal(lamps.length, 1);
+  assert.equal(supports.pole.length, 2);
+  await step(page, async () => {
+    await page.locator('.gizmo-card select').selectOption({ label: 'support wire, point 2' });
+    await handle('move y').focus();
+    await page.keyboard.press('ArrowUp');
+  });
+  assert.ok((await tree_of()).scene.supports.wire[1][1] > 1);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kYard);
+});
+
+test('the sun is dragged along its way for the hour and across for the day', async () => {
+  const sky = page.locator('.sky');
+  await sky.scrollIntoViewIfNeeded();
+  const count = await undo_count(page);
+  const at = await middle_of(page.locator('.sun circle').last());
+  await step(page, () => drag_by(at, [-14, 4], { steps: 20 }));
+  const { sun } = (await tree_of()).scene;
+  // West of the meridian it is afternoon.
+  assert.ok(sun.hour > 12.1, JSON.stringify(sun));
+  assert.equal(await undo_count(page), count + 1);
+  await page.locator('.sun').focus();
+  await step(page, () => page.keyboard.press('ArrowDown'));
+  assert.equal((await tree_of()).scene.sun.day, sun.day - 7);
+  await step(page, () => page.keyboard.press('ArrowLeft'));
+  assert.ok(Math.abs((await tree_of()).scene.sun.hour - (sun.hour - 0.5)) < 0.051);
+  await step(page, () => type_into(page, page.getByRole('textbox', { name: 'Latitude of the sun' }), '35'));
+  assert.equal((await tree_of()).scene.latitude, 35);
+  await page.getByRole('checkbox', { name: 'Light the view by this sun' }).check();
+  await axe_finds_nothing();
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kYard);
+});
+
+test('the profile of a crown is dragged in the view', async () => {
+  await choose(page, 'tree');
+  await page.locator('.gizmo-card').waitFor();
+  await page.locator('.gizmo-card select').selectOption({ label: 'crown, profile' });
+  await step(page, async () => drag_by(await middle_of(handle('point 2').locator('circle').last()), [40, 0]));
+  const { profile } = (await tree_of()).components.tree.crown;
+  assert.ok(profile[1][0] > 0.85, JSON.stringify(profile));
+  assert.deepEqual([profile[0], profile[2]], [[0.2, 0.6], [0, 2]]);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kYard);
+});
+
+test('a measured leaf is shown over its points, and drawn by hand', async () => {
+  await open_file(page, 'grass.json');
+  await choose(page, 'leaf');
+  await page.getByRole('button', { name: 'Midrib and width…' }).click();
+  const panel = page.getByRole('region', { name: 'Midrib and width' });
+  await panel.locator('.curve-dots circle').first().waitFor();
+  assert.equal(await panel.getByRole('group', { name: 'Midrib', exact: true }).locator('.curve-dots circle').count(), 9);
+  assert.equal(await page.locator('.leaf-points').getAttribute('data-points'), '9');
+  await step(page, () => panel.getByRole('group', { name: 'Midrib', exact: true }).first().getByRole('button', { name: 'Draw by hand' }).click());
+  const leaf = (await tree_of()).components.leaf;
+  assert.equal(leaf.midrib, undefined);
+  assert.equal(leaf.midrib_points.length, 9);
+  assert.ok(leaf.length > 0.1);
+  await step(page, async () => {
+    await panel.locator('.curve-point').nth(4).focus();
+    await page.keyboard.press('ArrowUp');
+  });
+  assert.notDeepEqual((await tree_of()).components.leaf.midrib_points, leaf.midrib_points);
+  await axe_finds_nothing();
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kGrass);
+});
+
+async function axe_finds_nothing() {
+  await page.evaluate(await readFile(kAxe, 'utf8'));
+  const found = await page.evaluate(async () => {
+    return (await window.axe.run(document, { resultTypes: ['violations'] })).violations.filter((one) => ['serious', 'critical'].includes(one.impact)).map((one) => `${one.id}: ${one.nodes.slice(0, 3).map((node) => node.html.slice(0, 140)).join(' ')}`);
+  });
+  assert.deepEqual(found, []);
+}
+
+test('nothing was complained about on the way', () => {
+  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+});

@@ -92,7 +92,7 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
   const auto& [plant, site, directions] = *first.get();
   const Grammar& grammar = plant.source().grammar;
   LsystemTrace trace{.text = plant.source().text,
-                     .steps = plant.steps.value_or(grammar.steps.value_or(0)),
+                     .steps = static_cast<int>(steps_of(plant)),
                      .alphabet = grammar.alphabet,
                      .derived = {},
                      .drawn = {},
@@ -100,7 +100,8 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
                      .places = {}};
   try {
     const RandomKey key = word_key(site);
-    trace.derived = derive(grammar, steps.value_or(trace.steps), key, graph.limits, progress);
+    const double wanted = steps ? *steps : steps_of(plant);
+    trace.derived = derive(grammar, wanted, key, graph.limits, progress);
     trace.drawn = interpreted(grammar, trace.derived, key, graph.limits, progress);
     trace.places = places_of(draw(trace.drawn, grammar.alphabet, turtle_of(plant, directions), site.frame, graph.limits,
                                   "components." + id, progress));

@@ -3,27 +3,18 @@
 
 #include <fmt/format.h>
 
-#include "meristem/base/version.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
+#include "meristem/output/write/document_provenance.h"
 #include "meristem/output/write/names.h"
 
 namespace meristem {
 
 namespace {
-
-Provenance provenance_of(const Document& document) {
-  return {.name = document.name,
-          .author = document.author,
-          .licence = document.licence,
-          .seed = document.graph.seed,
-          .version = std::string(version()),
-          .sets = document.source.sets};
-}
 
 /// The MTL, and what pictures the components may need: which of them do is known once the plant has grown.
 std::vector<std::string> obj_companions(const Document& document, const std::string& path) {
@@ -52,7 +43,7 @@ constexpr Format kFormats[] = {
              progress);
        });
      },
-     GrownPart::textures, true},
+     GrownPart::textures, true, nullptr, true},
     {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
         Progress& progress) {

@@ -30,6 +30,8 @@ struct Format {
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
 
+  bool can_animate = false;  ///< holds plants that move (moving_file.h)
+
   bool has_meshes() const { return needs >= GrownPart::meshes; }      ///< so that levels of detail differ
   bool has_textures() const { return needs >= GrownPart::textures; }  ///< so that it can show cards
 };

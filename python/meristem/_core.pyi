@@ -362,6 +362,14 @@ class Document:
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> Plant: ...
+    def save_animated(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        keys: int = 16,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> None: ...
     def save(self, path: str | os.PathLike[str]) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...
     def __eq__(self, other: object) -> bool: ...
@@ -509,6 +517,7 @@ def derive(
     grammar: str | os.PathLike[str],
     steps: int | None = None,
     *,
+    time: float | None = None,
     seed: int = 1,
     constants: Mapping[str, float] | None = None,
     drawn: bool = False,

@@ -11,8 +11,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grow_moving_test {
 
 Document read(const std::string& text) { return read_document(text, "d.json", builtin_components()); }
 
@@ -115,5 +114,4 @@ TEST(GrowMoving, ADocumentWithoutAnAnimationIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grow_moving_test

@@ -5,7 +5,6 @@
 
 #include "meristem/output/formats.h"
 #include "meristem/output/gltf/gltf.h"
-#include "meristem/output/write/document_provenance.h"
 
 namespace meristem {
 

@@ -105,10 +105,12 @@ void refuse_new(const char* where) {
 std::string models_folder();
 
 void bind_component_types(py::module_& module);
+void bind_dataset(py::module_& module);
 void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_plant(py::module_& module);
+void bind_scan(py::module_& module);
 void bind_session(py::module_& module);
 void bind_shade(py::module_& module);
 void bind_word(py::module_& module);

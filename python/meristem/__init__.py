@@ -16,6 +16,8 @@ from ._batch import BatchResult, batch
 from ._change import Change
 from ._collect import collect
 from ._core import (
+    DatasetFolder,
+    DatasetPlan,
     Document,
     Material,
     Mesh,
@@ -41,12 +43,15 @@ from ._core import (
     parameter_tables,
     read,
     read_mtg,
+    read_skeleton,
     schema,
     shade,
     sun_position,
     tubes,
     unit_vector,
+    verify_dataset,
 )
+from ._dataset import Dataset, dataset, open_dataset
 from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
 from ._fit import FitPoint, FitProgress, FitResult, fit
 from ._page import save_html, to_html
@@ -65,6 +70,9 @@ __all__ = [
     "BatchResult",
     "Cancelled",
     "Change",
+    "Dataset",
+    "DatasetFolder",
+    "DatasetPlan",
     "Diagnostic",
     "Document",
     "Error",
@@ -93,6 +101,7 @@ __all__ = [
     "colonize",
     "components",
     "convex_hull",
+    "dataset",
     "daylight",
     "declination",
     "derive",
@@ -100,12 +109,15 @@ __all__ = [
     "grass",
     "load_plugin",
     "models",
+    "open_dataset",
     "parameter_tables",
     "read",
     "read_mtg",
+    "read_skeleton",
     "schema",
     "shade",
     "sun_position",
     "tubes",
     "unit_vector",
+    "verify_dataset",
 ]

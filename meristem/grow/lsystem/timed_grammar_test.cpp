@@ -12,8 +12,7 @@
 #include "meristem/grow/lsystem/derive.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
 
-namespace meristem {
-namespace {
+namespace meristem::timed_grammar_test {
 
 const double kGoldenRatio = (1 + std::sqrt(5.0)) / 2;
 
@@ -202,5 +201,4 @@ TEST(TimedGrammar, ALifeThatIsNoneIsToldAtItsRule) {
 
 TEST(TimedGrammar, ASignAsASymbolStaysOne) { EXPECT_EQ(derived("@A\n#rules\n@ -> F@\n", 2), "FF@A"); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::timed_grammar_test

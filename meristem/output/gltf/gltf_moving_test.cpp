@@ -8,8 +8,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/read_glb.h"
 
-namespace meristem {
-namespace {
+namespace meristem::gltf_moving_test {
 
 using Kind = MeshMotion::Kind;
 
@@ -140,5 +139,4 @@ TEST(MovingGlb, ColoursMoveByTheirDifferences) {
   EXPECT_EQ(changes[0].a, 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::gltf_moving_test

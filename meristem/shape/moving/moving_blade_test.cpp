@@ -6,8 +6,7 @@
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::moving_blade_test {
 
 Mesh blade_of(double length, double curl, int rows) {
   LeafBlade blade;
@@ -45,5 +44,4 @@ TEST(MovingBlade, ACoarserOneLendsItsSurface) {
 
 TEST(MovingBlade, BodiesAreNoBlades) { EXPECT_FALSE(as_model_is_cut(make_cylinder(1, 1, 6), make_cylinder(1, 1, 9))); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::moving_blade_test

@@ -6,8 +6,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::moving_scene_test {
 
 using Kind = MeshMotion::Kind;
 
@@ -116,5 +115,4 @@ TEST(MovingScene, TooMuchIsToldBeforeItIsWritten) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::moving_scene_test

@@ -8,8 +8,7 @@
 
 #include "meristem/shape/stem_tubes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::moving_tube_test {
 
 /// A stem along a bent line, with a node per 0.1 m.
 Skeleton bent_stem(int nodes, float radius) {
@@ -126,5 +125,4 @@ TEST(MovingTube, WhatIsNotThereLiesAtItsBase) {
   EXPECT_EQ(mesh.normals, tube.normals);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::moving_tube_test

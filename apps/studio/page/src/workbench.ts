@@ -4,16 +4,27 @@
 import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
+import { MeasureModel } from './measures/measure_model.ts';
 import type { Studio } from './studio.ts';
+import { Recording } from './time/recording.ts';
+import { TimeModel } from './time/time_model.ts';
 
 export class Workbench {
   readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
   readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
   readonly pins = new PinList();
   readonly derivation: DerivationModel;
+  readonly time: TimeModel;
+  readonly measures: MeasureModel;
+  readonly record: Recording;
+  readonly still: Recording;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
+    this.time = new TimeModel(studio);
+    this.measures = new MeasureModel(studio);
+    this.record = new Recording(studio, true);
+    this.still = new Recording(studio, false);
   }
 
   /// Another document is opened.
@@ -22,5 +33,8 @@ export class Workbench {
     this.strip.set(null);
     this.pins.clear();
     this.derivation.forget();
+    this.measures.forget();
+    this.still.made.set(null);
+    this.record.made.set(null);
   }
 }

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frames.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem::film {
+
+namespace {
+
+InputError wrong_time(const std::string& text, std::string expected) {
+  return InputError(Diagnostic{.message = fmt::format("--time cannot be '{}'", text), .expected = std::move(expected)});
+}
+
+/// All of the finite numbers between colons; none where there is anything else.
+std::vector<double> numbers_between_colons(const std::string& text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    double number = 0;
+    const auto read = std::from_chars(at, end, number);
+    if (read.ec != std::errc() || !std::isfinite(number)) return {};
+    numbers.push_back(number);
+    if (read.ptr == end) return numbers;
+    if (*read.ptr != ':') return {};
+    at = read.ptr + 1;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> frame_paths(const std::string& path, int frames) {
+  if (path == "-") {
+    throw InputError(Diagnostic{.message = "numbered frames cannot be written to standard output",
+                                .expected = "a file name such as oak.png for oak_000.png, oak_001.png, ..."});
+  }
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const std::string stem = path.substr(0, path.size() - ending.size());
+  std::vector<std::string> paths;
+  for (int k = 0; k < frames; ++k) {
+    paths.push_back(fmt::format("{}_{:0{}}{}", stem, k, digits, ending));
+  }
+  return paths;
+}
+
+std::vector<double> frame_times(const std::string& text) {
+  const std::vector<double> numbers = numbers_between_colons(text);
+  if (numbers.size() == 1) return numbers;
+  if (numbers.size() != 3) throw wrong_time(text, "seconds, such as 2.5, or FROM:TO:STEP, such as 0:10:0.5");
+  const double begin = numbers[0];
+  const double step = numbers[2];
+  if (!(step > 0)) throw wrong_time(text, "a step above 0");
+  if (!(numbers[1] >= begin)) throw wrong_time(text, "an end that is not before the start");
+  // A last step that rounding has carried past the end still counts.
+  const double steps = std::floor((numbers[1] - begin) / step + 1e-9);
+  if (!(steps < kMostFrames)) throw wrong_time(text, fmt::format("at most {} frames", kMostFrames));
+  std::vector<double> times;
+  for (int k = 0; k <= static_cast<int>(steps); ++k) times.push_back(begin + k * step);
+  return times;
+}
+
+double checked_time(double time) {
+  if (!std::isfinite(time)) throw wrong_time(fmt::format("{}", time), "a time in seconds, such as 2.5");
+  return time;
+}
+
+}  // namespace meristem::film

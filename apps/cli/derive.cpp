@@ -24,6 +24,7 @@ namespace {
 struct DeriveOptions {
   std::string path;
   std::optional<int> steps;
+  std::optional<double> time;
   std::uint64_t seed = 1;
   std::vector<std::string> defines;
   bool drawn = false;
@@ -83,27 +84,38 @@ Grammar read(const DeriveOptions& command, std::vector<std::string>& inputs) {
   return grammar;
 }
 
-int steps_of(const DeriveOptions& command, const Grammar& grammar) {
+/// How many steps, or the time of a grammar whose rules have lives.
+double steps_of(const DeriveOptions& command, const Grammar& grammar) {
+  const auto fail = [&](std::string message, std::string expected) {
+    throw InputError(
+        Diagnostic{.message = std::move(message), .expected = std::move(expected), .file = command.file()});
+  };
+  if (grammar.is_timed) {
+    if (command.steps) fail("the rules of the grammar have lives, so it counts no steps", "--time T");
+    if (!command.time && !grammar.time) fail("the grammar does not give its time", "'#time T' in it, or --time T");
+    return command.time ? *command.time : *grammar.time;
+  }
+  if (command.time) fail("no rule of the grammar has a life, so it knows no time", "--steps N");
   if (command.steps) return *command.steps;
   if (grammar.steps) return *grammar.steps;
-  throw InputError(Diagnostic{.message = "the grammar does not give the number of steps",
-                              .expected = "'#steps N' in it, or --steps N",
-                              .file = command.file()});
+  fail("the grammar does not give the number of steps", "'#steps N' in it, or --steps N");
+  return 0;
 }
 
-std::string stats_text(const Word& word, const Alphabet& alphabet, int steps) {
+std::string stats_text(const Word& word, const Grammar& grammar, double steps) {
   Value::Object counts;
-  for (const auto& [symbol, count] : symbol_counts(word, alphabet)) {
+  for (const auto& [symbol, count] : symbol_counts(word, grammar.alphabet)) {
     counts.emplace_back(symbol, static_cast<double>(count));
   }
-  return write_json(Value(Value::Object{
-      {"steps", steps}, {"length", static_cast<double>(word.module_count())}, {"counts", Value(std::move(counts))}}));
+  return write_json(Value(Value::Object{{grammar.is_timed ? "time" : "steps", steps},
+                                        {"length", static_cast<double>(word.module_count())},
+                                        {"counts", Value(std::move(counts))}}));
 }
 
 void derive(const DeriveOptions& command) {
   std::vector<std::string> inputs;
   const Grammar grammar = read(command, inputs);
-  const int steps = steps_of(command, grammar);
+  const double steps = steps_of(command, grammar);
   check_output(command.output, inputs);
 
   const ThreadLimit threads = limited_threads(command.threads, command.quiet);
@@ -116,7 +128,7 @@ void derive(const DeriveOptions& command) {
 
   AtomicFile file(command.output);
   if (command.stats) {
-    file.write(stats_text(word, grammar.alphabet, steps));
+    file.write(stats_text(word, grammar, steps));
   } else {
     progress.begin("writing", word.module_count());
     write_word_text(word, grammar.alphabet, [&](std::string_view piece, std::size_t modules) {
@@ -139,6 +151,11 @@ void add_derive(CLI::App& app, Run& run) {
   command->add_option("--steps", options->steps, "Number of steps to derive; by default, the grammar's #steps")
       ->type_name("N")
       ->check(CLI::Range(0, kMostSteps));
+  command
+      ->add_option("--time", options->time,
+                   "Time to which a grammar develops whose rules have lives; by default, the grammar's #time")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--seed", options->seed, "Seed of the random draws; by default, 1")
       ->type_name("N")
       ->check(is_seed());

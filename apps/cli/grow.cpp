@@ -12,9 +12,11 @@
 #include "documents.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
+#include "meristem/document/grow_moving.h"
 #include "meristem/measure/counts.h"
 #include "meristem/output/detail_levels.h"
 #include "meristem/output/formats.h"
+#include "meristem/output/moving_file.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/picture/cards.h"
 #include "terminal.h"
@@ -32,6 +34,8 @@ struct GrowOptions {
   bool instanced = false;    // leaves are rows of arrays
   bool nodes = false;        // never, but nodes where there are many
   bool obstacles = false;    // stand in files with meshes as well
+  bool animated = false;     // the whole animation
+  std::optional<int> keys;   // of it
 
   GltfInstances instances() const {
     if (instanced) return GltfInstances::rows;
@@ -85,6 +89,58 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
   throw InputError(
       Diagnostic{.message = fmt::format("{} changes none of the files", options.instanced ? "--instanced" : "--nodes"),
                  .expected = "a file that ends in .glb"});
+}
+
+InputError cannot_animate(std::string what) {
+  return InputError(Diagnostic{.message = fmt::format("{} cannot stand with --animated", what),
+                               .expected = "meristem grow DOCUMENT --animated [--keys N] -o FILE.glb"});
+}
+
+/// What does not go together with --animated, or needs it.
+void check_animated(const GrowOptions& options, bool has_time) {
+  if (!options.animated) {
+    if (!options.keys) return;
+    throw InputError(Diagnostic{.message = "--keys changes none of the files", .expected = "--animated"});
+  }
+  if (has_time) throw cannot_animate("--time");
+  if (options.lod) throw cannot_animate("--lod");
+  if (options.cards) throw cannot_animate("--cards");
+  if (options.instanced) throw cannot_animate("--instanced");
+  if (options.nodes) throw cannot_animate("--nodes");
+  if (options.obstacles) throw cannot_animate("--obstacles");
+  for (const std::string& output : options.outputs) {
+    if (output == "-" || !format_of(output).can_animate) {
+      throw InputError(Diagnostic{.message = fmt::format("'{}' cannot hold an animation", output),
+                                  .expected = "a file that ends in .glb"});
+    }
+  }
+  const int most = static_cast<int>(kMostKeys);
+  if (options.keys && (*options.keys < 2 || *options.keys > most)) {
+    throw InputError(Diagnostic{.message = fmt::format("--keys cannot be {}", *options.keys),
+                                .expected = fmt::format("2 to {} keys", most)});
+  }
+}
+
+/// Writes the document's animation.
+void grow_animated(const GrowOptions& options) {
+  const Document document = open_document(options.document, 0);
+  for (const std::string& output : options.outputs) check_grown_output(document, output);
+  const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
+  std::string summary;
+  {
+    TerminalProgress terminal(options.document.quiet);
+    Progress& progress = terminal.progress();
+    MovingOptions moving;
+    if (options.keys) moving.keys = static_cast<std::size_t>(*options.keys);
+    const MovingScene scene = grow_moving(document, progress, moving);
+    EncodedPictures pictures;
+    FileSet files;
+    for (const std::string& output : options.outputs) write_moving_file(document, scene, output, progress, &pictures);
+    files.commit();
+    summary = fmt::format("{}: {} keys over {:.6g} s, {} triangles", fmt::join(options.outputs, ", "),
+                          scene.times.size(), scene.times.back(), scene.scene.triangle_count());
+  }
+  if (!options.document.quiet) print_status(summary);
 }
 
 /// The files of each level of detail: the first are those that were asked for.
@@ -169,11 +225,13 @@ std::string sizes_of(const GrownDocument& grown) {
   return text + fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
 }
 
-void grow(const GrowOptions& options) {
+void grow(const GrowOptions& options, bool has_time) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = film::checked_time(options.time);
+  check_animated(options, has_time);
+  if (options.animated) return grow_animated(options);
   check_options(options, formats);
   const Document document = open_document(options.document, time);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
@@ -223,8 +281,19 @@ void add_grow(CLI::App& app, Run& run) {
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
-      ->type_name("T");
+  CLI::Option* const time =
+      command
+          ->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
+          ->type_name("T");
+  command->add_flag("--animated", options->animated,
+                    "Write the document's animation into .glb, for browsers and engines to play");
+  command
+      ->add_option(
+          "--keys", options->keys,
+          fmt::format("Number of times at which an animated file holds the plant, from {} to {}, between which "
+                      "it moves evenly; by default {}",
+                      2, kMostKeys, kUsualKeys))
+      ->type_name("N");
   command
       ->add_option("--lod", options->lod,
                    "Number of coarser levels of detail to write as well: oak_lod1.glb, oak_lod2.glb, ...; by default, "
@@ -250,7 +319,8 @@ void add_grow(CLI::App& app, Run& run) {
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +
                   "Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
-  command->callback([options, &run] { run = [options] { grow(*options); }; });
+  command->callback(
+      [options, time, &run] { run = [options, has_time = time->count() > 0] { grow(*options, has_time); }; });
 }
 
 }  // namespace meristem::cli

@@ -27,6 +27,7 @@ struct Rib {
   Frame frame;  ///< in world space, turned by the twist
   float u = 0;
   float radius = 0;    ///< in the horn's own frame, metres
+  float part = 1;      ///< how far it has come to be
   NodeIndex node = 0;  ///< on the segment of the stem that ends in this node
   float along = 1;     ///< at this share of it
 };
@@ -82,6 +83,7 @@ std::vector<Rib> ribs_left(const Horn& horn, const StemPath& path, const std::ve
     } else if (left.fits) {
       stay.push_back(rib_at(horn, path, rib.u * left.share));
       stay.back().radius = rib.radius;
+      stay.back().part = rib.part;
     } else if (rib.u <= left.share) {
       stay.push_back(rib);
     }
@@ -89,11 +91,14 @@ std::vector<Rib> ribs_left(const Horn& horn, const StemPath& path, const std::ve
   return stay;
 }
 
+/// While the last rib comes to be at the tip, those before it draw together.
 std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
   std::vector<Rib> ribs;
-  for (int k = 0; k < horn.ribs; ++k) {
-    ribs.push_back(rib_at(horn, path, horn.ribs == 1 ? 0 : static_cast<double>(k) / (horn.ribs - 1)));
+  const double spaces = horn.ribs.value - 1;
+  for (std::uint32_t k = 0; k < horn.ribs.parts(); ++k) {
+    ribs.push_back(rib_at(horn, path, k == 0 ? 0 : std::min(1.0, static_cast<double>(k) / spaces)));
   }
+  if (!ribs.empty()) ribs.back().part = static_cast<float>(horn.ribs.last());
   return ribs;
 }
 
@@ -168,7 +173,7 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
   const std::uint64_t key = shape_key({static_cast<double>(shape), static_cast<double>(horn.around)});
   for (const Rib& rib : ribs) {
     if (rib.radius < kThinnest * horn.stem.length) continue;
-    const float width = 2 * rib.radius;
+    const float width = 2 * rib.radius * rib.part;
     const float height = shape == UnitShape::torus ? kTorusTube * width : width;
     const Frame local{back * rib.frame.axes, back * (rib.frame.origin - site.frame.origin)};
     const Frame lowered{Mat3(1), {0, -0.5F * height, 0}};
@@ -180,7 +185,7 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
 void expand(const Horn& horn, const Site& site, Emitter& out) {
   const StemTropisms tropisms{&out.directions(), horn.gravitropism, horn.phototropism};
   StemPath path = grow_stem(horn.stem, site, tropisms);
-  out.expect_children(static_cast<std::uint64_t>(horn.ribs));
+  out.expect_parts(horn.ribs);
   const std::vector<Rib> ribs = ribs_of(horn, path);
   if (horn.section == Horn::Section::ring) {
     out.stem(std::move(path.skeleton), horn.surface, nullptr, horn.trim);
@@ -241,9 +246,9 @@ ComponentType horn_component() {
               .together(PointsForm::polygon)
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
                       "Twist of section and ribs about the curve from base to tip.")
-              .integer("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs, .usual = {1, 60}},
-                       "Number of ribs evenly along the curve, both ends included; they bear primitives and the "
-                       "children of branch links.")
+              .count("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs, .usual = {1, 60}},
+                     "Number of ribs evenly along the curve, both ends included; they bear primitives and the children "
+                     "of branch links. With a fraction, the last one has that much of its size.")
               .integer("around", &Horn::around, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},
                        "Number of corners around each primitive; raised, rounder, with more triangles.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' becomes a surface.")

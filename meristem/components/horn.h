@@ -15,7 +15,7 @@ struct Horn : ComponentBase {
   double twist = 0;  ///< radians: turn of the section about the curve from base to tip
   Section section = Section::ring;
   std::vector<Vec2> outline;      ///< x and z, shares of the radius
-  int ribs = 12;                  ///< sites evenly along the curve, both ends included
+  Count ribs = 12;                ///< sites evenly along the curve, both ends included; the last may be coming to be
   int around = 24;                ///< corners around primitives
   Surface surface;                ///< of a ring's stem
   TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them

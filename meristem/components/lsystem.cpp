@@ -27,7 +27,12 @@ constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 /// The word as it is drawn.
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
-  const int steps = plant.steps.value_or(grammar.steps.value_or(0));
+  double steps = steps_of(plant);
+  if (grammar.is_timed && out.grows_in_time()) {
+    // Its word is another one at each time.
+    steps = std::clamp(out.time() * *out.animation().steps_per_second, 0.0, steps);
+    out.stands_as_grown();
+  }
   return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress(),
                       out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
 }
@@ -76,9 +81,13 @@ void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawin
   for (const TurtlePolygon& polygon : drawing.polygons) {
     out.progress().check();
     const PolygonShape shape = shape_of(drawing, polygon);
-    if (shape.extent == 0) continue;
-    const std::optional<Frame> stands = out.on_stem_left(polygon.node, {polygon.frame.axes, shape.base});
-    if (!stands) continue;
+    const bool is_flat = shape.extent == 0;
+    const Frame frame{polygon.frame.axes, shape.base};
+    const std::optional<Frame> stands = is_flat ? std::nullopt : out.on_stem_left(polygon.node, frame);
+    if (!stands) {
+      out.no_organ();
+      continue;
+    }
     Frame local;
     local.axes = to_instance * (shape.extent * stands->axes);
     local.origin = to_instance * (stands->origin - site.frame.origin);
@@ -136,10 +145,12 @@ void finish_drawing(const Lsystem& plant, const Site& site, Drawing& drawing, Em
 
 void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   Drawing drawing;
+  Word word;
   try {
     const PlantGrammar& source = plant.source();
-    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant, out.directions()),
-                   site.frame, out.limits(), "components." + out.component(), out.progress());
+    word = derive_plant(plant, site, out);
+    drawing = draw(word, source.grammar.alphabet, turtle_of(plant, out.directions()), site.frame, out.limits(),
+                   "components." + out.component(), out.progress());
   } catch (const InputError& error) {
     throw_placed(error, plant, out.component());
   }
@@ -151,6 +162,7 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   for (const TurtleSite& mark : places) {
     out.progress().check();
     out.named_site(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
+    if (!word.births.empty()) out.born(word.births[mark.module]);
   }
 }
 
@@ -160,7 +172,15 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
 
 void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
   if (!plant.grammar && !plant.file) return;  // told by the table
-  if (!plant.steps && !plant.source().grammar.steps) {
+  const Grammar& grammar = plant.source().grammar;
+  if (grammar.is_timed && plant.steps) {
+    reader.fault(DocumentPath(path, "steps"), "the rules of the grammar have lives, so it counts no steps", "'time'");
+  } else if (!grammar.is_timed && plant.time) {
+    reader.fault(DocumentPath(path, "time"), "no rule of the grammar has a life, so it knows no time",
+                 "'steps', or rules such as A @ 1 -> A B");
+  } else if (grammar.is_timed && !plant.time && !grammar.time) {
+    reader.fault(path, "the time at which the grammar stands is not given", "'time', or #time in the grammar");
+  } else if (!grammar.is_timed && !plant.steps && !grammar.steps) {
     reader.fault(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
   }
   const bool counts_steps = plant.finish && (plant.finish->decimate > 0 || plant.finish->subdivide > 0);
@@ -233,6 +253,12 @@ const ParameterTable& turtle_table() {
   throw InputError(std::move(placed));
 }
 
+double steps_of(const Lsystem& plant) {
+  const Grammar& grammar = plant.source().grammar;
+  if (grammar.is_timed) return plant.time.value_or(grammar.time.value_or(0));
+  return plant.steps.value_or(grammar.steps.value_or(0));
+}
+
 TurtleParameters turtle_of(const Lsystem& plant, const Directions& directions) {
   TurtleParameters turtle = plant.turtle;
   turtle.directions = directions;
@@ -265,6 +291,9 @@ ComponentType lsystem_component() {
               .one_of({"grammar", "file"})
               .integer("steps", &Lsystem::steps, {.min = 0, .max = kMostSteps},
                        "Number of times that the rules are applied; by default, as the grammar says.")
+              .number("time", &Lsystem::time, {.min = 0, .max = 1e6, .usual = {0, 20}},
+                      "Time up to which a grammar with lives develops, in the unit of its lives; by default, as the "
+                      "grammar says.")
               .number("angle", &Lsystem::angle, {.min = -360, .max = 360, .usual = {0, 120}},
                       "Angle in degrees of turns without a parameter; by default, as the grammar says, or 22.5.")
               .object("angles", &Lsystem::angles, angles_table,

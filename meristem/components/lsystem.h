@@ -30,6 +30,7 @@ struct Lsystem : ComponentBase {
   Asset<PlantGrammar> grammar;  ///< from a text in the document,
   Asset<PlantGrammar> file;     ///< or from a file
   std::optional<int> steps;     ///< unset: the grammar's
+  std::optional<double> time;   ///< of a timed grammar, in the unit of its lives; unset: the grammar's
   std::optional<double> angle;  ///< degrees; unset: the grammar's
   std::optional<PolarAngles> angles;
   WidthDecay width_decay;
@@ -44,6 +45,8 @@ struct Lsystem : ComponentBase {
 
 ComponentType lsystem_component();
 
+/// How many steps its word is derived, or at which time it stands.
+double steps_of(const Lsystem& plant);
 /// How the turtle draws an instance of it where the space around it has these directions.
 TurtleParameters turtle_of(const Lsystem& plant, const Directions& directions);
 /// The key of an instance's draws.

@@ -111,7 +111,7 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
                      .number = number,
                      .count = all.size(),
                      .text = plant.source().text,
-                     .steps = plant.steps.value_or(grammar.steps.value_or(0)),
+                     .steps = static_cast<int>(steps_of(plant)),
                      .alphabet = grammar.alphabet,
                      .derived = {},
                      .drawn = {},
@@ -119,7 +119,8 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
                      .places = {}};
   try {
     const RandomKey key = word_key(site);
-    trace.derived = derive(grammar, wish.steps.value_or(trace.steps), key, graph.limits, progress);
+    const double wanted = wish.steps ? *wish.steps : steps_of(plant);
+    trace.derived = derive(grammar, wanted, key, graph.limits, progress);
     trace.drawn = interpreted(grammar, trace.derived, key, graph.limits, progress);
     trace.places = places_of(draw(trace.drawn, grammar.alphabet, turtle_of(plant, directions), site.frame, graph.limits,
                                   "components." + id, progress));

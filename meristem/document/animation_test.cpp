@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Documents over time: keys against values put in by hand, cascades, growth as time, and what is refused.
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -122,6 +124,14 @@ TEST(Animation, IsTheSameOnAnyNumberOfThreadsAndWithACache) {
       EXPECT_EQ(hash_at(document, time), whole);
     }
   }
+}
+
+TEST(Animation, ACacheKnowsThatAClockHasStarted) {
+  const Document document = read(R"j({"meristem": 1, "animation": {"length": 4},
+    "components": {"own": {"type": "sequence", "delay": 1, "waits": false}, "ball": {"type": "simple"}},
+    "links": [["own", "ball"]]})j");
+  GrowthCache cache;
+  for (const double time : {0.0, 2.0, 0.5}) EXPECT_EQ(hash_at(document, time, &cache), hash_at(document, time));
 }
 
 TEST(Animation, ChoicesAndSwitchesJump) {
@@ -283,6 +293,53 @@ TEST(GrowthAsTime, LeavesKeepTheirPlacesAndUnfold) {
   float smallest = 1;
   for (const Organ& leaf : before) smallest = std::min(smallest, glm::length(leaf.frame.heading()));
   EXPECT_LT(smallest, 0.03F) << "some have just begun to unfold";
+}
+
+/// The largest size of each leaf, by its name.
+std::map<std::uint64_t, float> sizes_of_leaves(const Plant& plant) {
+  std::map<std::uint64_t, float> sizes;
+  for (const Organ& organ : plant.organs) sizes[organ.name] = glm::length(organ.frame.axes[1]);
+  EXPECT_EQ(sizes.size(), plant.organs.size()) << "each leaf has a name of its own";
+  return sizes;
+}
+
+TEST(GrowthAsTime, LeavesComeAndGoNoFasterThanTheyUnfold) {
+  // Leaves stand on thin wood alone, which does not stay thin.
+  const Document document = read(R"j({"meristem": 1, "seed": 4,
+    "animation": {"length": 4, "steps_per_second": 5, "unfold": 0.5},
+    "components": {
+      "tree": {"type": "colonize", "crown": {"ellipsoid": {"centre": [0, 1, 0], "radii": [0.5, 0.7, 0.5]}}, "points": 50,
+               "step": 0.1, "influence": 0.7, "kill": 0.2, "tip_radius": 0.004},
+      "leaf": {"type": "leaf", "length": 0.1, "width": 0.05, "rows": 1}
+    },
+    "links": [{"from": "tree", "to": "leaf", "kind": "branch", "density": 12, "where": "radius < 0.008"}]})j");
+  constexpr double kFrame = 1.0 / 25;
+  Progress progress;
+  GrowthCache cache;
+  std::map<std::uint64_t, float> before;
+  std::size_t gone = 0;
+  float largest = 0;
+  for (double time = 0.6; time < 4; time += kFrame) {
+    const GrownDocument grown =
+        grow_document(document, progress, {.time = time, .up_to = GrownPart::plant, .cache = &cache});
+    const std::map<std::uint64_t, float> now = sizes_of_leaves(grown.plant);
+    // A leaf unfolds with at most 1.5 of its size in `unfold` seconds, and its place comes and goes evenly in them.
+    for (const auto& [name, size] : now) largest = std::max(largest, size);
+    const auto most = largest * static_cast<float>(kFrame * (1.5 / 0.5 + 1 / 0.5));
+    for (const auto& [name, size] : before) {
+      const auto found = now.find(name);
+      const float left = found == now.end() ? 0 : found->second;
+      gone += found == now.end() ? 1 : 0;
+      EXPECT_LE(std::abs(size - left), most) << "at " << time << " s";
+    }
+    for (const auto& [name, size] : now) {
+      if (!before.empty() && !before.contains(name)) {
+        EXPECT_LE(size, most) << "at " << time << " s";
+      }
+    }
+    before = now;
+  }
+  EXPECT_GT(gone, 10U) << "the test says something";
 }
 
 TEST(GrowthAsTime, IsTheSameOnAnyNumberOfThreadsAndWithACache) {

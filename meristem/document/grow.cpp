@@ -122,6 +122,11 @@ void complete_growth(const Document& document, GrownDocument& grown, Progress& p
   }
 }
 
+void paint_plant(const Document& document, Plant& plant, Progress& progress, GrowthCache* cache) {
+  paint_textures(document.graph, plant.materials, progress, cache);
+  if (has_plantings(plant)) VariantPainter(progress).paint(plant.plantings);
+}
+
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
                       GrowthCache* cache) {
   return placing_faults(document,

@@ -58,6 +58,10 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
 void complete_growth(const Document& document, GrownDocument& grown, Progress& progress,
                      const GrowthOptions& options = {});
 
+/// Replaces the sketches of textures in the materials of a plant that has grown from the document, and of the plants
+/// that stand in it, by pictures. Throws Cancelled.
+void paint_plant(const Document& document, Plant& plant, Progress& progress, GrowthCache* cache = nullptr);
+
 /// The meshes of a level of detail of a plant that has grown from the document, without growing it anew. They equal the
 /// meshes that grow_document gives for the level, with the plant's textures. Throws what grow_document throws.
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,

@@ -109,6 +109,8 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   section_ = 0;
   has_child_sites_ = false;
   stems_of_instance_ = 0;
+  organs_of_instance_ = 0;
+  stands_as_grown_ = false;
   expected_ = 0;
   parts_ = nullptr;
   site_.part = 1;
@@ -147,7 +149,8 @@ void Emitter::end_instance() {
   number(child_sites, first_child_);
   number(branch_sites, first_branch_);
   if (parts_ != nullptr) {
-    tell_parts(child_sites, first_child_);
+    // What has ribs counts these, and has one child at its tip.
+    if (!context_->prototype.type->has_ribs) tell_parts(child_sites, first_child_);
     tell_parts(branch_sites, first_branch_);
   }
   number_named_sites();
@@ -200,7 +203,7 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
   note_deformation();
-  organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual()});
+  organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual(), next_name()});
 }
 
 /// Where organs stand in another deformation than those before.
@@ -224,7 +227,7 @@ std::uint32_t Emitter::number_of_individual() {
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = time();
   plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_,
-                    deformation_at(site_), site_.row});
+                    deformation_at(site_), site_.row, next_name()});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
@@ -322,14 +325,25 @@ std::shared_ptr<const TrimmedStem> Emitter::trimmed_stem(Skeleton skeleton, Trim
   return std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(standing), TrimMode::cut);
 }
 
+namespace {
+
+GrowingStem growing_stem(const Skeleton& whole, double step, double steps_per_second, double unfold,
+                         double pipe_exponent) {
+  GrowingStem growing{GrowthSpans(whole), step, steps_per_second, unfold, pipe_exponent};
+  growing.step_of_node = steps_of_nodes(whole, growing.spans, step);
+  return growing;
+}
+
+}  // namespace
+
 void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim,
                    double pipe_exponent) {
   count_nodes(skeleton.node_count());
   std::shared_ptr<const GrowingStem> growing;
-  if (grows_in_time()) {
+  if (grows_in_time() && !stands_as_grown_) {
     const double steps = *animation().steps_per_second;
     growing = std::make_shared<const GrowingStem>(
-        GrowingStem{GrowthSpans(skeleton), time() * steps, steps, animation().unfold * steps});
+        growing_stem(skeleton, time() * steps, steps, animation().unfold * steps, pipe_exponent));
   }
   std::shared_ptr<const TrimmedStem> trimmed = trimmed_stem(skeleton, trim, growing.get(), pipe_exponent);
   if (trimmed != nullptr) skeleton = trimmed->left();
@@ -441,6 +455,13 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
   if (node == kNoNode) return;
   put_on_stem({node, 1}, site);
   if (site.n != kCutOff) site.order = stems.back().skeleton.order[site.node];
+}
+
+void Emitter::born(double step) {
+  if (!grows_in_time() || !stands_as_grown_) return;
+  Site& site = named_sites.back().second;
+  site.birth = static_cast<float>(step);
+  site.appeared = step / *animation().steps_per_second;
 }
 
 /// Sets what a site that stands at a position of the whole stem emitted last has of what is left of it.

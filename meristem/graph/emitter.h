@@ -119,6 +119,7 @@ struct Emitted {
     bool is_visible = true;
     std::shared_ptr<const Deformation> deformation{};
     std::uint32_t row = kNoRow;
+    std::uint64_t name = 0;  ///< as in Planting::Place
   };
   std::vector<PlacedPlant> plants;
 };
@@ -144,6 +145,8 @@ class Emitter : private Emitted {
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// A flat shape, given as `organ` takes it, in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
+  /// Says that an organ or a blade is not there at this time, so that those after it keep their names.
+  void no_organ() { ++organs_of_instance_; }
   /// A whole plant at `local` in the instance's frame (moved by its `place`). Equal requests of equal sources are grown
   /// once.
   void plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request);
@@ -158,6 +161,11 @@ class Emitter : private Emitted {
   /// `pipe_exponent`.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
             TrimMode trim = TrimMode::cut, double pipe_exponent = 2);
+  /// Says that the instance has grown its stems as they are at its clock's time: nothing more is cut off them by time.
+  void stands_as_grown() { stands_as_grown_ = true; }
+  /// Says at which step the site that was offered last by named_site has come about; where stems grow over time, and
+  /// the instance stands as it has grown.
+  void born(double step);
   /// Whether the instance's stems grow over time.
   bool grows_in_time() const;
   /// Steps that the document's growth takes per second, and seconds that shed branches stay; where stems grow over
@@ -259,6 +267,7 @@ class Emitter : private Emitted {
   std::shared_ptr<const TrimmedStem> trimmed_stem(Skeleton skeleton, TrimMode trim, const GrowingStem* growing,
                                                   double pipe_exponent) const;
   std::uint32_t number_of_individual();
+  std::uint64_t next_name() { return site_.key.child("organ").child(organs_of_instance_++).bits(); }
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
   [[noreturn]] void throw_too_many_children() const;
@@ -277,10 +286,12 @@ class Emitter : private Emitted {
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;
+  bool stands_as_grown_ = false;
   std::size_t first_child_ = 0;
   std::size_t first_branch_ = 0;
   std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
+  std::uint32_t organs_of_instance_ = 0;
   std::uint64_t uncounted_ = 0;   // sites not yet in the context's count
   const Count* parts_ = nullptr;  // of the present instance, where it has said so
   std::uint64_t expected_ = 0;    // children of the present instance, where it has said so

@@ -100,7 +100,7 @@ class PlantingGrower {
       plantings_.push_back({id(component), nullptr, {}, plant.deformation});
       variant_of_.push_back(known->second);
     }
-    plantings_[place->second].places.push_back({plant.frame, instance, plant.birth, plant.row});
+    plantings_[place->second].places.push_back({plant.frame, instance, plant.birth, plant.row, plant.name});
   }
 
   [[noreturn]] void throw_too_many(ComponentIndex component) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -136,15 +137,72 @@ class LinkSites::Writer {
                   PlacementContext& context) {
     if (stem.growing == nullptr) return add_on(stem, place_along(skeleton, placement, context));
     if (stem.skeleton.node_count() == 0) return;
-    const std::vector<std::uint8_t> bears = bearing_nodes(stem.skeleton, placement, context);
+    const BearingOverTime bears(stem, placement, context);
     context.everywhere = true;
     std::vector<Site> sites = place_along(skeleton, placement, context);
-    std::erase_if(sites, [&](const Site& site) {
-      const std::optional<StemPosition> left = stem.trimmed->left_of({site.node, site.along});
-      return !left || bears[left->node] == 0;
+    std::erase_if(sites, [&](Site& site) {
+      const float share = bears.share(site.node, site.along);
+      site.frame.axes *= share;
+      return share == 0;
     });
     add_on(stem, std::move(sites));
   }
+
+  /// How far the places of a stem that grows bear children. Whether a place meets a placement's condition is asked at
+  /// steps that are as far apart as children take to unfold; in between, the share passes evenly from one answer to the
+  /// next, so that nothing comes or goes at once.
+  class BearingOverTime {
+   public:
+    BearingOverTime(const EmittedStem& stem, const Placement& placement, const PlacementContext& context)
+        : stem_(stem), now_(bearing_nodes(stem.skeleton, placement, context)) {
+      const GrowingStem& growing = *stem.growing;
+      const Skeleton& whole = stem.trimmed->whole();
+      const float end = *std::ranges::max_element(growing.spans.end);
+      if (!(growing.unfold > 0) || growing.step >= end) return;
+      // The last step is one of them, so that at the end all is as it has grown.
+      const double left = (end - growing.step) / growing.unfold;
+      share_ = static_cast<float>(std::ceil(left) - left);
+      const auto answer_at = [&](double step) {
+        Answer answer{standing_at(whole, growing.spans, step, growing.pipe_exponent), {}};
+        if (answer.standing.skeleton.node_count() > 0) {
+          answer.bears = bearing_nodes(answer.standing.skeleton, placement, context);
+        }
+        return answer;
+      };
+      if (share_ < 1) before_ = answer_at(end - std::ceil(left) * growing.unfold);
+      if (share_ > 0) after_ = answer_at(end - (std::ceil(left) - 1) * growing.unfold);
+    }
+
+    /// From 0 to 1, at a position of the whole stem.
+    float share(NodeIndex node, float along) const {
+      const std::optional<StemPosition> left = stem_.trimmed->left_of({node, along});
+      if (!left) return 0;
+      const std::optional<bool> before = asked(before_, node, along), after = asked(after_, node, along);
+      if (!before && !after) return now_[left->node] != 0 ? 1 : 0;
+      // What has not come yet, or has gone, is said nothing of.
+      const bool from = before ? *before : *after, to = after ? *after : *before;
+      return from == to ? (from ? 1 : 0) : from ? 1 - share_ : share_;
+    }
+
+   private:
+    struct Answer {
+      TrimmedSkeleton standing;
+      std::vector<std::uint8_t> bears;  // by node of what stands
+    };
+
+    static std::optional<bool> asked(const std::optional<Answer>& answer, NodeIndex node, float along) {
+      if (!answer) return std::nullopt;
+      const float kept = answer->standing.kept[node];
+      if (!(kept > 0) || along > kept) return std::nullopt;
+      return answer->bears[answer->standing.node[node]] != 0;
+    }
+
+    const EmittedStem& stem_;
+    std::vector<std::uint8_t> now_;
+    std::optional<Answer> before_;
+    std::optional<Answer> after_;
+    float share_ = 0;  // of the way from the answer before to the one after
+  };
 
   void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
     if (!stem.surface.crown || is_full()) return;
@@ -182,7 +240,7 @@ class LinkSites::Writer {
       site.birth = birth;
       site.appeared = birth / stem.growing->steps_per_second;
       site.individual = stem.individual_at(site.node);
-      site.frame.axes *= stem.growing->share_unfolded(birth);
+      site.frame.axes *= stem.growing->share_unfolded(node, birth);
     }
     add_all(std::move(tips));
   }

@@ -288,8 +288,13 @@ class SectionJoiner {
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
       if (!begins_piece(chain, k)) continue;
       const SurfaceSection& section = sections_[chain.sections[k]];
-      pieces[piece].organs.push_back(
-          {.frame = frame, .tint = section.tint, .birth = section.birth, .individual = section.individual});
+      // Several chains may begin with one section, and none goes on as another does.
+      const std::uint64_t next = chain.sections.size() > 1 ? sections_[chain.sections[1]].id : 0;
+      pieces[piece].organs.push_back({.frame = frame,
+                                      .tint = section.tint,
+                                      .birth = section.birth,
+                                      .individual = section.individual,
+                                      .name = RandomKey(section.id).child(next).bits()});
       pieces[piece++].deformations.push_back(section.deformation);
     }
   }

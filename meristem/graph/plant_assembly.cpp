@@ -314,6 +314,8 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
           stem.individual_of_root =
               individuals_of_roots(emitted, [&](std::uint64_t id) { return individuals.number(id); });
         }
+        stem.name = emitted.id();
+        if (emitted.trimmed != nullptr) stem.number_of_axis = emitted.trimmed->whole_axes();
         // Shares the whole batch.
         stem.skeleton = {made.result, is_moved ? &*emitted.moved : &emitted.skeleton};
       }

@@ -22,8 +22,9 @@ Vec3 heading_at(const Skeleton& skeleton, StemPosition at) {
 
 }  // namespace
 
-float GrowingStem::share_unfolded(double birth) const {
-  const double u = unfold > 0 ? std::clamp((step - birth) / unfold, 0.0, 1.0) : 1;
+float GrowingStem::share_unfolded(NodeIndex node, double birth) const {
+  const double now = step_of_node.empty() ? step : std::min<double>(step, step_of_node[node]);
+  const double u = unfold > 0 ? std::clamp((now - birth) / unfold, 0.0, 1.0) : 1;
   return static_cast<float>(u * u * (3 - 2 * u));
 }
 
@@ -50,6 +51,22 @@ std::optional<StemPosition> TrimmedStem::left_of(StemPosition position) const {
   if (mode_ == TrimMode::fit && !whole_.is_root(position.node)) return share_left_of(position);
   if (!stays) return std::nullopt;
   return StemPosition{trimmed_.node[position.node], position.along / kept};
+}
+
+std::vector<AxisIndex> TrimmedStem::whole_axes() const {
+  std::vector<AxisIndex> axes;
+  std::vector<bool> is_known;
+  for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
+    if (!(trimmed_.kept[node] > 0)) continue;
+    const AxisIndex axis = left().axis[trimmed_.node[node]];
+    if (axis >= axes.size()) {
+      axes.resize(axis + 1, 0);
+      is_known.resize(axis + 1, false);
+    }
+    if (!is_known[axis]) axes[axis] = whole_.axis[node];
+    is_known[axis] = true;
+  }
+  return axes;
 }
 
 /// At the same share of its axis.
@@ -96,7 +113,7 @@ void TrimmedStem::settle(const GrowingStem& growing, StemPosition from, StemPosi
   site.radius *= thinner;
   site.birth = growing.spans.at(from.node, from.along);
   site.appeared = site.birth / growing.steps_per_second;
-  site.frame.axes *= growing.share_unfolded(site.birth);
+  site.frame.axes *= growing.share_unfolded(from.node, site.birth);
 }
 
 std::uint64_t TrimmedStem::bytes() const {

@@ -23,11 +23,13 @@ struct StemPosition {
 struct GrowingStem {
   GrowthSpans spans;  ///< of the whole stem
   double step = 0;
-  double steps_per_second = 1;  ///< of the stem's clock
-  double unfold = 0;            ///< steps in which what stands on it comes to its full size
+  double steps_per_second = 1;        ///< of the stem's clock
+  double unfold = 0;                  ///< steps in which what stands on it comes to its full size
+  double pipe_exponent = 2;           ///< of the thickness of its wood
+  std::vector<float> step_of_node{};  ///< of the whole stem, as steps_of_nodes gives them
 
-  /// The share of its size that something has whose place was born then.
-  float share_unfolded(double birth) const;
+  /// The share of its size that something has whose place on the segment of a node of the whole stem was born then.
+  float share_unfolded(NodeIndex node, double birth) const;
 };
 
 /// Where what stood on a stem before it was trimmed stands on what is left of it. A cut stem keeps what stands on the
@@ -43,6 +45,8 @@ class TrimmedStem {
 
   /// Where a position of the whole stem stands on what is left, or nothing where it is gone.
   std::optional<StemPosition> left_of(StemPosition position) const;
+  /// By axis of what is left: the axis of the whole stem.
+  std::vector<AxisIndex> whole_axes() const;
   /// A frame at a position of the whole stem, moved to `to` on what is left and turned as the stem is there.
   Frame moved(const Frame& frame, StemPosition from, StemPosition to) const;
 

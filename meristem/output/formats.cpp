@@ -46,7 +46,7 @@ constexpr Format kFormats[] = {
              progress);
        });
      },
-     GrownPart::textures, true},
+     GrownPart::textures, true, nullptr, false, true},
     {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
         Progress& progress) {

@@ -102,6 +102,29 @@ GrowthSpans::GrowthSpans(const Skeleton& skeleton) : begin(skeleton.node_count()
   SpanFinder(skeleton).find(*this);
 }
 
+std::vector<float> steps_of_nodes(const Skeleton& whole, const GrowthSpans& spans, double step) {
+  const auto falls = whole.extra.find(kFallsColumn);
+  if (falls == whole.extra.end()) return {};
+  std::vector<float> last = spans.end;
+  for (auto node = static_cast<NodeIndex>(whole.node_count()); node-- > 0;) {
+    const NodeIndex parent = whole.parent[node];
+    if (parent != kNoNode) last[parent] = std::max(last[parent], last[node]);
+  }
+  std::vector<float> steps(whole.node_count(), static_cast<float>(step));
+  for (NodeIndex node = 0; node < whole.node_count(); ++node) {
+    const NodeIndex parent = whole.parent[node];
+    if (parent != kNoNode) steps[node] = steps[parent];
+    const float fall = falls->second[node];
+    if (!(fall > 0) || parent == kNoNode) continue;
+    const float grown = std::min(last[node], fall);
+    const float begin = 0.5F * (grown + fall);  // of withering
+    const float share = fall > begin ? std::clamp((static_cast<float>(step) - begin) / (fall - begin), 0.0F, 1.0F)
+                                     : (step >= fall ? 1.0F : 0.0F);
+    if (share > 0) steps[node] = std::min(steps[node], glm::mix(grown, spans.begin[node], share));
+  }
+  return steps;
+}
+
 void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double hold) {
   std::vector<float> last = skeleton.birth;
   for (auto node = static_cast<NodeIndex>(skeleton.node_count()); node-- > 0;) {
@@ -118,9 +141,8 @@ void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double h
 }
 
 TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, double step, double pipe_exponent) {
-  // See how much of each segment has grown, and what of it has fallen since.
-  const auto found = whole.extra.find(kFallsColumn);
-  const std::vector<float>* const falls = found == whole.extra.end() ? nullptr : &found->second;
+  // See how much of each segment has grown, and what of it has withered since.
+  const std::vector<float> steps = steps_of_nodes(whole, spans, step);
   std::vector<float> grown(whole.node_count(), 0);
   std::vector<float> kept(whole.node_count(), 0);
   for (NodeIndex node = 0; node < whole.node_count(); ++node) {
@@ -130,10 +152,12 @@ TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, dou
       continue;
     }
     const double begin = spans.begin[node];
-    grown[node] = static_cast<float>(std::clamp((step - begin) / (spans.end[node] - begin), 0.0, 1.0));
-    if (grown[parent] < 1) grown[node] = 0;
-    const bool has_fallen = falls != nullptr && (*falls)[node] > 0 && step >= (*falls)[node];
-    kept[node] = has_fallen || kept[parent] < 1 ? 0 : grown[node];
+    const auto share_at = [&](double at) {
+      return static_cast<float>(std::clamp((at - begin) / (spans.end[node] - begin), 0.0, 1.0));
+    };
+    grown[node] = grown[parent] < 1 ? 0 : share_at(step);
+    const float left = steps.empty() || steps[node] >= static_cast<float>(step) ? grown[node] : share_at(steps[node]);
+    kept[node] = kept[parent] < 1 ? 0 : std::min(left, grown[node]);
   }
 
   // Give the wood the share of its last radius that it has by now.

@@ -30,6 +30,11 @@ struct GrowthSpans {
   float at(NodeIndex node, float along) const { return begin[node] + along * (end[node] - begin[node]); }
 };
 
+/// The step that each node has come to after `step` steps of all: that, but on branches that fall. Those wither in the
+/// second half of the time between their last growth and their fall: they go back, as fast as lets the branch end where
+/// it began. Empty where nothing falls. Cost linear in nodes.
+std::vector<float> steps_of_nodes(const Skeleton& whole, const GrowthSpans& spans, double step);
+
 /// Lets the branches whose first node is marked fall `hold` steps after their last node has come. A branch is a lateral
 /// axis; marks on other nodes mean nothing.
 void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double hold);
@@ -37,6 +42,7 @@ void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double h
 /// What of `whole` stands after `step` steps, which may have a fraction; it is never called whole. Where it stands, a
 /// radius is the last one times the share of tips that it bears of those that it will have borne, to the power of 1 /
 /// `pipe_exponent`. Cost linear in nodes.
+/// Branches that fall stand as they have withered by then.
 TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, double step, double pipe_exponent);
 
 }  // namespace meristem

@@ -75,10 +75,29 @@ TEST(GrowthInTime, ABranchThatIsShedFallsAfterItsLastGrowth) {
   Skeleton whole = forked_stem();
   let_fall(whole, std::vector<std::uint8_t>(whole.node_count(), 1), 1.5);
   const GrowthSpans spans(whole);
-  EXPECT_EQ(standing_at(whole, spans, 6.4, 2).skeleton.node_count(), 8U);
+  EXPECT_EQ(standing_at(whole, spans, 5.7, 2).skeleton.node_count(), 8U);
   const Skeleton after = standing_at(whole, spans, 6.5, 2).skeleton;
   EXPECT_EQ(after.node_count(), 6U) << "the stem's own marks mean nothing";
   EXPECT_FLOAT_EQ(after.radius[0], 0.2F) << "wood does not shrink";
+}
+
+TEST(GrowthInTime, ABranchWithersBackToItsBaseBeforeItFalls) {
+  Skeleton whole = forked_stem();
+  let_fall(whole, std::vector<std::uint8_t>(whole.node_count(), 1), 1.5);
+  const GrowthSpans spans(whole);
+  // Its last growth ends at 5, it falls at 6.5, and withers from 5.75 on.
+  const auto reach = [&](double step) {
+    float most = 0;
+    for (const Vec3 position : standing_at(whole, spans, step, 2).skeleton.position) most = std::max(most, position.x);
+    return most;
+  };
+  EXPECT_FLOAT_EQ(reach(5.75), 2);
+  EXPECT_NEAR(reach(6.125), 1, 1e-5) << "half way back";
+  constexpr double kStep = 0.01;
+  for (double step = 5; step < 7; step += kStep) {
+    EXPECT_LE(std::abs(reach(step + kStep) - reach(step)), 2.0 * kStep / 0.75 + 1e-5) << "after " << step;
+  }
+  EXPECT_EQ(reach(6.5), 0);
 }
 
 TEST(GrowthInTime, BirthsThatDoNotRiseKeepTheirOrder) {

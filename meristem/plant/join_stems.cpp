@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "meristem/base/random.h"
 #include "meristem/plant/further_columns.h"
 
 namespace meristem {
@@ -24,6 +25,10 @@ struct Graft {
 Vec3 position_on(const Skeleton& stem, NodeIndex node, float along) {
   if (stem.is_root(node)) return stem.position[node];
   return glm::mix(stem.position[stem.parent[node]], stem.position[node], along);
+}
+
+std::uint64_t name_of_axis(const LooseStem& stem, AxisIndex axis) {
+  return RandomKey(stem.name).child(stem.number_of_axis.empty() ? axis : stem.number_of_axis[axis]).bits();
 }
 
 bool has_single_root(const Skeleton& skeleton) {
@@ -66,6 +71,7 @@ class TreeJoiner {
 
   void add_stem(std::uint32_t member, bool is_root) {
     LooseStem& stem = stems_[member];
+    member_ = member;
     part_ = static_cast<std::uint32_t>(tree_.parts.size());
     tree_.parts.push_back(std::move(stem.part));
     const Skeleton& from = *stem.skeleton;
@@ -127,6 +133,7 @@ class TreeJoiner {
     if (axis == kNoNode) {
       axis = static_cast<AxisIndex>(tree_.part_of_axis.size());
       tree_.part_of_axis.push_back(part_);
+      tree_.axis_names.push_back(name_of_axis(stems_[member_], from.axis[node]));
     }
     tree_.skeleton.axis[made] = axis;
     tree_.skeleton.order[made] = static_cast<std::uint16_t>(order_ + from.order[node]);
@@ -145,6 +152,7 @@ class TreeJoiner {
   std::vector<Joint> joints_;  // of all stems
   Stem tree_;
   std::uint32_t part_ = 0;
+  std::uint32_t member_ = 0;  // the stem that is added
   int order_ = 0;
   std::vector<AxisIndex> axis_of_;
   std::vector<NodeIndex> node_of_;
@@ -181,6 +189,9 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
     stem.parts[0] = std::move(stems[k].part);
     stem.skeleton = *stems[k].skeleton;
     stem.individual_of_root = std::move(stems[k].individual_of_root);
+    const std::vector<AxisIndex>& axes = stem.skeleton.axis;
+    const AxisIndex count = axes.empty() ? 0 : *std::ranges::max_element(axes) + 1;
+    for (AxisIndex axis = 0; axis < count; ++axis) stem.axis_names.push_back(name_of_axis(stems[k], axis));
     stems[k].skeleton = nullptr;
   }
   return joined;

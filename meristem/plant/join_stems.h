@@ -17,6 +17,9 @@ struct LooseStem {
   NodeIndex node = 0;                               ///< on its segment that ends in this node
   float along = 1;                                  ///< at this share of it
   std::vector<std::uint32_t> individual_of_root{};  ///< as in Stem; not asked for stems that join others
+  std::uint64_t name = 0;                           ///< of which the names of its axes are made
+  /// What each of its axes is numbered by in its name; empty: its own number.
+  std::vector<AxisIndex> number_of_axis{};
 };
 
 /// Joins stems to those that they grow on: the parent gets a node where children spring, their roots give way to it,

@@ -110,6 +110,8 @@ struct Stem {
   std::shared_ptr<const Skeleton> undeformed{};
   /// Index into Plant::individuals for each root of the skeleton, in the order of nodes; empty: all stand on the first.
   std::vector<std::uint32_t> individual_of_root{};
+  /// What each axis is called at all times of its document, and nothing else is; empty where nobody has named them.
+  std::vector<std::uint64_t> axis_names{};
 
   std::size_t part_index(AxisIndex axis) const { return part_of_axis.empty() ? 0 : part_of_axis[axis]; }
   const StemPart& part(AxisIndex axis) const { return parts[part_index(axis)]; }
@@ -134,6 +136,7 @@ struct Organ {
   Vec3 tint{1};                  ///< linear factors on the material's colour
   float birth = 0;               ///< growth step at which it appeared
   std::uint32_t individual = 0;  ///< index into Plant::individuals, or kNoIndividual
+  std::uint64_t name = 0;        ///< at all times of its document, and no other organ's; 0 where nobody has named it
 };
 
 struct Plant {

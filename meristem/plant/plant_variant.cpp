@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 
 #include "meristem/base/math.h"
+#include "meristem/base/random.h"
 #include "meristem/plant/deform_plant.h"
 #include "meristem/plant/plant.h"
 
@@ -87,9 +88,9 @@ class Expander {
   }
 
   /// Adds copies of all that stands on the plantings of a plant whose world lies at `frame`.
-  /// `row` has placed that plant itself.
+  /// `row` has placed that plant itself, which has the `name` that its place has.
   void add_plantings(const std::vector<Planting>& plantings, const Frame& frame, const std::string& prefix,
-                     std::uint32_t row = kNoRow) {
+                     std::uint32_t row = kNoRow, RandomKey name = RandomKey()) {
     for (const Planting& planting : plantings) {
       const std::string own = prefix + planting.component;
       const auto deformation = planting.deformation != nullptr ? planting.deformation->moved_to(frame) : nullptr;
@@ -100,7 +101,7 @@ class Expander {
         Vec3 foot = (frame * place.frame).origin;
         if (deformation != nullptr) deformation->map(std::span(&foot, 1), own);
         individual_ = individual_at(own, place.instance, foot, from);
-        add(*planting.variant, frame * place.frame, own + ".", place.birth, from);
+        add(*planting.variant, frame * place.frame, own + ".", place.birth, from, name.child(place.name));
         if (deformation != nullptr) deform_from(stems, organs, deformation);
       }
     }
@@ -113,7 +114,8 @@ class Expander {
     std::uint32_t prototype = 0;
   };
 
-  void add(const PlantVariant& variant, const Frame& frame, const std::string& prefix, float birth, std::uint32_t row) {
+  void add(const PlantVariant& variant, const Frame& frame, const std::string& prefix, float birth, std::uint32_t row,
+           RandomKey name) {
     const Plant& plant = *variant.plant;
     const std::uint32_t individual = individual_;
     const Numbers first = numbers_of(variant, prefix);
@@ -124,6 +126,7 @@ class Expander {
       const auto roots = std::ranges::count(copy.skeleton.parent, kNoNode);
       copy.individual_of_root.assign(static_cast<std::size_t>(roots), individual);
       for (float& own : copy.skeleton.birth) own += birth;
+      for (std::uint64_t& own : copy.axis_names) own = name.child(own).bits();
       for (StemPart& part : copy.parts) {
         part.component = prefix + part.component;
         part.material += first.material;
@@ -138,9 +141,10 @@ class Expander {
       organ.prototype += first.prototype;
       organ.birth += birth;
       organ.individual = individual;
+      organ.name = name.child(organ.name).bits();
       to_.organs.push_back(organ);
     }
-    add_plantings(plant.plantings, frame, prefix, row);
+    add_plantings(plant.plantings, frame, prefix, row, name);
   }
 
   /// Deforms what has been added since there were that many stems and organs.

@@ -22,6 +22,7 @@ struct Planting {
     std::uint32_t instance = 0;  ///< number among the instances of the component that places the plant
     float birth = 0;             ///< growth step at which it appeared
     std::uint32_t row = kNoRow;  ///< of the table that has placed it, from 0
+    std::uint64_t name = 0;      ///< of what stands there, at all times of its document; 0 where nobody has named it
   };
   std::string component;  ///< id of the component that places it
   std::shared_ptr<const PlantVariant> variant;

@@ -28,6 +28,7 @@
 #include "meristem/shape/mesh/tangents.h"
 #include "meristem/shape/small_detail.h"
 #include "meristem/shape/stem_looks.h"
+#include "meristem/shape/stem_tubes.h"
 #include "meristem/shape/tube/tube_plan.h"
 
 namespace meristem {
@@ -97,13 +98,6 @@ struct StemDress {
   const std::vector<TubeSize>& sizes() const { return tubes != nullptr ? tubes->sizes : plan->sizes(); }
 };
 
-std::vector<TubeWear> wears_of(const Stem& stem, const StemLooks& looks) {
-  std::vector<TubeWear> wears;
-  wears.reserve(stem.parts.size());
-  for (std::size_t k = 0; k < stem.parts.size(); ++k) wears.push_back({stem.parts[k].surface, looks.mesh_of_part[k]});
-  return wears;
-}
-
 /// Hash of all that shapes a stem's tubes.
 std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector<Material>& materials, double share) {
   Fingerprint key;
@@ -129,13 +123,7 @@ std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double sh
   }
   parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Stem& stem = plant.stems[i];
-      if (dresses[i]->tubes != nullptr) continue;
-      const StemLooks& looks = dresses[i]->looks;
-      const auto deformed =
-          stem.undeformed != nullptr ? std::span<const Vec3>(stem.skeleton.position) : std::span<const Vec3>();
-      dresses[i]->plan = plan_tubes(stem.skeleton_of_surface(), wears_of(stem, looks), stem.part_of_axis, share,
-                                    looks.mesh_of_axis, deformed);
+      if (dresses[i]->tubes == nullptr) dresses[i]->plan = plan_stem(plant.stems[i], dresses[i]->looks, share);
     }
   });
   return dresses;
@@ -208,10 +196,8 @@ std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::ve
   auto tubes = std::make_shared<StemTubes>();
   tubes->sizes = dress.plan->sizes();
   tubes->tubes = tubes_of(*dress.plan);
-  std::vector<Mesh> meshes = make_tubes(*dress.plan, progress);
+  std::vector<Mesh> meshes = make_stem_tubes(*dress.plan, dress.looks, progress);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const StemPart& look = *dress.looks.first_part[k];
-    if (look.deformation != nullptr) look.deformation->map(meshes[k], Vec3(0), Vec3(0), look.component);
     if (needs_tangents(materials[dress.looks.first_part[k]->material])) add_tangents(meshes[k]);
     tubes->meshes.push_back(std::make_shared<const Mesh>(std::move(meshes[k])));
   }

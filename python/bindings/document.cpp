@@ -12,8 +12,11 @@
 #include "errors.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/document/bundle.h"
+#include "meristem/document/grow_moving.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
+#include "meristem/output/moving_file.h"
+#include "meristem/output/output_files.h"
 #include "meristem/plant/plant_variant.h"
 #include "values.h"
 
@@ -107,6 +110,20 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
     const DocumentPointer now = standing_at(document, time);
     return std::make_shared<PlantInPython>(now, grow_document(now->document, inner, options));
+  });
+}
+
+void save_animated(const DocumentPointer& document, const py::object& path, int keys, int threads,
+                   const py::object& progress) {
+  if (keys < 2 || keys > static_cast<int>(kMostKeys)) {
+    throw py::value_error(fmt::format("keys must be from 2 to {}", kMostKeys));
+  }
+  const std::string target = file_of(path);
+  check_output(target, input_files(document->document));
+  run_call(progress, threads, [&](Progress& inner) {
+    const MovingScene moving = grow_moving(document->document, inner, {.keys = static_cast<std::size_t>(keys)});
+    write_moving_file(document->document, moving, target, inner);
+    return true;
   });
 }
 
@@ -247,6 +264,13 @@ What clothes the plant is made when it is first asked for.
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")
+      .def("save_animated", &save_animated, py::arg("path"), py::kw_only(), py::arg("keys") = kUsualKeys,
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
+           R"(Writes the document's animation into a .glb file, which browsers and engines play.
+
+The file holds the plant at `keys` times (2 to 1000), evenly from 0 to the animation's length, and moves evenly between
+them. Raises InputError where the document has no animation, or what moves takes too many bytes; MachineError,
+Cancelled.)")
       .def("bundle", &bundle_in_python,
            R"(The document's file and all files that it names, by content: what another machine needs to grow it.
 

@@ -55,16 +55,27 @@ Grammar read(const GrammarSource& source, GrammarOptions options) {
   return read_grammar(read_file(source.file, options.limits.document_bytes), options);
 }
 
-int steps_of(std::optional<int> steps, const Grammar& grammar, const std::string& file) {
+/// How many steps, or the time of a grammar whose rules have lives.
+double steps_of(std::optional<int> steps, std::optional<double> time, const Grammar& grammar, const std::string& file) {
+  const auto fail = [&](std::string message, std::string expected) {
+    throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .file = file});
+  };
+  if (grammar.is_timed) {
+    if (steps) fail("the rules of the grammar have lives, so it counts no steps", "the argument time");
+    if (!time && !grammar.time) fail("the grammar does not give its time", "'#time T' in it, or the argument time");
+    return time ? *time : *grammar.time;
+  }
+  if (time) fail("no rule of the grammar has a life, so it knows no time", "the argument steps");
   if (steps) return *steps;
   if (grammar.steps) return *grammar.steps;
-  throw InputError(Diagnostic{.message = "the grammar does not give the number of steps",
-                              .expected = "'#steps N' in it, or the argument steps",
-                              .file = file});
+  fail("the grammar does not give the number of steps", "'#steps N' in it, or the argument steps");
+  return 0;
 }
 
-WordPointer derive_word(const py::object& grammar, std::optional<int> steps, const py::object& seed,
-                        const py::object& constants, bool drawn, int threads, const py::object& progress) {
+WordPointer derive_word(const py::object& grammar, std::optional<int> steps, std::optional<double> time,
+                        const py::object& seed, const py::object& constants, bool drawn, int threads,
+                        const py::object& progress) {
+  if (time && !(*time >= 0 && *time <= 1e6)) throw py::value_error("time must be from 0 to 1000000");
   if (steps && (*steps < 0 || *steps > kMostSteps)) {
     throw py::value_error(fmt::format("steps must be from 0 to {}", kMostSteps));
   }
@@ -76,7 +87,7 @@ WordPointer derive_word(const py::object& grammar, std::optional<int> steps, con
   options.warnings = &warnings;
   WordPointer result = run_call(progress, threads, [&](Progress& inner) {
     const Grammar read_one = read(source, options);
-    const int count = steps_of(steps, read_one, source.file);
+    const double count = steps_of(steps, time, read_one, source.file);
     Word word = drawn ? derive_drawn(read_one, count, key, options.limits, inner)
                       : derive(read_one, count, key, options.limits, inner);
     return std::make_shared<WordInPython>(WordInPython{std::move(word), read_one.alphabet});
@@ -161,12 +172,12 @@ str(word) is its text. Two are equal if they have the same symbols and parameter
   refuse_new<WordInPython>("derive() makes words");
 
   module.def("derive", &derive_word, py::arg("grammar"), py::arg("steps") = py::none(), py::kw_only(),
-             py::arg("seed") = 1, py::arg("constants") = py::none(), py::arg("drawn") = false, py::arg("threads") = 0,
-             py::arg("progress") = py::none(),
+             py::arg("time") = py::none(), py::arg("seed") = 1, py::arg("constants") = py::none(),
+             py::arg("drawn") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
              R"(Derives the word of a grammar, an L-system, and gives a Word, the same on any number of threads.
 
 `grammar` is its text (str), or the path of a file (os.PathLike), beside which those are sought that it includes. `steps`
-(0 to 1,000,000) are the grammar's own #steps if not given. `seed` (0 to 2^53) is what its draws come from.
+(0 to 1,000,000) are the grammar's own #steps if not given; a grammar whose rules have lives has a `time` instead. `seed` (0 to 2^53) is what its draws come from.
 `constants` gives names of its #define lines other values: {"angle": 22.5}. `drawn` applies the rules of #interpret too,
 as drawing does.
 

@@ -391,6 +391,14 @@ class Document:
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> Plant: ...
+    def save_animated(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        keys: int = 16,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> None: ...
     def bundle(self) -> tuple[str, list[tuple[str, bytes]]]: ...
     def save(self, path: str | os.PathLike[str]) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...
@@ -605,6 +613,7 @@ def derive(
     grammar: str | os.PathLike[str],
     steps: int | None = None,
     *,
+    time: float | None = None,
     seed: int = 1,
     constants: Mapping[str, float] | None = None,
     drawn: bool = False,

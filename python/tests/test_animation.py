@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -43,3 +44,25 @@ def test_faults_of_keys_are_told_with_their_place() -> None:
     wrong = {**KEYED, "animation": {"length": 4, "keys": {"box.siz": [[0, 1]]}}}
     with pytest.raises(meristem.InputError, match="size"):
         meristem.Document(wrong)
+
+
+def test_an_animation_is_saved_for_engines(tmp_path: Path) -> None:
+    path = tmp_path / "box.glb"
+    meristem.Document(KEYED).save_animated(path, keys=3)
+    assert path.read_bytes()[:4] == b"glTF"
+    assert b'"name":"growth"' in path.read_bytes()
+    with pytest.raises(ValueError, match="keys must be from 2"):
+        meristem.Document(KEYED).save_animated(path, keys=1)
+    still = {key: value for key, value in KEYED.items() if key != "animation"}
+    with pytest.raises(meristem.InputError, match="no animation"):
+        meristem.Document(still).save_animated(path)
+
+
+def test_a_grammar_with_lives_has_a_time() -> None:
+    text = "A\n#rules\nA @ 1.5 -> F A\n"
+    assert str(meristem.derive(text, time=1.4)) == "A"
+    assert str(meristem.derive(text, time=3)) == "FFA"
+    with pytest.raises(meristem.InputError, match="counts no steps"):
+        meristem.derive(text, 3)
+    with pytest.raises(meristem.InputError, match="does not give its time"):
+        meristem.derive(text)

@@ -6,6 +6,7 @@ Usage: films_test.py PROGRAM [unittest options]
 """
 
 import os
+import shutil
 import subprocess
 import unittest
 
@@ -105,6 +106,39 @@ class Films(cli_case.Case):
         done = self.run_program("render", "box.json", "-o", "film.mp4")
         self.assertEqual(done.returncode, WRONG_INPUT)
         self.assertIn("no animation", done.stderr.decode())
+
+
+@unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+class RealFilms(cli_case.Case):
+    def test_ffmpeg_makes_films_of_both_kinds(self):
+        self.write("rising.json", RISING)
+        for name, begin in (("film.mp4", b"ftyp"), ("film.webm", b"\x1a\x45\xdf\xa3")):
+            done = self.run_program("render", "rising.json", "-o", name, *SIZE)
+            self.assertEqual(done.returncode, DONE, done.stderr)
+            self.assertIn(begin, self.read(name)[:16])
+
+
+class Animated(cli_case.Case):
+    def test_an_animation_is_one_file(self):
+        self.write("rising.json", RISING)
+        done = self.run_program("grow", "rising.json", "--animated", "--keys", "3", "-o", "rising.glb")
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertIn("rising.glb: 3 keys over 0.5 s, 12 triangles", done.stderr.decode())
+        self.assertIn(b'"name":"growth"', self.read("rising.glb"))
+
+    def test_what_cannot_be_animated_is_refused(self):
+        self.write("rising.json", RISING)
+        for options, message in ((["--keys", "3", "-o", "a.glb"], "--keys changes none of the files"),
+                                 (["--animated", "-o", "a.obj"], "'a.obj' cannot hold an animation"),
+                                 (["--animated", "--time", "1", "-o", "a.glb"], "--time cannot stand with --animated"),
+                                 (["--animated", "--keys", "1", "-o", "a.glb"], "--keys cannot be 1"),
+                                 (["--animated", "--lod", "1", "-o", "a.glb"], "--lod cannot stand with --animated")):
+            done = self.run_program("grow", "rising.json", *options)
+            self.assertEqual(done.returncode, WRONG_INPUT, options)
+            self.assertIn(message, done.stderr.decode())
+        done = self.run_program("grow", "box.json", "--animated", "-o", "a.glb")
+        self.assertEqual(done.returncode, WRONG_INPUT)
+        self.assertIn("the document has no animation", done.stderr.decode())
 
 
 class Keys(cli_case.Case):

@@ -240,7 +240,8 @@ class RowWalk {
     if (path.starts_with("limits.")) return Outcome::changes;
     const bool is_refused = says("no meaning") || says("more than one of") || says("both a density and a count") ||
                             says("belongs to branch links") || says("given both by") || says("has no 'crown'") ||
-                            says("only one of") || says("there is no colonize");
+                            says("only one of") || says("there is no colonize") || says("counts no steps") ||
+                            says("knows no time");
     return is_refused ? Outcome::refused : Outcome::unfit;
   }
 

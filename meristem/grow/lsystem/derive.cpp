@@ -19,6 +19,7 @@ namespace {
 
 /// Rounds after which rules that go on applying are taken to have no end.
 constexpr std::uint64_t kMostRounds = 1'000;
+constexpr double kSoonEnough = 1e-9;                     // of the time: what rounding has made a life longer by
 constexpr Births kInherited{.all_are_inherited = true};  // what is drawn is as old as what it is drawn for
 
 Word axiom_word(const Grammar& grammar, const Limits& limits) {
@@ -92,18 +93,43 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
   }
 }
 
-Word derived_word(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress,
+/// Replaces what has come to the end of its life, and what came then, until nothing has by the time `end`. Rules see no
+/// neighbours and no chance, so the order is all the same.
+Word timed_word(const Grammar& grammar, double end, RandomKey key, const Limits& limits, Progress& progress) {
+  const RewritePlan production(grammar, grammar.production);
+  Rewriter rewriter(grammar, limits, progress);
+  Word word = axiom_word(grammar, limits);
+  word.births.assign(word.module_count(), 0);
+  Word next;
+  const Births births{.by_life = true, .until = end + kSoonEnough * (1 + std::abs(end))};
+  for (int round = 0;; ++round) {
+    const RewriteOutcome outcome = rewriter.rewrite(production, word, key, "deriving", next, births);
+    if (outcome.rule == nullptr) break;
+    if (round == kMostSteps) {
+      throw_rule_fault(*outcome.rule, fmt::format("modules have lived one after another {} times", kMostSteps),
+                       "longer lives, or an earlier time");
+    }
+    std::swap(word, next);
+  }
+  cut_branches(grammar, word, progress);
+  word.time = end;
+  return word;
+}
+
+Word derived_word(const Grammar& grammar, double time, RandomKey key, const Limits& limits, Progress& progress,
                   KeepBirths keep) {
+  if (grammar.is_timed) return timed_word(grammar, time, key, limits, progress);
+  const int steps = static_cast<int>(time);
   const RewritePlan production(grammar, grammar.production);
   const RewritePlan decomposition(grammar, grammar.decomposition);
   require_bounded_words(grammar, production, steps, limits);
   Rewriter rewriter(grammar, limits, progress);
   Word word = axiom_word(grammar, limits);
-  if (keep == KeepBirths::yes) word.births.assign(word.module_count(), 0);
+  if (keep == KeepBirths::yes || grammar.asks_ages) word.births.assign(word.module_count(), 0);
   Word next;
   for (int step = 0; step < steps; ++step) {
     const RandomKey step_key = key.child(static_cast<std::uint64_t>(step));
-    const Births births{.step = static_cast<std::uint16_t>(std::min(step + 1, 65'535))};
+    const Births births{.step = step + 1.0};
     bool may_go_on = cut_branches(grammar, word, progress);
     const RewriteOutcome outcome = rewriter.rewrite(production, word, step_key, "deriving", next, births);
     if (outcome.rule != nullptr) std::swap(word, next);
@@ -112,6 +138,7 @@ Word derived_word(const Grammar& grammar, int steps, RandomKey key, const Limits
     if (rewrite_to_end(rewriter, decomposition, round_key, "decomposing", word, next, births)) may_go_on = true;
     if (!may_go_on) break;
   }
+  word.time = time;
   return word;
 }
 
@@ -122,10 +149,12 @@ Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, c
   Rewriter rewriter(grammar, limits, progress);
   // The first round reads the word where it is.
   Word first;
+  first.time = word.time;
   const RewriteOutcome outcome =
       rewriter.rewrite(interpretation, word, interpretation_key.child("first"), "interpreting", first, kInherited);
   if (outcome.rule == nullptr) return word;
   Word next;
+  next.time = word.time;
   rewrite_to_end(rewriter, interpretation, interpretation_key, "interpreting", first, next, kInherited);
   return first;
 }
@@ -144,7 +173,7 @@ Word naming_file(const Grammar& grammar, Call call) {
 
 }  // namespace
 
-Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
+Word derive(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress) {
   return naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress, KeepBirths::no); });
 }
 
@@ -153,7 +182,7 @@ Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const 
   return naming_file(grammar, [&] { return interpreted_word(grammar, word, key, limits, progress); });
 }
 
-Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress,
+Word derive_drawn(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress,
                   KeepBirths births) {
   Word word = naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress, births); });
   if (grammar.interpretation.rules.empty()) return word;

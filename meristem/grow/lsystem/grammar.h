@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parametric, context-sensitive, stochastic, bracketed L-systems: what a grammar's text means, compiled.
 //
-// Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), chapters 1 to 4.
+// Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), chapters 1 to 4, and 6 for
+// grammars in continuous time, whose modules have ages.
 #pragma once
 
 #include <cstddef>
@@ -32,16 +33,19 @@ struct ContextModule {
   std::uint32_t first_variable = 0;  ///< the rule's variables from here on are this module's parameters
 };
 
-/// `[id :] [left <] predecessor [> right] [: condition] [: weight] -> successor`.
+/// `[id :] [left <] predecessor [> right] [@ life] [: condition] [: weight] -> successor`.
 struct Rule {
   std::string text;  ///< as written, for messages
   int line = 0;      ///< in the grammar's text, from 1
   LetterIndex predecessor = kNoLetter;
   std::uint32_t first_variable = 0;  ///< index of the predecessor's first parameter
-  std::uint32_t variable_count = 0;  ///< parameters of left context, predecessor and right context together
+  std::uint32_t variable_count = 0;  ///< parameters of left context, predecessor and right context together, and age
+  bool sees_age = false;             ///< the last variable is the age of the predecessor's module
   std::vector<ContextModule> left;   ///< from the root toward the predecessor; no brackets
   std::vector<ContextModule> right;  ///< away from it; may hold brackets, whose modules have the letters of [ and ]
   std::optional<Expression> condition;
+  /// The age at which a module of a timed grammar is replaced.
+  std::optional<Expression> life;
   /// Weight of a stochastic rule: one of the rules that match is drawn in proportion to their weights.
   std::optional<Expression> weight;
   std::vector<ModuleTemplate> successor;
@@ -64,8 +68,13 @@ struct Grammar {
   RuleSet decomposition;                 ///< after each step, until none applies
   RuleSet interpretation;                ///< before drawing, until none applies; never changes the word that is derived
   std::vector<std::uint8_t> is_ignored;  ///< by contexts; one per letter
-  std::optional<int> steps;              ///< #steps
-  std::optional<double> angle;           ///< #angle, degrees
+  /// Its rules have lives, and words stand at times: all modules grow older, and each is replaced at the end of its
+  /// life.
+  bool is_timed = false;
+  bool asks_ages = false;       ///< rules see the ages of modules, so that words have to keep births
+  std::optional<int> steps;     ///< #steps
+  std::optional<double> time;   ///< #time, of a timed grammar
+  std::optional<double> angle;  ///< #angle, degrees
 };
 
 }  // namespace meristem

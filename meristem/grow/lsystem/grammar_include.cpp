@@ -28,7 +28,7 @@ class NumberExpressions {
 
 }  // namespace
 
-std::vector<ModuleTemplate> included_word(const Grammar& included, int steps, const Limits& limits,
+std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const Limits& limits,
                                           Alphabet& alphabet) {
   // Every reading draws with the same key: an included word is a part of the grammar and not of the plant.
   const RandomKey key = RandomKey().child("include");

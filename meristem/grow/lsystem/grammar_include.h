@@ -16,6 +16,7 @@ inline constexpr std::size_t kLongestIncludedWord = 1'000'000;
 
 /// The drawn word of `included` after `steps` steps, in letters of `alphabet`, which takes those that it has not.
 /// Throws InputError as `derive` does, and std::length_error where the alphabet is full.
-std::vector<ModuleTemplate> included_word(const Grammar& included, int steps, const Limits& limits, Alphabet& alphabet);
+std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const Limits& limits,
+                                          Alphabet& alphabet);
 
 }  // namespace meristem

@@ -37,8 +37,8 @@ struct Directive {
 };
 
 const std::vector<std::string>& directive_names() {
-  static const std::vector<std::string> kNames = {"#axiom",  "#rules", "#decompose", "#interpret", "#define",
-                                                  "#ignore", "#steps", "#angle",     "#symbols",   "#include"};
+  static const std::vector<std::string> kNames = {"#axiom", "#rules", "#decompose", "#interpret", "#define", "#ignore",
+                                                  "#steps", "#time",  "#angle",     "#symbols",   "#include"};
   return kNames;
 }
 
@@ -97,6 +97,8 @@ class GrammarReader {
   void read_line(std::string_view line);
   void read_ignore(const Directive& directive);
   void read_steps(const Directive& directive);
+  void read_time(const Directive& directive);
+  void check_lives();
   void read_angle(const Directive& directive);
   void read_include(const Directive& directive);
   std::optional<std::string> included_text(const Directive& directive, const std::string& written,
@@ -125,6 +127,8 @@ class GrammarReader {
   std::vector<std::string_view> symbols_;
   std::vector<std::string_view> names_;
   std::string_view axiom_place_;
+  std::string_view steps_place_;
+  std::string_view time_place_;
 };
 
 Grammar GrammarReader::read() {
@@ -256,6 +260,8 @@ void GrammarReader::read_directive(const Directive& directive) {
     read_ignore(directive);
   } else if (name == "#steps") {
     read_steps(directive);
+  } else if (name == "#time") {
+    read_time(directive);
   } else if (name == "#angle") {
     read_angle(directive);
   } else if (name == "#include") {
@@ -276,17 +282,17 @@ void GrammarReader::read_line(std::string_view line) {
       rules_.read_axiom(line, open_brackets_, grammar_.axiom);
       return;
     case Section::production:
-      if (auto rule = rules_.read_rule(line)) {
+      if (auto rule = rules_.read_rule(line, RuleReader::Kind::production)) {
         add_rule(std::move(*rule), line, grammar_.production, places_.production);
       }
       return;
     case Section::decomposition:
-      if (auto rule = rules_.read_rule(line)) {
+      if (auto rule = rules_.read_rule(line, RuleReader::Kind::decomposition)) {
         add_rule(std::move(*rule), line, grammar_.decomposition, places_.decomposition);
       }
       return;
     case Section::interpretation:
-      if (auto rule = rules_.read_rule(line)) {
+      if (auto rule = rules_.read_rule(line, RuleReader::Kind::interpretation)) {
         add_rule(std::move(*rule), line, grammar_.interpretation, places_.interpretation);
       }
       return;
@@ -324,7 +330,19 @@ std::optional<int> GrammarReader::step_count(std::string_view text) {
 }
 
 void GrammarReader::read_steps(const Directive& directive) {
+  steps_place_ = directive.all;
   if (const auto steps = step_count(directive.rest)) grammar_.steps = steps;
+}
+
+void GrammarReader::read_time(const Directive& directive) {
+  const auto time = rules_.read_constant(directive.rest);
+  if (!time) return;
+  if (*time >= 0) {
+    grammar_.time = time;
+    time_place_ = directive.all;
+  } else {
+    faults_.add(directive.rest, fmt::format("{} is not a time", in_quotes(directive.rest)), "a number of at least 0");
+  }
 }
 
 void GrammarReader::read_angle(const Directive& directive) {
@@ -405,17 +423,21 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
   files.push_back(name);
   try {
     const Grammar included = GrammarReader(*text, options, inclusions_).read();
-    const std::optional<int> count = steps.empty() ? included.steps : step_count(steps);
+    const std::optional<int> given = steps.empty() ? std::nullopt : step_count(steps);
     files.pop_back();
-    if (!count) {
-      if (!steps.empty()) return false;
-      return fail(fmt::format("{} has no #steps", in_quotes(name)), "#include file as X for n steps");
+    if (!steps.empty() && !given) return false;
+    const bool has_own = included.is_timed ? included.time.has_value() : included.steps.has_value();
+    if (!given && !has_own) {
+      return fail(fmt::format("{} has no {}", in_quotes(name), included.is_timed ? "#time" : "#steps"),
+                  "#include file as X for n steps");
     }
+    const double own = included.is_timed ? included.time.value_or(0) : included.steps.value_or(0);
+    const double count = given ? *given : own;
     Rule rule;
     rule.text = directive.all;
     rule.line = text_.line(directive.all);
     rule.predecessor = letter;
-    rule.successor = included_word(included, *count, options_.limits, grammar_.alphabet);
+    rule.successor = included_word(included, count, options_.limits, grammar_.alphabet);
     const bool holds_itself = std::any_of(rule.successor.begin(), rule.successor.end(),
                                           [&](const ModuleTemplate& module) { return module.letter == letter; });
     if (holds_itself) {
@@ -435,7 +457,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
 // All together.
 
 bool GrammarReader::is_identity(const Rule& rule) const {
-  if (rule.condition || rule.weight || !rule.left.empty() || !rule.right.empty()) return false;
+  if (rule.condition || rule.life || rule.weight || !rule.left.empty() || !rule.right.empty()) return false;
   if (rule.successor.size() != 1 || rule.successor.front().letter != rule.predecessor) return false;
   const auto& parameters = rule.successor.front().parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -462,12 +484,45 @@ void GrammarReader::drop_identities(RuleSet& set, std::vector<std::string_view>&
   }
 }
 
+/// In a timed grammar all rules have lives, and nothing counts steps or chance.
+void GrammarReader::check_lives() {
+  const auto has_life = [](const Rule& rule) { return rule.life.has_value(); };
+  grammar_.is_timed = std::ranges::any_of(grammar_.production.rules, has_life);
+  grammar_.asks_ages = std::ranges::any_of(grammar_.interpretation.rules, &Rule::sees_age);
+  if (!grammar_.is_timed) {
+    if (grammar_.time) faults_.add(time_place_, "'#time' in a grammar without lives", "#steps, or rules with lives");
+    return;
+  }
+  if (grammar_.steps) faults_.add(steps_place_, "'#steps' in a grammar with lives", "#time");
+  const auto is_drawn = [](const std::optional<Expression>& expression) {
+    return expression && expression->is_random();
+  };
+  for (std::size_t k = 0; k < grammar_.production.rules.size(); ++k) {
+    const Rule& rule = grammar_.production.rules[k];
+    const std::string_view place = places_.production[k];
+    bool is_random = is_drawn(rule.life) || is_drawn(rule.condition);
+    for (const ModuleTemplate& form : rule.successor) {
+      is_random = is_random || std::ranges::any_of(form.parameters, &Expression::is_random);
+    }
+    if (!has_life(rule)) {
+      faults_.add(place, "the rule has no life, and others have one", "predecessor @ life -> successor");
+    } else if (is_random) {
+      faults_.add(place, "a rule with a life draws random numbers", "expressions without chance");
+    }
+  }
+  if (!places_.decomposition.empty()) {
+    faults_.add(places_.decomposition.front(), "a decomposition in a grammar with lives",
+                "rules behind #rules, with lives, or behind #interpret");
+  }
+}
+
 void GrammarReader::finish() {
   modules_.report_unclosed(open_brackets_);
   if (faults_.is_empty() && grammar_.axiom.empty()) {
     throw InputError(text_.fault(axiom_place_.empty() ? 0 : text_.offset(axiom_place_), "the grammar has no axiom",
                                  "'#axiom' and a word"));
   }
+  check_lives();
   if (!faults_.is_empty()) throw InputError(faults_.take_faults());
 
   grammar_.file = options_.file;

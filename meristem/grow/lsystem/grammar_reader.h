@@ -6,9 +6,12 @@
 //   #axiom                     a word, here or on the next lines; "ω :" may stand before it
 //   #rules                     one per line:
 //       [id :] [left <] predecessor [> right] [: condition] [: weight] -> successor
+//       [id :] predecessor @ life [: condition] -> successor
+//                              in continuous time: the module is replaced at this age
 //   #decompose  #interpret     rules, one per line
 //   #ignore +-                 symbols that contexts do not see; after "#ignore:" too
 //   #steps 5   #angle 22.5     a constant expression each
+//   #time 7.5                  the time at which a grammar with lives stands
 //   #include fir.txt as T for 6 steps
 //                              T is drawn as the word of that grammar after this number of steps; without them as its
 //                              #steps; sought from the folder of the grammar that includes it

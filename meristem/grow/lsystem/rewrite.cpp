@@ -90,11 +90,14 @@ RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, Rand
   if (plan.needs.any()) context_.find(grammar_, word.letters, plan.needs, progress_);
   const OldWord old{word, context_, places_, key};
   make_room(choices_, word.module_count());
+  make_room(ends_, births.by_life ? word.module_count() : 0);
   chunks_.assign((word.module_count() + kChunk - 1) / kChunk, {});
   parallel_for(word.module_count(), kChunk, [&](std::size_t begin, std::size_t end) {
     progress_.check();
     Lease scratch(*this);
-    const bool had_candidates = scratch->chooser.choose(plan, old, arities_, begin, end, choices_, progress_);
+    const std::optional<LifeSpan> lives =
+        births.by_life ? std::optional(LifeSpan{.until = births.until, .ends = ends_}) : std::nullopt;
+    const bool had_candidates = scratch->chooser.choose(plan, old, arities_, begin, end, choices_, lives, progress_);
     chunks_[begin / kChunk].may_change = plan.is_random && had_candidates;
     count(plan, word, begin, end);
   });
@@ -217,10 +220,14 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
 /// A module of the predecessor's letter that no bracket of the rule parts from it goes on from it, and is as old.
 void Rewriter::write_births(const RewritePlan& plan, const Word& word, std::size_t begin, std::size_t end,
                             Births births, Word& next) const {
-  std::uint16_t* out = next.births.data() + chunks_[begin / kChunk].modules;
+  double* out = next.births.data() + chunks_[begin / kChunk].modules;
   for (std::size_t k = begin; k < end; ++k) {
     if (choices_[k] == kCopied) {
       *out++ = word.births[k];
+      continue;
+    }
+    if (births.by_life) {
+      out = std::fill_n(out, plan.rules[choices_[k] - 1].letters.size(), ends_[k]);
       continue;
     }
     int depth = 0;

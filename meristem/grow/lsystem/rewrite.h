@@ -27,8 +27,10 @@ struct RewriteOutcome {
 
 /// When the modules of a successor have come about, in words that keep it.
 struct Births {
-  std::uint16_t step = 0;          ///< that of the rewriting
+  double step = 0;                 ///< that of the rewriting
   bool all_are_inherited = false;  ///< from what they replace; else those alone that go on from it
+  bool by_life = false;            ///< when what they replace comes to the end of its life, if that is
+  double until = 0;                ///< by then: else it is not replaced
 };
 
 /// Rewrites words of one grammar; its memory serves one word after another. Beside the old word and the new one that
@@ -69,6 +71,7 @@ class Rewriter {
   Progress& progress_;
   std::vector<std::uint16_t> arities_;
   WordColumn<RuleChoice> choices_;
+  WordColumn<double> ends_;  // of the lives of modules that are replaced, where births are by life
   std::vector<Chunk> chunks_;
   ParameterOffsets places_;
   WordContext context_;

@@ -47,7 +47,10 @@ std::span<const double> RuleBatch::values(const VariableSource& source) {
   std::array<double, kLanes>& column = columns_[source.variable];
   if (is_gathered_[source.variable] == 0) {
     const double* const parameters = old_->word.parameters.data() + source.parameter;
-    if (source.module == 0) {
+    if (source.module == VariableSource::kAge) {
+      const auto& births = old_->word.births;
+      for (std::size_t k = 0; k < lanes_.size(); ++k) column[k] = old_->word.time - births[lanes_[k].module];
+    } else if (source.module == 0) {
       for (std::size_t k = 0; k < lanes_.size(); ++k) column[k] = parameters[lanes_[k].in];
     } else {
       if (!has_matched_) find_matched();

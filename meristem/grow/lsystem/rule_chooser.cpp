@@ -24,7 +24,8 @@ void for_each_batch(std::span<const std::uint32_t> all, Body body) {
 }  // namespace
 
 bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities,
-                         std::size_t begin, std::size_t end, std::span<RuleChoice> choices, const Progress& progress) {
+                         std::size_t begin, std::size_t end, std::span<RuleChoice> choices,
+                         const std::optional<LifeSpan>& lives, const Progress& progress) {
   for (const LetterIndex letter : letters_) candidates_[letter].clear();
   letters_.clear();
   candidates_.resize(plan.by_letter.size());
@@ -45,12 +46,12 @@ bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<
     }
     in += arities[letter];
   }
-  for (const LetterIndex letter : letters_) decide(plan, old, letter, choices, progress);
+  for (const LetterIndex letter : letters_) decide(plan, old, letter, choices, lives, progress);
   return !letters_.empty();
 }
 
 void RuleChooser::decide(const RewritePlan& plan, const OldWord& old, LetterIndex letter, std::span<RuleChoice> choices,
-                         const Progress& progress) {
+                         const std::optional<LifeSpan>& lives, const Progress& progress) {
   std::vector<Candidate>& candidates = candidates_[letter];
   for (const std::uint32_t index : plan.set->of_letter[letter]) {
     if (candidates.empty()) return;
@@ -68,10 +69,12 @@ void RuleChooser::decide(const RewritePlan& plan, const OldWord& old, LetterInde
       draw(old, rule, choice, candidates, choices);
       continue;
     }
-    for (const std::uint32_t k : matching_) {
-      choices[candidates[k].lane.module] = choice;
-      candidates[k].is_decided = true;
+    if (lives && rule.life) {
+      decide_by_life(old, rule, choice, candidates, choices, *lives);
+    } else {
+      for (const std::uint32_t k : matching_) choices[candidates[k].lane.module] = choice;
     }
+    for (const std::uint32_t k : matching_) candidates[k].is_decided = true;
     std::erase_if(candidates, [](const Candidate& candidate) { return candidate.is_decided; });
   }
 }
@@ -96,6 +99,29 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
     }
   });
   matching_.resize(kept);
+}
+
+/// The rule of a module is the first that matches, whether its life is over or not.
+void RuleChooser::decide_by_life(const OldWord& old, const RulePlan& plan, RuleChoice choice,
+                                 std::vector<Candidate>& candidates, std::span<RuleChoice> choices,
+                                 const LifeSpan& lives) {
+  for_each_batch(matching_, [&](std::span<const std::uint32_t> batch) {
+    begin_batch(old, plan, candidates, batch);
+    const std::span<const double> values = batch_.values(*plan.life);
+    for (std::size_t lane = 0; lane < batch.size(); ++lane) {
+      if (!(values[lane] > 0)) {
+        throw_rule_fault(*plan.rule,
+                         fmt::format("the life {} in {} is {:.6g}", in_quotes(plan.life->expression.text()),
+                                     in_quotes(plan.rule->text), values[lane]),
+                         "a life above 0");
+      }
+      const std::uint32_t module = candidates[batch[lane]].lane.module;
+      const double end = old.word.births[module] + values[lane];
+      if (!(end <= lives.until)) continue;
+      choices[module] = choice;
+      lives.ends[module] = end;
+    }
+  });
 }
 
 void RuleChooser::draw(const OldWord& old, const RulePlan& plan, RuleChoice choice, std::vector<Candidate>& candidates,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,12 +14,19 @@
 
 namespace meristem {
 
+/// Lives of words in continuous time: modules are replaced that come to the end of theirs by a time.
+struct LifeSpan {
+  double until = 0;
+  std::span<double> ends;  ///< takes when those do, by position
+};
+
 class RuleChooser {
  public:
   /// Writes the choices of the modules from `begin` to `end`, a chunk, to their positions in `choices`. Returns whether
-  /// any module's letter was not enough to tell. Throws InputError for weights that are none, and Cancelled.
+  /// any module's letter was not enough to tell. Throws InputError for weights and lives that are none, and Cancelled.
   bool choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities, std::size_t begin,
-              std::size_t end, std::span<RuleChoice> choices, const Progress& progress);
+              std::size_t end, std::span<RuleChoice> choices, const std::optional<LifeSpan>& lives,
+              const Progress& progress);
 
  private:
   /// A module whose rule is not known yet.
@@ -29,7 +37,9 @@ class RuleChooser {
   };
 
   void decide(const RewritePlan& plan, const OldWord& old, LetterIndex letter, std::span<RuleChoice> choices,
-              const Progress& progress);
+              const std::optional<LifeSpan>& lives, const Progress& progress);
+  void decide_by_life(const OldWord& old, const RulePlan& plan, RuleChoice choice, std::vector<Candidate>& candidates,
+                      std::span<RuleChoice> choices, const LifeSpan& lives);
   void keep_in_context(const OldWord& old, const RulePlan& plan, const std::vector<Candidate>& candidates);
   void keep_where_true(const OldWord& old, const RulePlan& plan, const std::vector<Candidate>& candidates);
   void draw(const OldWord& old, const RulePlan& plan, RuleChoice choice, std::vector<Candidate>& candidates,

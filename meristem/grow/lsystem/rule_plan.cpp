@@ -29,18 +29,20 @@ class RulePlanner {
     add_variables(rule.first_variable, module++, rule.predecessor);
     for (const ContextModule& left : rule.left) add_variables(left.first_variable, module++, left.letter);
     for (const ContextModule& right : rule.right) add_variables(right.first_variable, module++, right.letter);
+    if (rule.sees_age) sources_.push_back({rule.variable_count - 1, VariableSource::kAge, 0});
   }
 
   RulePlan plan() {
     plan_.rule = &rule_;
     plan_.has_context = !rule_.left.empty() || !rule_.right.empty();
     if (rule_.condition) plan_.condition = formula(*rule_.condition);
+    if (rule_.life) plan_.life = formula(*rule_.life);
     if (rule_.weight) plan_.weight = formula(*rule_.weight);
     for (const ModuleTemplate& form : rule_.successor) {
       plan_.letters.push_back(form.letter);
       for (const Expression& expression : form.parameters) add_parameter(expression);
     }
-    plan_.is_identity = is_identity();
+    plan_.is_identity = !rule_.life && is_identity();  // what begins anew is young
     return std::move(plan_);
   }
 
@@ -109,7 +111,7 @@ class RulePlanner {
 RuleChoice choice_of_letter(const std::vector<RulePlan>& rules, const std::vector<std::uint32_t>& of_letter) {
   if (of_letter.empty()) return kCopied;
   const RulePlan& first = rules[of_letter.front()];
-  if (first.has_context || first.condition || first.weight) return kUndecided;
+  if (first.has_context || first.condition || first.life || first.weight) return kUndecided;
   return first.is_identity ? kCopied : static_cast<RuleChoice>(of_letter.front() + 1);
 }
 

@@ -22,6 +22,8 @@ inline constexpr RuleChoice kUndecided = std::numeric_limits<RuleChoice>::max();
 
 /// Where the values of a variable come from.
 struct VariableSource {
+  static constexpr std::uint32_t kAge = std::numeric_limits<std::uint32_t>::max();  ///< in place of a module's number
+
   std::uint32_t variable = 0;
   std::uint32_t module = 0;  ///< 0 the predecessor, then the modules of the left and of the right context, from 1
   std::uint32_t parameter = 0;
@@ -41,6 +43,7 @@ struct RulePlan {
   bool has_context = false;
   bool is_identity = false;  ///< writes what was there
   std::optional<RuleFormula> condition;
+  std::optional<RuleFormula> life;
   std::optional<RuleFormula> weight;
 
   std::vector<LetterIndex> letters;  ///< of the successor

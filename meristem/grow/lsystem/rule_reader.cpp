@@ -14,6 +14,7 @@ namespace meristem {
 namespace {
 
 constexpr std::string_view kAlways = "*";
+constexpr std::string_view kAgeName = "age";
 
 /// Offsets of `character` outside parentheses.
 std::vector<std::size_t> find_outside_parentheses(std::string_view text, char character) {
@@ -119,6 +120,7 @@ struct RuleReader::Parts {
   std::string_view left;
   std::string_view predecessor;
   std::string_view right;
+  std::string_view life;
   std::string_view condition;
   std::string_view weight;
   std::string_view successor;
@@ -249,7 +251,7 @@ std::optional<double> RuleReader::read_constant(std::string_view text) {
 
 // Rules.
 
-std::optional<Rule> RuleReader::read_rule(std::string_view line) {
+std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
   begin_rule();
   Parts parts;
   if (!split_rule(line, parts)) return std::nullopt;
@@ -265,15 +267,32 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line) {
   bool is_good = read_context(parts.left, false, rule.left);
   is_good = read_predecessor(parts, rule) && is_good;
   is_good = read_context(parts.right, true, rule.right) && is_good;
+  const bool is_hidden = std::find(variables_.begin(), variables_.end(), kAgeName) != variables_.end() ||
+                         constants_.has(std::string(kAgeName));
+  const bool has_age = kind == Kind::interpretation && !is_hidden && variables_.size() < kMostVariables;
+  if (has_age) variables_.emplace_back(kAgeName);
   rule.variable_count = static_cast<std::uint32_t>(variables_.size());
   if (!is_good) return std::nullopt;  // its names would be unknown
   is_good = read_conditions(parts, rule);
-  if (parts.successor == kEmptyWord) return is_good ? std::optional(std::move(rule)) : std::nullopt;
+  is_good = read_life(parts, kind, rule) && is_good;
   std::vector<std::string_view> open;
-  is_good = read_modules(parts.successor, open, rule.successor) && is_good;
-  modules_.report_unclosed(open);
+  if (parts.successor != kEmptyWord) {
+    is_good = read_modules(parts.successor, open, rule.successor) && is_good;
+    modules_.report_unclosed(open);
+  }
   if (!is_good || !open.empty()) return std::nullopt;
+  if (has_age) note_age(rule);
   return rule;
+}
+
+/// Whether any of a rule's expressions asks for the age, which is the last of its variables.
+void RuleReader::note_age(Rule& rule) {
+  const std::size_t age = rule.variable_count - 1;
+  const auto asks = [&](const std::optional<Expression>& expression) { return expression && expression->uses(age); };
+  rule.sees_age = asks(rule.condition) || asks(rule.weight);
+  for (const ModuleTemplate& form : rule.successor) {
+    for (const Expression& parameter : form.parameters) rule.sees_age = rule.sees_age || parameter.uses(age);
+  }
 }
 
 bool RuleReader::split_rule(std::string_view line, Parts& parts) {
@@ -353,6 +372,18 @@ bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
   const std::size_t begin = left.empty() ? 0 : left[0] + 1;
   parts.predecessor = trimmed(text.substr(begin, end - begin));
   if (parts.predecessor.empty()) return fail(0, "the rule has no predecessor");
+  // A @ that something stands before is no symbol, as a predecessor is one module.
+  const auto lives = find_outside_parentheses(parts.predecessor, '@');
+  if (!lives.empty() && lives.back() > 0) {
+    const std::size_t at = lives.front() > 0 ? lives.front() : lives.back();
+    parts.life = trimmed(parts.predecessor.substr(at + 1));
+    const std::string_view sign = parts.predecessor.substr(at);
+    parts.predecessor = trimmed(parts.predecessor.substr(0, at));
+    if (parts.life.empty()) {
+      faults_.add(sign, "nothing follows '@'", "the life of the module: predecessor @ life -> successor");
+      return false;
+    }
+  }
   if (!left.empty()) {
     parts.left = trimmed(text.substr(0, left[0]));
     if (parts.left.empty()) return fail(left[0], "nothing stands before '<'");
@@ -430,6 +461,31 @@ bool RuleReader::name_parameters(const ModuleText& module) {
     }
   }
   return is_good;
+}
+
+bool RuleReader::read_life(const Parts& parts, Kind kind, Rule& rule) {
+  if (parts.life.empty()) return true;
+  if (kind != Kind::production) {
+    faults_.add(parts.life, "a life in a rule that takes no time", "lives in the rules behind #rules alone");
+    return false;
+  }
+  const auto refuse = [&](std::string_view where, std::string message, std::string expected) {
+    faults_.add(where, std::move(message), std::move(expected));
+    return false;
+  };
+  if (!parts.left.empty() || !parts.right.empty()) {
+    return refuse(parts.left.empty() ? parts.right : parts.left, "a rule with a life sees its neighbours",
+                  "a rule without contexts: modules come to their ends at different times");
+  }
+  if (!parts.weight.empty()) {
+    return refuse(parts.weight, "a rule with a life is drawn by chance", "a rule without a weight");
+  }
+  rule.life = read_expression(parts.life);
+  if (!rule.life) return false;
+  if (rule.life->is_constant() && !(rule.life->evaluate() > 0)) {
+    return refuse(parts.life, fmt::format("the life {} is not above 0", in_quotes(parts.life)), "a number above 0");
+  }
+  return true;
 }
 
 bool RuleReader::read_conditions(const Parts& parts, Rule& rule) {

@@ -53,8 +53,15 @@ class RuleReader {
   /// Takes each name in an expression that is no parameter of its rule, some of them twice; null: none.
   void note_names(std::vector<std::string_view>* names) { noted_ = names; }
 
+  /// What rules of a section may have.
+  enum class Kind {
+    production,      ///< lives
+    decomposition,   ///< nothing more
+    interpretation,  ///< the name `age` for the age of the module that they draw
+  };
+
   /// A rule with no fault, or nothing after adding its faults. Rules that rewrite a bracket to itself are nothing too.
-  std::optional<Rule> read_rule(std::string_view line);
+  std::optional<Rule> read_rule(std::string_view line, Kind kind);
   /// Appends the axiom's modules. `open` has the brackets that are not closed yet.
   void read_axiom(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& axiom);
   /// A constant with a finite value.
@@ -72,6 +79,8 @@ class RuleReader {
   bool read_context(std::string_view text, bool may_branch, std::vector<ContextModule>& context);
   bool name_parameters(const ModuleText& module);
   bool read_conditions(const Parts& parts, Rule& rule);
+  bool read_life(const Parts& parts, Kind kind, Rule& rule);
+  static void note_age(Rule& rule);
   bool read_modules(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& modules);
   std::optional<Expression> read_expression(std::string_view text, bool is_condition = false);
   void begin_rule();

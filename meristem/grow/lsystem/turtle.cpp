@@ -324,7 +324,7 @@ class Turtle {
     drawing_.skeleton.position[node] = Vec3(state_.position);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
     drawing_.module_of_node[node] = static_cast<std::uint32_t>(at_);
-    if (!word_.births.empty()) drawing_.skeleton.birth[node] = word_.births[at_];
+    if (!word_.births.empty()) drawing_.skeleton.birth[node] = static_cast<float>(word_.births[at_]);
     return node;
   }
 

@@ -71,8 +71,10 @@ using WordColumn = std::vector<Item, UnsetAllocator<Item>>;
 struct Word {
   WordColumn<LetterIndex> letters;
   WordColumn<double> parameters;
-  /// The step in which each module has come about, 0 for those of an axiom; empty where nobody has asked for it.
-  WordColumn<std::uint16_t> births;
+  /// The step in which each module has come about, 0 for those of an axiom; of timed grammars the time. Empty where
+  /// nobody has asked for it.
+  WordColumn<double> births;
+  double time = 0;  ///< steps, or time, at which the word stands
 
   std::size_t module_count() const { return letters.size(); }
   bool operator==(const Word&) const = default;

@@ -42,11 +42,9 @@ void write_words(AtomicFile& file, std::initializer_list<std::uint64_t> words) {
   }
 }
 
-}  // namespace
-
-void write_glb(const MeshScene& scene, const std::string& path, const GltfOptions& options, Progress& progress) {
-  // Decide what goes where, and how long the JSON will be.
-  GltfLayout layout = lay_out_gltf(scene, options, progress);
+void write_laid_out(GltfLayout layout, const MeshScene& scene, const std::string& path, const GltfOptions& options,
+                    Progress& progress) {
+  // Find out how long the JSON will be.
   check_size(layout.binary_bytes);
   progress.begin("writing glTF", gltf_element_count(layout));
   measure_bounds(layout, progress);
@@ -67,6 +65,17 @@ void write_glb(const MeshScene& scene, const std::string& path, const GltfOption
   if (binary_chunk > 0) write_words(file, {layout.binary_bytes, kBinaryChunk});
   write_gltf_arrays(layout, file, progress);
   file.commit();
+}
+
+}  // namespace
+
+void write_glb(const MeshScene& scene, const std::string& path, const GltfOptions& options, Progress& progress) {
+  write_laid_out(lay_out_gltf(scene, options, progress), scene, path, options, progress);
+}
+
+void write_moving_glb(const MovingScene& moving, const std::string& path, const GltfOptions& options,
+                      Progress& progress) {
+  write_laid_out(lay_out_gltf(moving, options, progress), moving.scene, path, options, progress);
 }
 
 }  // namespace meristem

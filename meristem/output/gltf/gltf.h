@@ -8,6 +8,7 @@
 #include "meristem/output/write/encoded_pictures.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/moving/moving_scene.h"
 
 namespace meristem {
 
@@ -35,5 +36,12 @@ struct GltfOptions {
 /// whole or not at all. Throws MachineError (path, disk), InputError for files over 4 GB (which the format cannot
 /// hold), Cancelled.
 void write_glb(const MeshScene& scene, const std::string& path, const GltfOptions& options, Progress& progress);
+
+/// Writes a scene that moves, as write_glb writes its last state, with one animation "growth": rigid instances are
+/// nodes that move, all else of a component that moves is one mesh with a morph target per key but the last, and meshes
+/// that are shown for a while are nodes without size at other times. Instances that stand still are flattened. Nothing
+/// of `options` says how instances are written. Throws as write_glb does.
+void write_moving_glb(const MovingScene& moving, const std::string& path, const GltfOptions& options,
+                      Progress& progress);
 
 }  // namespace meristem

@@ -47,6 +47,7 @@ class ArrayWriter {
         for (const GltfSharedMesh& shared : component.shared) write_rows(shared);
       }
     }
+    file_.write(std::span<const float>(layout_.animation.data));
     for (const GltfImage& image : layout_.images) {
       progress_.check();
       file_.write(*image.png);
@@ -76,6 +77,57 @@ class ArrayWriter {
       const ColourFactors& factors = layout_.factors[layout_.materials[primitive.material].source];
       for (const GltfPiece& piece : primitive.pieces) write_colours(piece, factors);
     }
+    for (std::size_t key = 0; key < primitive.targets.size(); ++key) write_target(primitive, key);
+  }
+
+  /// What is added to positions, normals and colours at a key.
+  void write_target(const GltfPrimitive& primitive, std::size_t key) {
+    for (const GltfPiece& piece : primitive.pieces) {
+      write_differences(piece, key, [](const GltfPiece& of, const Frame& frame, std::size_t v) {
+        return frame.point(of.mesh->positions[v]);
+      });
+    }
+    if (primitive.turns) {
+      for (const GltfPiece& piece : primitive.pieces) write_turns(piece, key);
+    }
+    if (!primitive.changes_colour) return;
+    const ColourFactors& factors = layout_.factors[layout_.materials[primitive.material].source];
+    for (const GltfPiece& piece : primitive.pieces) {
+      const GltfPiece then = piece.at(key);
+      const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Vec4* out) {
+        const Vec3 change = factors.instance(then.tint(frame)) - factors.instance(piece.tint(frame));
+        std::fill(out, out + (last - first), Vec4(change, 0));
+      };
+      write_elements<Vec4>(piece.count(), piece.mesh->vertex_count(), fill);
+    }
+  }
+
+  /// Writes what `value(piece, frame, vertex)` is more at a key than it is now.
+  template <class Value>
+  void write_differences(const GltfPiece& piece, std::size_t key, Value value) {
+    const GltfPiece then = piece.at(key);
+    const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Vec3* out) {
+      const Frame now = piece.frame(frame), other = then.frame(frame);
+      for (std::size_t v = first; v < last; ++v) *out++ = value(then, other, v) - value(piece, now, v);
+    };
+    write_elements<Vec3>(piece.count(), piece.mesh->vertex_count(), fill);
+  }
+
+  /// What has no size keeps its normals.
+  void write_turns(const GltfPiece& piece, std::size_t key) {
+    const GltfPiece then = piece.at(key);
+    const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Vec3* out) {
+      const Frame now = piece.frame(frame), other = then.frame(frame);
+      if (glm::determinant(now.axes) == 0 || glm::determinant(other.axes) == 0) {
+        std::fill(out, out + (last - first), Vec3(0));
+        return;
+      }
+      const VectorTurner turner(now), other_turner(other);
+      for (std::size_t v = first; v < last; ++v) {
+        *out++ = other_turner.normal(then.mesh->normals[v]) - turner.normal(piece.mesh->normals[v]);
+      }
+    };
+    write_elements<Vec3>(piece.count(), piece.mesh->vertex_count(), fill);
   }
 
   template <class Index>
@@ -224,6 +276,7 @@ std::uint64_t gltf_element_count(const GltfLayout& layout) {
     for (const GltfPrimitive& primitive : mesh.primitives) {
       const GltfAttributes has = primitive.has;
       count += primitive.triangles + primitive.vertices * (1 + has.normals + has.uvs + has.tangents + has.colours);
+      count += primitive.targets.size() * primitive.vertices * (1 + primitive.turns + primitive.changes_colour);
     }
   }
   if (!layout.has_instance_rows) return count;

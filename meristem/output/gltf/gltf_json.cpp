@@ -3,6 +3,7 @@
 #include "meristem/output/gltf/gltf_json.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <map>
@@ -11,6 +12,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "meristem/output/gltf/gltf_tracks.h"
 
 namespace meristem {
 
@@ -116,7 +119,10 @@ class ArrayTables {
       Json primitives = Json::array();
       for (const GltfPrimitive& primitive : mesh.primitives) primitives.push_back(add_primitive(primitive));
       meshes_.push_back({{"name", mesh.name}, {"primitives", std::move(primitives)}});
+      // Without an animation what moves is as it is at last.
+      if (mesh.moves) meshes_.back()["weights"] = std::vector<int>(mesh.primitives[0].targets.size(), 0);
     }
+    add_animation(layout.animation);
     if (!layout.has_instance_rows) return;
     for (const GltfComponent& component : layout.components) {
       for (const GltfSharedMesh& shared : component.shared) add_rows(shared);
@@ -125,6 +131,25 @@ class ArrayTables {
 
   /// The `extensions` of the nodes that stand for shared meshes, in the order of the layout, as text.
   const std::vector<std::string>& rows() const { return rows_; }
+
+  /// The `animations` of a file whose nodes that move have these numbers; empty where none does.
+  Json animations(const GltfAnimation& animation, const std::vector<std::size_t>& nodes) const {
+    static constexpr std::array<const char*, 4> kProperties{"translation", "rotation", "scale", "weights"};
+    Json channels = Json::array();
+    Json samplers = Json::array();
+    std::size_t accessor = first_track_;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      for (const GltfTrack& track : animation.tracks[k]) {
+        const char* const property = kProperties[static_cast<std::size_t>(track.property)];
+        channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", nodes[k]}, {"path", property}}}});
+        samplers.push_back({{"input", first_track_ - 1},
+                            {"interpolation", track.is_stepped ? "STEP" : "LINEAR"},
+                            {"output", accessor++}});
+      }
+    }
+    if (channels.empty()) return Json::array();
+    return Json::array({{{"name", "growth"}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}}});
+  }
 
   void move_into(Json& root) {
     root["meshes"] = std::move(meshes_);
@@ -138,17 +163,51 @@ class ArrayTables {
     const std::size_t indices =
         add_accessor(primitive.index_range, kElementArrayBuffer, index_type, primitive.triangles * 3, "SCALAR");
     Json attributes{{"POSITION", add_vertices(primitive.position_range, primitive, "VEC3")}};
-    // Bounds as doubles with all digits, so that they equal the floats they bound.
-    const auto [low, high] = primitive.bounds;
-    accessors_.back()["min"] = {double{low.x}, double{low.y}, double{low.z}};
-    accessors_.back()["max"] = {double{high.x}, double{high.y}, double{high.z}};
+    add_bounds(primitive.bounds);
     if (primitive.has.normals) attributes["NORMAL"] = add_vertices(primitive.normal_range, primitive, "VEC3");
     if (primitive.has.tangents) attributes["TANGENT"] = add_vertices(primitive.tangent_range, primitive, "VEC4");
     if (primitive.has.uvs) attributes["TEXCOORD_0"] = add_vertices(primitive.uv_range, primitive, "VEC2");
     if (primitive.has.colours) {
       attributes["COLOR_0"] = add_bytes(primitive.colour_range, kArrayBuffer, primitive.vertices);
     }
-    return {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", primitive.material}};
+    Json json{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", primitive.material}};
+    for (const GltfTarget& target : primitive.targets) {
+      Json made{{"POSITION", add_vertices(target.position_range, primitive, "VEC3")}};
+      add_bounds(target.bounds);
+      if (primitive.turns) made["NORMAL"] = add_vertices(target.normal_range, primitive, "VEC3");
+      if (primitive.changes_colour) made["COLOR_0"] = add_vertices(target.colour_range, primitive, "VEC4");
+      json["targets"].push_back(std::move(made));
+    }
+    return json;
+  }
+
+  /// To the accessor that was added last: as doubles with all digits, so that they equal the floats they bound.
+  void add_bounds(const Box& bounds) {
+    const auto [low, high] = bounds;
+    accessors_.back()["min"] = {double{low.x}, double{low.y}, double{low.z}};
+    accessors_.back()["max"] = {double{high.x}, double{high.y}, double{high.z}};
+  }
+
+  /// An accessor for the times and one for each track, all in one view.
+  void add_animation(const GltfAnimation& animation) {
+    if (animation.tracks.empty()) return;
+    add_accessor(animation.range, kNoTarget, kFloat, animation.keys, "SCALAR");
+    accessors_.back()["min"] = {double{animation.data.front()}};
+    accessors_.back()["max"] = {double{animation.data[animation.keys - 1]}};
+    first_track_ = accessors_.size();
+    for (const std::vector<GltfTrack>& of_node : animation.tracks) {
+      for (const GltfTrack& track : of_node) {
+        const bool is_turn = track.property == GltfTrack::Property::rotation;
+        const bool is_weight = track.property == GltfTrack::Property::weights;
+        accessors_.push_back({{"bufferView", views_.size() - 1},
+                              {"byteOffset", track.first * sizeof(float)},
+                              {"componentType", kFloat},
+                              {"count", is_weight ? track.numbers : animation.keys},
+                              {"type", is_weight ? "SCALAR"
+                                       : is_turn ? "VEC4"
+                                                 : "VEC3"}});
+      }
+    }
   }
 
   std::size_t add_vertices(GltfRange range, const GltfPrimitive& primitive, const char* type) {
@@ -187,6 +246,7 @@ class ArrayTables {
   Json accessors_ = Json::array();
   Json views_ = Json::array();
   std::vector<std::string> rows_;
+  std::size_t first_track_ = 0;  // accessor
 };
 
 /// Whether the plants and what belongs to none stand below one node.
@@ -197,10 +257,10 @@ std::size_t nodes_before_components(const GltfLayout& layout) {
   return has_root(layout) ? 1 + layout.plants.size() : 0;
 }
 
-/// How many nodes the shared meshes of a component take.
+/// How many nodes the shared meshes of a component take, and those that move.
 std::size_t shared_nodes(const GltfLayout& layout, const GltfComponent& component) {
   if (layout.has_instance_rows) return component.shared.size();
-  std::size_t count = 0;
+  std::size_t count = component.moving.size();
   for (const GltfSharedMesh& shared : component.shared) count += shared.instances.size();
   return count;
 }
@@ -219,12 +279,16 @@ class NodeWriter {
     if (has_root(layout_)) write_plants(name);
     const auto own = std::span(layout_.components).first(layout_.own_components);
     std::size_t next = nodes_before_components(layout_) + own.size();
+    next_instance_ = next;
     for (const GltfComponent& component : own) next = write_component(component, next);
     for (const GltfComponent& component : own) write_instances(component);
     for (const GltfPlacedPlant& plant : layout_.placed) next = write_places(plant, next);
     text_.back() = ']';  // in place of the last comma
     sink_(text_);
   }
+
+  /// The numbers of the nodes that move, in their order.
+  const std::vector<std::size_t>& moving() const { return moving_; }
 
  private:
   /// Writes the root, whose children are the plants and what belongs to none, and the plants.
@@ -312,11 +376,33 @@ class NodeWriter {
         append("{{\"mesh\":{},\"extensions\":{}}},", shared.mesh, rows_[next_rows_++]);
         continue;
       }
-      for (std::size_t row = 0; row < shared.instances.size(); ++row) write_instance(shared.mesh, shared.frame(row));
+      for (std::size_t row = 0; row < shared.instances.size(); ++row) {
+        if (shared.motion != nullptr) {
+          write_moving_instance(shared, row);
+        } else {
+          write_instance(shared.mesh, shared.frame(row));
+        }
+      }
+    }
+    for (const GltfMovingMesh& moving : component.moving) {
+      const bool is_shown = moving.shown_at != GltfMovingMesh::kAlways;
+      moving_.push_back(next_instance_++);
+      append("{{\"mesh\":{}", moving.mesh);
+      if (is_shown && moving.shown_at + 1 < layout_.animation.keys) append(",\"scale\":[0,0,0]");
+      append("}},");
     }
   }
 
+  /// What an animation moves has no matrix.
+  void write_moving_instance(const GltfSharedMesh& shared, std::size_t row) {
+    moving_.push_back(next_instance_++);
+    const auto [t, r, s] = pose_at(shared, row, layout_.animation.keys - 1);
+    append("{{\"mesh\":{},\"translation\":[{},{},{}],\"rotation\":[{},{},{},{}],\"scale\":[{},{},{}]}},", shared.mesh,
+           t.x, t.y, t.z, r.x, r.y, r.z, r.w, s.x, s.y, s.z);
+  }
+
   void write_instance(std::size_t mesh, const Frame& frame) {
+    ++next_instance_;
     append("{{\"mesh\":{}", mesh);
     append_matrix(frame);
     append("}},");
@@ -352,6 +438,8 @@ class NodeWriter {
   Progress& progress_;
   std::string text_;
   std::size_t next_rows_ = 0;
+  std::size_t next_instance_ = 0;  // number of the node that comes next, where instances are nodes
+  std::vector<std::size_t> moving_;
   std::map<std::string, std::size_t> placed_of_name_;
 };
 
@@ -401,7 +489,11 @@ void emit_gltf_json(const GltfLayout& layout, const std::vector<Material>& mater
   std::string text = text_of(root);
   text.pop_back();  // the closing brace, for the nodes
   sink(text);
-  NodeWriter(layout, tables.rows(), sink, progress).write(provenance.name);
+  NodeWriter nodes(layout, tables.rows(), sink, progress);
+  nodes.write(provenance.name);
+  if (const Json moved = tables.animations(layout.animation, nodes.moving()); !moved.empty()) {
+    sink(",\"animations\":" + text_of(moved));
+  }
   sink("}");
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/parallel.h"
+#include "meristem/output/gltf/gltf_tracks.h"
 #include "meristem/output/gltf/palette.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/encoded_pictures.h"
@@ -28,6 +29,10 @@ constexpr std::size_t kPaletteColours = 8;
 
 class LayoutBuilder {
  public:
+  explicit LayoutBuilder(const MovingScene& moving) : scene_(moving.scene), moving_(&moving) {
+    bakes_all_ = true;
+    layout_.factors = colour_factors(moving);
+  }
   LayoutBuilder(const MeshScene& scene, const GltfOptions& options) : scene_(scene) {
     const bool is_large = scene.triangle_count() > options.flatten_triangles;
     bakes_all_ = !is_large && options.instances != GltfInstances::rows;
@@ -36,7 +41,7 @@ class LayoutBuilder {
   }
 
   GltfLayout build() {
-    if (!bakes_all_ && !layout_.has_instance_rows) make_palettes();
+    if (moving_ != nullptr || (!bakes_all_ && !layout_.has_instance_rows)) make_palettes();
     add_plants();
     for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
       if (scene_.meshes[k].triangle_count() == 0 || scene_.meshes[k].places != nullptr) continue;
@@ -49,6 +54,7 @@ class LayoutBuilder {
     std::ranges::stable_sort(layout_.components, {}, &GltfComponent::plant);
     add_placed_plants();
     add_textures();
+    if (moving_ != nullptr) add_tracks(moving_->times, layout_);
     return std::move(layout_);
   }
 
@@ -104,7 +110,10 @@ class LayoutBuilder {
     const auto [entry, is_new] = component_indices_.try_emplace(std::pair(plant, std::string_view(instances.component)),
                                                                 layout_.components.size());
     if (is_new) layout_.components.push_back({instances.component, plant, GltfComponent::kNoMesh, {}});
-    if (bakes_all_ || instances.frames.size() == 1) {
+    const MeshMotion* const motion = moving_ != nullptr ? &moving_->motions[k] : nullptr;
+    if (motion != nullptr && motion->kind != MeshMotion::Kind::still) {
+      move(entry->second, k, *motion, members);
+    } else if (bakes_all_ || instances.frames.size() == 1) {
       bake(entry->second, instances, members);
     } else {
       share(entry->second, k, members);
@@ -214,17 +223,59 @@ class LayoutBuilder {
     primitive->vertices += piece.vertex_count();
     primitive->triangles += piece.triangle_count();
     primitive->pieces.push_back(piece);
+    if (piece.motion == nullptr) return;
+    primitive->targets.resize(moving_->times.size() - 1);
+    primitive->turns = primitive->turns || (piece.motion->turns && has.normals);
+    primitive->changes_colour = primitive->changes_colour || (!piece.motion->tints.empty() && has_colours);
   }
 
   void bake(std::size_t component, const MeshInstances& instances, std::span<const std::uint32_t> members) {
     const GltfPiece piece{instances.mesh.get(), instances.frames, instances.tints, members, origin_of(component)};
     std::size_t& mesh = layout_.components[component].baked_mesh;
     if (mesh == GltfComponent::kNoMesh) {
-      mesh = layout_.meshes.size();
-      layout_.meshes.push_back({instances.component, {}});
+      mesh = add_mesh(instances.component);
     }
     const std::size_t material = material_of(instances, kNone);
     add_piece(layout_.meshes[mesh], material, piece, layout_.factors[instances.material].varies);
+  }
+
+  std::size_t add_mesh(const std::string& name, bool moves = false) {
+    layout_.meshes.push_back({.name = name, .moves = moves, .primitives = {}});
+    return layout_.meshes.size() - 1;
+  }
+
+  /// Adds instances of the scene's mesh number `k` that move.
+  void move(std::size_t component, std::size_t k, const MeshMotion& motion, std::span<const std::uint32_t> members) {
+    if (motion.kind == MeshMotion::Kind::rigid) return move_nodes(component, k, motion, members);
+    const MeshInstances& instances = scene_.meshes[k];
+    const bool is_shown = motion.kind == MeshMotion::Kind::shown;
+    const std::size_t shown_at = is_shown ? motion.shown_at : GltfMovingMesh::kAlways;
+    std::vector<GltfMovingMesh>& moving = layout_.components[component].moving;
+    const auto fits = [&](const GltfMovingMesh& known) { return known.shown_at == shown_at; };
+    auto found = std::find_if(moving.begin(), moving.end(), fits);
+    if (found == moving.end()) {
+      found = moving.insert(moving.end(), {add_mesh(instances.component, !is_shown), shown_at});
+    }
+    GltfPiece piece{instances.mesh.get(), instances.frames, instances.tints, members, origin_of(component)};
+    if (!is_shown) piece.motion = &motion;
+    const std::size_t material = material_of(instances, kNone);
+    add_piece(layout_.meshes[found->mesh], material, piece, layout_.factors[instances.material].varies);
+  }
+
+  /// Each instance is a node, by the colours of the palette.
+  void move_nodes(std::size_t component, std::size_t k, const MeshMotion& motion,
+                  std::span<const std::uint32_t> members) {
+    std::vector<std::vector<std::uint32_t>> groups(kPaletteColours);
+    const std::size_t count = members.empty() ? scene_.meshes[k].frames.size() : members.size();
+    for (std::size_t m = 0; m < count; ++m) {
+      const auto i = members.empty() ? static_cast<std::uint32_t>(m) : members[m];
+      groups[group_of(k, i)].push_back(i);
+    }
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (groups[g].empty()) continue;
+      add_shared(component, k, g, std::move(groups[g]));
+      layout_.components[component].shared.back().motion = &motion;
+    }
   }
 
   /// Adds instances of the scene's mesh number `k`, which all share it but for those that cannot.
@@ -270,7 +321,7 @@ class LayoutBuilder {
     const MeshInstances& instances = scene_.meshes[k];
     const bool has_palette = !layout_.has_instance_rows && !palettes_[instances.material].colours.empty();
     const std::size_t material = material_of(instances, has_palette ? group : kNone);
-    layout_.meshes.push_back({instances.component, {}});
+    add_mesh(instances.component);
     const std::span<const Frame> frame = is_group_mirrored(group) ? kMirror : kIdentity;
     add_piece(layout_.meshes.back(), material, {instances.mesh.get(), frame, {}, {}, Vec3(0)}, false);
     return entry->second;
@@ -298,6 +349,7 @@ class LayoutBuilder {
   }
 
   const MeshScene& scene_;
+  const MovingScene* moving_ = nullptr;
   bool bakes_all_ = false;
   GltfLayout layout_;
   std::vector<std::size_t> plant_of_individual_;
@@ -340,6 +392,11 @@ void place_arrays(GltfLayout& layout) {
       primitive.tangent_range = vertices(primitive.has.tangents, sizeof(Vec4));
       primitive.uv_range = vertices(primitive.has.uvs, sizeof(Vec2));
       primitive.colour_range = vertices(primitive.has.colours, 4);
+      for (GltfTarget& target : primitive.targets) {
+        target.position_range = vertices(true, sizeof(Vec3));
+        target.normal_range = vertices(primitive.turns, sizeof(Vec3));
+        target.colour_range = vertices(primitive.changes_colour, sizeof(Vec4));
+      }
     }
   }
   if (layout.has_instance_rows) {
@@ -353,6 +410,7 @@ void place_arrays(GltfLayout& layout) {
       }
     }
   }
+  layout.animation.range = take(layout, layout.animation.data.size() * sizeof(float));
   for (GltfImage& image : layout.images) image.range = take(layout, image.png->size());
 }
 
@@ -373,7 +431,29 @@ Box bounds_of(const GltfPiece& piece, Progress& progress) {
   return all;
 }
 
+/// The bounds of how far the vertices of a piece lie at a key from where they are.
+Box bounds_of_differences(const GltfPiece& piece, std::size_t key, Progress& progress) {
+  const GltfPiece then = piece.at(key);
+  Box all;
+  for (std::size_t frame = 0; frame < piece.count(); ++frame) {
+    if (frame % 256 == 0) progress.check();
+    const Frame now = piece.frame(frame), other = then.frame(frame);
+    for (std::size_t v = 0; v < piece.mesh->vertex_count(); ++v) {
+      all.add(other.point(then.mesh->positions[v]) - now.point(piece.mesh->positions[v]));
+    }
+  }
+  return all;
+}
+
 }  // namespace
+
+GltfPiece GltfPiece::at(std::size_t key) const {
+  GltfPiece then = *this;
+  if (!motion->meshes.empty()) then.mesh = motion->meshes[key].get();
+  if (!motion->frames.empty()) then.frames = motion->frames[key];
+  if (!motion->tints.empty()) then.tints = motion->tints[key];
+  return then;
+}
 
 Frame GltfSharedMesh::frame(std::size_t row) const {
   Frame place = source->frames[instances[row]];
@@ -402,10 +482,24 @@ GltfLayout lay_out_gltf(const MeshScene& scene, const GltfOptions& options, Prog
   return layout;
 }
 
+GltfLayout lay_out_gltf(const MovingScene& moving, const GltfOptions& options, Progress& progress) {
+  GltfLayout layout = LayoutBuilder(moving).build();
+  encode_images(layout, options.pictures, progress);
+  place_arrays(layout);
+  return layout;
+}
+
 void measure_bounds(GltfLayout& layout, Progress& progress) {
   for (GltfMesh& mesh : layout.meshes) {
     for (GltfPrimitive& primitive : mesh.primitives) {
       for (const GltfPiece& piece : primitive.pieces) primitive.bounds.add(bounds_of(piece, progress));
+      parallel_for(primitive.targets.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t key = begin; key < end; ++key) {
+          for (const GltfPiece& piece : primitive.pieces) {
+            primitive.targets[key].bounds.add(bounds_of_differences(piece, key, progress));
+          }
+        }
+      });
     }
   }
 }

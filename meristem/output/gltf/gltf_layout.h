@@ -16,6 +16,7 @@
 #include "meristem/output/gltf/gltf.h"
 #include "meristem/output/write/colour_factors.h"
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/moving/moving_scene.h"
 
 namespace meristem {
 
@@ -26,6 +27,7 @@ struct GltfPiece {
   std::span<const Vec3> tints;             ///< one per frame; empty where all are 1
   std::span<const std::uint32_t> members;  ///< the frames that belong to it; empty: all
   Vec3 origin{0};                          ///< of the node that it is written for
+  const MeshMotion* motion = nullptr;      ///< null: it does not move
 
   std::size_t count() const { return members.empty() ? frames.size() : members.size(); }
   std::uint64_t vertex_count() const { return mesh->vertex_count() * count(); }
@@ -36,6 +38,8 @@ struct GltfPiece {
     return {place.axes, place.origin - origin};
   }
   Vec3 tint(std::size_t k) const { return tints.empty() ? Vec3(1) : tints[member(k)]; }
+  /// What it is at a key of its motion.
+  GltfPiece at(std::size_t key) const;
 
  private:
   std::size_t member(std::size_t k) const { return members.empty() ? k : members[k]; }
@@ -57,6 +61,12 @@ struct GltfAttributes {
   bool operator==(const GltfAttributes&) const = default;
 };
 
+/// How the vertices of a primitive differ at a key from what they are.
+struct GltfTarget {
+  Box bounds;  ///< of the differences of positions as they are written
+  GltfRange position_range, normal_range, colour_range;
+};
+
 /// Pieces of one material with the same vertex attributes, as one primitive.
 struct GltfPrimitive {
   std::size_t material = 0;  ///< index into GltfLayout::materials
@@ -66,12 +76,16 @@ struct GltfPrimitive {
   std::uint64_t triangles = 0;
   Box bounds;  ///< of all positions as they are written, exact
   GltfRange index_range, position_range, normal_range, uv_range, tangent_range, colour_range;
+  std::vector<GltfTarget> targets;  ///< by key but the last, where it moves
+  bool turns = false;               ///< targets have normals
+  bool changes_colour = false;      ///< targets have colours
 
   bool has_wide_indices() const { return vertices > 65535; }
 };
 
 struct GltfMesh {
   std::string name;
+  bool moves = false;  ///< its primitives have targets
   std::vector<GltfPrimitive> primitives;
 };
 
@@ -83,9 +97,17 @@ struct GltfSharedMesh {
   bool is_mirrored = false;              ///< the mesh is its mirror image in x, so that no row has to mirror it
   Vec3 origin{0};                        ///< of the node that it is written for
   GltfRange translation_range, rotation_range, scale_range, colour_range;  ///< where instances are rows
+  const MeshMotion* motion = nullptr;  ///< of nodes that move; null: they stand still
 
   /// The transform of one of `instances`, as the shared mesh needs it, seen from the node.
   Frame frame(std::size_t row) const;
+};
+
+/// A mesh that changes, in a node of its own.
+struct GltfMovingMesh {
+  static constexpr std::size_t kAlways = SIZE_MAX;
+  std::size_t mesh = 0;            ///< index into GltfLayout::meshes
+  std::size_t shown_at = kAlways;  ///< the key from which it is seen up to the next one
 };
 
 /// One of several plants: a node at its foot, and children for its components.
@@ -103,6 +125,7 @@ struct GltfComponent {
   std::size_t plant = kNoPlant;      ///< index into GltfLayout::plants
   std::size_t baked_mesh = kNoMesh;  ///< index into GltfLayout::meshes
   std::vector<GltfSharedMesh> shared;
+  std::vector<GltfMovingMesh> moving;
 };
 
 /// A plant that stands in several places: a node in each, with children for its components, which share their meshes
@@ -136,6 +159,23 @@ struct GltfTexture {
   std::size_t normals = kNoImage;
 };
 
+/// What a property of a node is over time: a row of `data` per key.
+struct GltfTrack {
+  enum class Property { translation, rotation, scale, weights };
+  Property property = Property::scale;
+  std::size_t first = 0;    ///< of GltfAnimation::data
+  std::size_t numbers = 0;  ///< of all keys
+  bool is_stepped = false;
+};
+
+/// How nodes move. Those that do are counted in the order in which nodes are written.
+struct GltfAnimation {
+  std::vector<float> data;  ///< the times of the keys, and the tracks
+  std::size_t keys = 0;
+  std::vector<std::vector<GltfTrack>> tracks;  ///< by node that moves
+  GltfRange range;                             ///< of the data
+};
+
 struct GltfLayout {
   std::vector<GltfMesh> meshes;
   std::vector<GltfPlant> plants;          ///< empty where plants have no nodes
@@ -150,6 +190,7 @@ struct GltfLayout {
   bool has_instance_rows = false;      ///< instances are rows of arrays, not nodes
   std::uint64_t binary_bytes = 0;
   std::vector<std::vector<std::uint32_t>> members;  ///< those of pieces that have some of a mesh's instances
+  GltfAnimation animation;                          ///< without keys where nothing moves
 
   GltfLayout() = default;
   GltfLayout(const GltfLayout&) = delete;  // spans point into it
@@ -166,6 +207,9 @@ inline constexpr std::size_t kMostInstancedGltfPlants = 100;
 /// `flatten_triangles` triangles and instances are not to be rows, else only meshes placed once. `scene` must outlive
 /// the result. Throws Cancelled.
 GltfLayout lay_out_gltf(const MeshScene& scene, const GltfOptions& options, Progress& progress);
+
+/// The same for a scene that moves.
+GltfLayout lay_out_gltf(const MovingScene& moving, const GltfOptions& options, Progress& progress);
 
 /// Fills in the bounds of all primitives. Throws Cancelled.
 void measure_bounds(GltfLayout& layout, Progress& progress);

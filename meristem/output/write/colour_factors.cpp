@@ -47,4 +47,15 @@ std::vector<ColourFactors> colour_factors(const MeshScene& scene) {
   return factors;
 }
 
+std::vector<ColourFactors> colour_factors(const MovingScene& moving) {
+  std::vector<ColourFactors> factors = colour_factors(moving.scene);
+  for (std::size_t k = 0; k < moving.motions.size(); ++k) {
+    ColourFactors& factor = factors[moving.scene.meshes[k].material];
+    for (const std::vector<Vec3>& tints : moving.motions[k].tints) {
+      for (const Vec3 tint : tints) factor.base = glm::max(factor.base, within_one(factor.material * tint));
+    }
+  }
+  return factors;
+}
+
 }  // namespace meristem

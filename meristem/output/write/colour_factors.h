@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/moving/moving_scene.h"
 
 namespace meristem {
 
@@ -21,5 +22,8 @@ struct ColourFactors {
 
 /// The colour factors of each of the scene's materials.
 std::vector<ColourFactors> colour_factors(const MeshScene& scene);
+
+/// The same, with all that instances need at any time.
+std::vector<ColourFactors> colour_factors(const MovingScene& moving);
 
 }  // namespace meristem

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/grow_moving.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include "meristem/document/grow.h"
+#include "meristem/plant/plant_variant.h"
+
+namespace meristem {
+
+MovingScene grow_moving(const Document& document, Progress& progress, const MovingOptions& options) {
+  if (options.keys < 2 || options.keys > kMostKeys) throw std::invalid_argument("a moving scene has 2 to 1000 keys");
+  if (!document.graph.animation) {
+    std::vector<Diagnostic> faults{Diagnostic{.message = "the document has no animation",
+                                              .expected = "the key 'animation' with a length in seconds"}};
+    document.source.place(faults);
+    throw InputError(std::move(faults));
+  }
+  const double length = document.graph.animation->length;
+  MovingSceneMaker maker(document.graph.limits, options.limits, options.keys);
+  GrowthCache cache;
+  for (std::size_t k = 0; k < options.keys; ++k) {
+    const double time = length * static_cast<double>(k) / static_cast<double>(options.keys - 1);
+    std::optional<Document> other;
+    const Document& now = document_at(document, time, other);
+    GrownDocument grown = grow_document(now, progress, {.time = time, .up_to = GrownPart::plant, .cache = &cache});
+    paint_plant(now, grown.plant, progress, &cache);
+    const ExpandedPlant plant(grown.plant, progress, document.graph.limits);
+    maker.add(time, *plant, progress);
+  }
+  return maker.take(progress);
+}
+
+}  // namespace meristem

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/moving_file.h"
+
+#include <fmt/format.h>
+
+#include "meristem/output/formats.h"
+#include "meristem/output/gltf/gltf.h"
+
+namespace meristem {
+
+void write_moving_file(const Document& document, const MovingScene& moving, const std::string& path, Progress& progress,
+                       EncodedPictures* pictures) {
+  if (!format_of(path).can_animate) {
+    throw InputError(Diagnostic{.message = fmt::format("'{}' cannot hold an animation", path),
+                                .expected = "a file that ends in .glb"});
+  }
+  write_moving_glb(moving, path, {.provenance = provenance_of(document), .pictures = pictures}, progress);
+}
+
+}  // namespace meristem

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh scene that moves, for programs that play it: what a plant is at some times, its keys, and for each part which
+// is the same one at all of them. Between two keys everything moves evenly.
+//
+// Parts are told apart by the names that the graph gives to organs and axes. A part that is rigid moves by its frames;
+// one whose shape changes, but not its triangles, has a shape per key; of one whose triangles change, each key's is
+// shown from that key up to the next. A tube keeps the rings of the key at which it has most of them: what has not
+// grown yet lies together at its tip, and what is not there at its base, so that it grows out of nothing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// How the instances of one mesh of a moving scene move.
+struct MeshMotion {
+  enum class Kind {
+    still,  ///< not at all
+    rigid,  ///< each instance by its frames, in a node of its own
+    shape,  ///< by the vertices of all instances
+    shown,  ///< not at all, and they are there from the key `shown_at` up to the next
+  };
+  Kind kind = Kind::still;
+  /// By key: the mesh, with the triangles of the scene's; empty: always that.
+  std::vector<std::shared_ptr<const Mesh>> meshes;
+  /// By key: one frame per instance, without size where it is not there; empty: always those of the scene.
+  std::vector<std::vector<Frame>> frames;
+  /// By key: the factors on the scene's colours, one per instance; empty: always those of the scene.
+  std::vector<std::vector<Vec3>> tints;
+  bool turns = false;        ///< normals change, not positions alone
+  std::size_t shown_at = 0;  ///< key
+};
+
+/// The scene is what stands at the last key, and what has gone by then without size.
+struct MovingScene {
+  MeshScene scene;
+  std::vector<double> times;        ///< of the keys, seconds, rising; two at least
+  std::vector<MeshMotion> motions;  ///< one per mesh of the scene
+};
+
+/// What a moving scene may take.
+struct MovingLimits {
+  std::uint64_t bytes = 500'000'000;   ///< of positions, normals and colours that change, with all keys
+  std::size_t rigid_instances = 1000;  ///< that move as nodes; more of them move by their vertices
+};
+
+/// Puts a moving scene together from a plant at one time after another.
+class MovingSceneMaker {
+ public:
+  /// `limits` are those of meshes. There will be `keys` of them, two at least.
+  MovingSceneMaker(const Limits& limits, const MovingLimits& moving, std::size_t keys);
+  ~MovingSceneMaker();
+
+  /// The plant at the next time, with pictures in its materials and without plantings (`expanded`). Throws as
+  /// make_mesh_scene does, and InputError where what moves takes more bytes than it may, naming `--keys`.
+  void add(double time, const Plant& plant, Progress& progress);
+
+  /// The scene, once all plants have been added.
+  MovingScene take(Progress& progress);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/moving/moving_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/frame.h"
+#include "meristem/shape/solid/primitives.h"
+
+namespace meristem::moving_scene_test {
+
+using Kind = MeshMotion::Kind;
+
+Plant one_organ(const Mesh& mesh, const Frame& frame, std::uint64_t name = 7) {
+  Plant plant;
+  plant.materials.resize(1);
+  plant.materials[0].name = "ball";
+  plant.prototypes.push_back({"ball", 0, std::make_shared<const Mesh>(mesh)});
+  plant.organs.push_back({.frame = frame, .name = name});
+  return plant;
+}
+
+MovingScene scene_of(const std::vector<Plant>& plants, const MovingLimits& limits = {}) {
+  MovingSceneMaker maker(Limits(), limits, plants.size());
+  Progress progress;
+  for (std::size_t k = 0; k < plants.size(); ++k) maker.add(static_cast<double>(k), plants[k], progress);
+  return maker.take(progress);
+}
+
+Frame at(float x, float scale = 1) { return {Mat3(scale), Vec3(x, 0, 0)}; }
+
+TEST(MovingScene, WhatStaysIsStill) {
+  const Plant plant = one_organ(make_cylinder(1, 1, 6), at(0));
+  const MovingScene scene = scene_of({plant, plant, plant});
+  ASSERT_EQ(scene.motions.size(), 1U);
+  EXPECT_EQ(scene.motions[0].kind, Kind::still);
+  EXPECT_TRUE(scene.motions[0].frames.empty());
+  EXPECT_EQ(scene.times, (std::vector<double>{0, 1, 2}));
+}
+
+TEST(MovingScene, WhatMovesAsAWholeIsRigid) {
+  const Mesh mesh = make_cylinder(1, 1, 6);
+  const MovingScene scene = scene_of({one_organ(mesh, at(0)), one_organ(mesh, at(1)), one_organ(mesh, at(3))});
+  ASSERT_EQ(scene.motions.size(), 1U);
+  EXPECT_EQ(scene.motions[0].kind, Kind::rigid);
+  for (const auto& [key, x] : {std::pair(0, 0.0F), std::pair(1, 1.0F), std::pair(2, 3.0F)}) {
+    EXPECT_EQ(scene.motions[0].frames[static_cast<std::size_t>(key)][0].origin.x, x);
+  }
+}
+
+TEST(MovingScene, WhatIsNotThereYetHasNoSize) {
+  const Mesh mesh = make_cylinder(1, 1, 6);
+  Plant empty = one_organ(mesh, at(0));
+  empty.organs.clear();
+  const MovingScene scene = scene_of({empty, one_organ(mesh, at(2)), one_organ(mesh, at(2))});
+  ASSERT_EQ(scene.motions.size(), 1U);
+  EXPECT_EQ(scene.motions[0].frames[0][0].axes, Mat3(0));
+  EXPECT_EQ(scene.motions[0].frames[0][0].origin.x, 2) << "it grows where it comes to be";
+}
+
+TEST(MovingScene, AShapeThatChangesKeepsItsTriangles) {
+  const MovingScene scene =
+      scene_of({one_organ(make_cylinder(1, 1, 6), at(0)), one_organ(make_cylinder(1, 3, 6), at(0))});
+  ASSERT_EQ(scene.motions.size(), 1U);
+  EXPECT_EQ(scene.motions[0].kind, Kind::shape);
+  ASSERT_EQ(scene.motions[0].meshes.size(), 2U);
+  EXPECT_EQ(scene.motions[0].meshes[0]->vertex_count(), scene.scene.meshes[0].mesh->vertex_count());
+}
+
+TEST(MovingScene, OtherTrianglesAreShownInTheirTime) {
+  const MovingScene scene =
+      scene_of({one_organ(make_cylinder(1, 1, 6), at(0)), one_organ(make_cylinder(1, 1, 9), at(0))});
+  ASSERT_EQ(scene.motions.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(scene.motions[k].kind, Kind::shown);
+    EXPECT_EQ(scene.motions[k].shown_at, k);
+  }
+}
+
+TEST(MovingScene, AColourThatChangesIsATint) {
+  const Mesh mesh = make_cylinder(1, 1, 6);
+  Plant green = one_organ(mesh, at(0)), red = green;
+  green.materials[0].colour = {0.2F, 0.8F, 0.2F};
+  red.materials[0].colour = {0.8F, 0.2F, 0.2F};
+  const MovingScene scene = scene_of({green, red});
+  ASSERT_EQ(scene.motions.size(), 1U);
+  EXPECT_EQ(scene.motions[0].kind, Kind::shape);
+  ASSERT_EQ(scene.motions[0].tints.size(), 2U);
+  EXPECT_GT(scene.motions[0].tints[0][0].g, 1);
+  EXPECT_EQ(scene.motions[0].tints[1][0], Vec3(1));
+}
+
+TEST(MovingScene, ManyPartsMoveByTheirVertices) {
+  const Mesh mesh = make_cylinder(1, 1, 6);
+  Plant before = one_organ(mesh, at(0));
+  Plant after = one_organ(mesh, at(1));
+  for (std::uint64_t name = 8; name < 12; ++name) {
+    before.organs.push_back({.frame = at(5), .name = name});
+    after.organs.push_back({.frame = at(6), .name = name});
+  }
+  const MovingScene scene = scene_of({before, after}, {.rigid_instances = 3});
+  ASSERT_EQ(scene.motions.size(), 1U);
+  EXPECT_EQ(scene.motions[0].kind, Kind::shape);
+  EXPECT_TRUE(scene.motions[0].meshes.empty()) << "one mesh in five frames";
+  EXPECT_EQ(scene.motions[0].frames[0].size(), 5U);
+}
+
+TEST(MovingScene, TooMuchIsToldBeforeItIsWritten) {
+  const std::vector<Plant> plants{one_organ(make_cylinder(1, 1, 600), at(0)),
+                                  one_organ(make_cylinder(1, 3, 600), at(0))};
+  try {
+    scene_of(plants, {.bytes = 1000});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--keys"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace meristem::moving_scene_test

@@ -7,6 +7,7 @@ import { draws_by_software } from './budgets.ts';
 import { Ground } from './ground.ts';
 import type { Light } from './materials.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
+import { Overlays } from './overlays.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
 import { Picker } from './picker.ts';
@@ -23,6 +24,7 @@ const kAfterMove = 200; // ms without a move of the camera until all pixels are 
 export class View {
   readonly orbit = new Orbit();
   readonly plant: PlantScene;
+  readonly overlays = new Overlays(() => this.ask());
   readonly is_software: boolean;
   frames_drawn = 0;
   private readonly light_: Light = {
@@ -53,7 +55,7 @@ export class View {
     this.renderer_.setClearColor(0, 0);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
     this.plant = new PlantScene(this.light_, () => this.ask());
-    this.scene_.add(this.ground_.mesh, this.plant.root);
+    this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
     this.scene_.matrixWorldAutoUpdate = false;
     this.picker_ = new Picker(this.renderer_);
     listen(canvas_, this.orbit, {
@@ -74,7 +76,7 @@ export class View {
   /// What three holds on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
+    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts, overlays: this.overlays.counts };
   }
 
   apply(packet: Packet): void {
@@ -166,6 +168,7 @@ export class View {
   destroy(): void {
     this.queue_.stop();
     this.plant.clear();
+    this.overlays.clear();
     this.renderer_.dispose();
     this.renderer_.forceContextLoss();
   }

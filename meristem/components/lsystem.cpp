@@ -27,7 +27,7 @@ constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 /// The word as it is drawn.
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
-  const int steps = plant.steps.value_or(grammar.steps.value_or(0));
+  const int steps = out.shown_steps(plant.steps.value_or(grammar.steps.value_or(0)));
   return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress(),
                       out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
 }

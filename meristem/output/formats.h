@@ -29,6 +29,7 @@ struct Format {
   bool can_instance = false;
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
+  TraceWish wish{};  ///< what must be recorded of growth for it
 
   bool has_meshes() const { return needs >= GrownPart::meshes; }      ///< so that levels of detail differ
   bool has_textures() const { return needs >= GrownPart::textures; }  ///< so that it can show cards

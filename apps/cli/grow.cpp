@@ -27,6 +27,7 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
+  std::optional<int> step;   // of growth
   std::optional<int> lod;    // coarser levels
   std::optional<int> cards;  // upright ones of a last level
   bool instanced = false;    // leaves are rows of arrays
@@ -162,9 +163,19 @@ GrownPart needed_part(const std::vector<const Format*>& formats) {
   return part;
 }
 
+/// The step of growth that is shown, and what the files tell of growth.
+GrowthView needed_view(const GrowOptions& options, const std::vector<const Format*>& formats) {
+  GrowthView view{checked_step(options.step), {}};
+  for (const Format* format : formats) view.wish = view.wish | format->wish;
+  return view;
+}
+
 std::string sizes_of(const GrownDocument& grown) {
   const Counts counts = count(grown.plant, grown.meshes);
   std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
+  if (grown.traces.step) {
+    text = fmt::format("step {} of {}, {}", grown.traces.shown_step(), grown.traces.last_step, text);
+  }
   if (grown.up_to < GrownPart::meshes) return text;
   return text + fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
 }
@@ -174,6 +185,7 @@ void grow(const GrowOptions& options) {
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = checked_time(options.time);
+  const GrowthView view = needed_view(options, formats);
   check_options(options, formats);
   const Document document = open_document(options.document, time);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
@@ -190,7 +202,8 @@ void grow(const GrowOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
-    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = needed_part(formats)});
+    GrownDocument grown =
+        grow_document(document, progress, {.time = time, .up_to = needed_part(formats), .view = view});
     warnings = grown.warnings;
     EncodedPictures pictures;
     FileSet files;
@@ -225,6 +238,7 @@ void add_grow(CLI::App& app, Run& run) {
       ->allow_extra_args(false);
   command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
       ->type_name("T");
+  add_step_option(*command, options->step);
   command
       ->add_option("--lod", options->lod,
                    "Number of coarser levels of detail to write as well: oak_lod1.glb, oak_lod2.glb, ...; by default, "

@@ -99,6 +99,7 @@ class StudioSession {
   std::optional<Answer> act(double id, const StillsRequest& request);
   std::optional<Answer> act(double id, const GrammarRequest& request);
   std::optional<Answer> act(double id, const PictureRequest& request);
+  std::optional<Answer> act(double id, const OverlaysRequest& request);
 
   Opened opened(const OpenRequest& request) const;
   std::string model_text(const std::string& model) const;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is laid out beside the document while somebody works on it: an editor that is had large, a strip of plants,
-// pinned states, a derivation.
+// pinned states, a derivation, a growth.
 import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
+import { GrowthLook } from './growth/growth_look.ts';
 import type { Studio } from './studio.ts';
 
 export class Workbench {
@@ -11,9 +12,11 @@ export class Workbench {
   readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
   readonly pins = new PinList();
   readonly derivation: DerivationModel;
+  readonly growth: GrowthLook;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
+    this.growth = new GrowthLook(studio);
   }
 
   /// Another document is opened.
@@ -22,5 +25,6 @@ export class Workbench {
     this.strip.set(null);
     this.pins.clear();
     this.derivation.forget();
+    this.growth.clear();
   }
 }

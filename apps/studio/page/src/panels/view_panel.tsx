@@ -7,8 +7,10 @@ import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
+import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
+import { OverlayLabels } from '../view/overlay_labels.tsx';
 import { View } from '../view/view.ts';
 import { scale_bar } from '../view/scale_bar.ts';
 
@@ -31,11 +33,14 @@ export function ViewPanel(): ReactElement {
       <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
       <Nothing />
       <ModuleOverlay />
+      <OverlayLabels />
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
         <PinButton />
+        <GrowthButton />
       </div>
+      <GrowthPanel />
       <div className="view-axes" role="toolbar" aria-label="Look from">
         <Compass />
         <div className="axis-buttons">

@@ -77,7 +77,7 @@ export class Overlays {
     return this.layers_.has(name);
   }
 
-  /// Of all layers, in the order in which they were put.
+  /// The labels of all layers, in the order in which they were put.
   get labels(): OverlayLabel[] {
     return [...this.layers_.values()].flatMap((layer) => [...layer.labels]);
   }

@@ -91,7 +91,6 @@ function(meristem_room name)
 
   if(MERISTEM_TESTS AND MERISTEM_ROOM_TESTS AND ROOM_TESTS)
     add_executable(${target}_tests ${ROOM_TESTS})
-    set_target_properties(${target}_tests PROPERTIES UNITY_BUILD OFF)  # tests have helpers of one name, each in its file
     meristem_compile_options(${target}_tests)
     target_compile_options(${target}_tests PRIVATE ${MERISTEM_TEST_OPTIONS} ${MERISTEM_PCH_OPTIONS})
     target_precompile_headers(${target}_tests REUSE_FROM meristem_test_headers)

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "frames.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/counts.h"
@@ -184,7 +184,7 @@ void grow(const GrowOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
-  const double time = checked_time(options.time);
+  const double time = film::checked_time(options.time);
   const GrowthView view = needed_view(options, formats);
   check_options(options, formats);
   const Document document = open_document(options.document, time);

@@ -112,10 +112,12 @@ int main(int argc, char** argv) {
   cli::add_render(app, run);
   cli::add_measure(app, run);
   cli::add_shade(app, run);
+  cli::add_scan(app, run);
   cli::add_derive(app, run);
   cli::add_graph(app, run);
   cli::add_check(app, run);
   cli::add_plan(app, run);
+  cli::add_dataset(app, run);
   cli::add_components(app, run);
   cli::add_models(app, run);
   cli::add_studio(app, run);

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "frames.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/read_file.h"
@@ -18,6 +18,8 @@
 #include "meristem/output/measure_report.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/skeleton/organ_csv.h"
+#include "meristem/output/write/names.h"
+#include "meristem/plant/file/node_table.h"
 #include "meristem/plant/mtg/mtg_skeleton.h"
 #include "terminal.h"
 
@@ -45,13 +47,18 @@ struct MeasureCommand {
   bool each = false;
   bool list = false;
   bool markdown = false;
-  // Options for MTG files.
+  // Options for files of skeletons.
   std::string coordinates;
   std::string diameter;
   std::string unit;
   std::string diameter_unit;
 
-  bool reads_mtg() const { return document.path.ends_with(".mtg") || document.path.ends_with(".MTG"); }
+  bool reads_mtg() const { return has_ending(".mtg"); }
+  bool reads_table() const { return has_ending(".csv") || has_ending(".txt") || has_ending(".tsv"); }
+  bool reads_skeleton() const { return reads_mtg() || reads_table(); }
+
+ private:
+  bool has_ending(std::string_view ending) const { return lower_case(document.path).ends_with(ending); }
 };
 
 /// Options that say nothing about the kind of file that is given are mistakes.
@@ -61,7 +68,7 @@ void check_kind(const MeasureCommand& command) {
     throw InputError(Diagnostic{.message = fmt::format("{} has no effect on '{}'", option, command.document.path),
                                 .expected = fmt::format("{} only with {}", option, kind)});
   };
-  if (command.reads_mtg()) {
+  if (command.reads_skeleton()) {
     require(command.document.sets.empty(), "--set", "a document");
     require(!command.document.seed, "--seed", "a document");
     require(!command.measures.organ_light, "--light", "a document");
@@ -70,11 +77,12 @@ void check_kind(const MeasureCommand& command) {
     require(command.time == 0, "--time", "a document");
     require(command.measures.layer_height == 0, "--layers", "a document");
   } else {
-    require(command.coordinates.empty(), "--coordinates", "an .mtg file");
-    require(command.diameter.empty(), "--diameter", "an .mtg file");
-    require(command.unit.empty(), "--unit", "an .mtg file");
-    require(command.diameter_unit.empty(), "--diameter-unit", "an .mtg file");
+    require(command.unit.empty(), "--unit", "a file of skeletons");
+    require(command.diameter_unit.empty(), "--diameter-unit", "a file of skeletons");
   }
+  if (command.reads_mtg()) return;
+  require(command.coordinates.empty(), "--coordinates", "an .mtg file");
+  require(command.diameter.empty(), "--diameter", "an .mtg file");
 }
 
 bool is_same_place(const std::string& a, const std::string& b) {
@@ -90,7 +98,7 @@ void check_organs(const MeasureCommand& command, std::span<const std::string> in
 }
 
 StandMeasures measure_document(const MeasureCommand& command) {
-  const double time = checked_time(command.time);
+  const double time = film::checked_time(command.time);
   const Document document = open_document(command.document, time);
   // The light that is measured need not be that of growth.
   const Scene scene = command.sun.empty() ? document.scene : scene_under(document, command.document, command.sun);
@@ -127,15 +135,32 @@ std::array<std::string, 3> three_names(const std::string& text) {
   return {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
 }
 
-StandMeasures measure_mtg(const MeasureCommand& command) {
+MtgSkeleton read_mtg_skeleton(const MeasureCommand& command, const Limits& limits) {
   MtgGeometry geometry{.diameter = command.diameter};
   if (!command.coordinates.empty()) geometry.position = three_names(command.coordinates);
   if (!command.unit.empty()) geometry.length_unit = units().at(command.unit);
   geometry.diameter_unit = command.diameter_unit.empty() ? geometry.length_unit : units().at(command.diameter_unit);
   const std::string& path = command.document.path;
+  return skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
+}
+
+/// The first root comes to stand at the origin, since coordinates of maps are too large for floats.
+MtgSkeleton read_table_skeleton(const MeasureCommand& command, const Limits& limits) {
+  const double unit = command.unit.empty() ? 1 : units().at(command.unit);
+  const double diameter_unit = command.diameter_unit.empty() ? unit : units().at(command.diameter_unit);
+  const std::string& path = command.document.path;
+  const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
+  MtgSkeleton read;
+  read.skeleton = skeleton_of(table, {.unit = unit, .is_y_up = table.is_y_up}, path);
+  for (float& radius : read.skeleton.radius) radius *= static_cast<float>(diameter_unit / unit);
+  return read;
+}
+
+StandMeasures measure_skeleton(const MeasureCommand& command) {
   const Limits limits;
+  const std::string& path = command.document.path;
   const MtgSkeleton read =
-      skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
+      command.reads_mtg() ? read_mtg_skeleton(command, limits) : read_table_skeleton(command, limits);
   check_output(command.output, std::span(&path, 1));
 
   const ThreadLimit threads = limited_threads(command.document.threads, command.document.quiet);
@@ -162,7 +187,7 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
 
 void measure(const MeasureCommand& command) {
   check_kind(command);
-  const StandMeasures measures = command.reads_mtg() ? measure_mtg(command) : measure_document(command);
+  const StandMeasures measures = command.reads_skeleton() ? measure_skeleton(command) : measure_document(command);
   const std::string text =
       command.json ? write_json(measures_value(measures, command.each)) : measures_text(measures, command.each);
   AtomicFile file(command.output);
@@ -176,14 +201,17 @@ void list_measures() {
   }
 }
 
-void add_mtg_options(CLI::App& command, MeasureCommand& options) {
-  const char* const group = "For .mtg files, which hold digitised or coded plants";
+void add_skeleton_options(CLI::App& command, MeasureCommand& options) {
+  const char* const group = "For files of skeletons: .mtg, and tables of cylinders, trees or nodes (.csv, .txt, .tsv)";
   command
       .add_option("--coordinates", options.coordinates,
-                  "Features with the coordinates to the east, to the north and up; by default, XX,YY,ZZ")
+                  "Features of an .mtg file with the coordinates to the east, to the north and up; by default, "
+                  "XX,YY,ZZ")
       ->type_name("X,Y,Z")
       ->group(group);
-  command.add_option("--diameter", options.diameter, "Feature with the diameters; by default, TopDia or TopDiameter")
+  command
+      .add_option("--diameter", options.diameter,
+                  "Feature of an .mtg file with the diameters; by default, TopDia or TopDiameter")
       ->type_name("NAME")
       ->group(group);
   std::vector<std::string> names;
@@ -201,7 +229,7 @@ void add_mtg_options(CLI::App& command, MeasureCommand& options) {
 }  // namespace
 
 void add_measure(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("measure", "Grow a document, or read an .mtg file, and measure it");
+  CLI::App* command = app.add_subcommand("measure", "Grow a document, or read a file of skeletons, and measure it");
   auto options = std::make_shared<MeasureCommand>();
   options->document.add_to(*command);
   command->get_option("document")->required(false);
@@ -234,11 +262,12 @@ void add_measure(CLI::App& app, Run& run) {
   command->add_flag("--list", options->list, "List all measures");
   command->add_flag("--markdown", options->markdown, "Print all measures as the table of the manual")
       ->excludes("--list");
-  add_mtg_options(*command, *options);
+  add_skeleton_options(*command, *options);
   command->footer(
       "Example: meristem measure models/oak.json --seed 3 --json -o oak-measures.json\n"
       "         meristem measure avenue --sun '{\"day\": 172, \"hour\": 15}' --organs leaves.csv\n"
-      "         meristem measure walnut.mtg --unit cm --diameter-unit mm");
+      "         meristem measure walnut.mtg --unit cm --diameter-unit mm\n"
+      "         meristem measure beech.qsm.csv --each");
   command->callback([options, &run] {
     const bool is_listing = options->list || options->markdown;
     if (!is_listing && options->document.path.empty()) throw CLI::RequiredError("document");

@@ -10,6 +10,7 @@
 #include "meristem/document/json.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/link.h"
+#include "meristem/output/scan/scan_request.h"
 
 namespace meristem::cli {
 
@@ -142,6 +143,8 @@ std::string reference_page(const Registry& registry) {
   page.table(animation_table(), Variation::none);
   page.heading("Limits", limits_table().doc);
   page.table(limits_table(), Variation::none);
+  page.heading("Scans", scan_table().doc);
+  page.table(scan_table(), Variation::none);
   std::string text = page.take();
   text.pop_back();
   return text;

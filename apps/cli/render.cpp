@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -10,10 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/film.h"
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "film.h"
-#include "frames.h"
+#include "meristem/base/atomic_file.h"
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/version.h"
@@ -25,6 +27,8 @@
 #include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/picture/picture_fingerprint.h"
+#include "meristem/output/picture/truth.h"
+#include "meristem/output/picture/truth_files.h"
 #include "meristem/output/write/picture_file.h"
 #include "terminal.h"
 
@@ -50,19 +54,25 @@ struct RenderOptions {
   std::optional<double> max_kilobytes;
   Detail detail;
   std::optional<int> cards;  // number of copies that the plant is shown as
+  std::vector<std::string> truths = std::vector<std::string>(truth_formats().size());  // files, by kind; or empty
+
+  bool wants_truth() const {
+    return std::any_of(truths.begin(), truths.end(), [](const std::string& path) { return !path.empty(); });
+  }
 };
 
 /// A picture to make.
 struct Picture {
-  std::string path;
-  double time;  // seconds
-  double turn;  // of the camera around the plant, radians
+  std::string path;  // empty: only its truth is written
+  double time;       // seconds
+  double turn;       // of the camera around the plant, radians
+  std::vector<std::pair<const TruthFormat*, std::string>> truths{};
 };
 
 void check_turntable(const RenderOptions& options, const std::vector<double>& times) {
-  if (options.turntable && (*options.turntable < 1 || *options.turntable > kMostFrames)) {
+  if (options.turntable && (*options.turntable < 1 || *options.turntable > film::kMostFrames)) {
     throw InputError(Diagnostic{.message = fmt::format("--turntable cannot be {}", *options.turntable),
-                                .expected = fmt::format("1 to {} frames", kMostFrames)});
+                                .expected = fmt::format("1 to {} frames", film::kMostFrames)});
   }
   if (options.turntable && times.size() > 1) {
     throw InputError(
@@ -84,25 +94,25 @@ std::vector<Picture> pictures_of_film(const RenderOptions& options, const std::v
 
 /// The times of a film: those that are asked for, or all of the document's animation.
 std::vector<double> film_times(const RenderOptions& options, const Document& document) {
-  if (options.time) return frame_times(*options.time);
+  if (options.time) return film::frame_times(*options.time);
   if (!document.graph.animation) {
     throw InputError(Diagnostic{.message = "the document has no animation that tells how long a film of it is",
                                 .expected = "--time FROM:TO:STEP"});
   }
   const Animation& animation = *document.graph.animation;
-  return frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
+  return film::frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
 }
 
 /// One picture, or one for each time or each side. Those of a film are numbered in its folder.
 std::vector<Picture> planned_pictures(const RenderOptions& options, const Document& document) {
-  const std::vector<double> times = is_film(options.output) && !options.turntable
+  const std::vector<double> times = film::is_film(options.output) && !options.turntable
                                         ? film_times(options, document)
-                                        : frame_times(options.time.value_or("0"));
-  if (is_film(options.output)) return pictures_of_film(options, times);
+                                        : film::frame_times(options.time.value_or("0"));
+  if (film::is_film(options.output)) return pictures_of_film(options, times);
   if (times.size() == 1 && !options.turntable) return {{options.output, times[0], 0}};
   check_turntable(options, times);
   const int count = options.turntable.value_or(static_cast<int>(times.size()));
-  const std::vector<std::string> paths = frame_paths(options.output, count);
+  const std::vector<std::string> paths = film::frame_paths(options.output, count);
   std::vector<Picture> pictures;
   for (int k = 0; k < count; ++k) {
     pictures.push_back(
@@ -200,7 +210,7 @@ class PictureTaker {
         ++found;
         continue;
       }
-      if (pictures.size() > 1) terminal_.tell_frames(k, found, pictures.size());
+      if (pictures.size() > 1) terminal_.tell_parts("frame", k, found, pictures.size());
       if (picture.time != grown_time_) grow_at(picture.time);
       // A camera with keys moves.
       options_.view =
@@ -208,9 +218,10 @@ class PictureTaker {
                  picture.turn);
       if (chosen_.fingerprint) {
         fmt::print("{}\n", picture_fingerprint(grown_, now().scene, options_));
-      } else {
+      } else if (!picture.path.empty()) {
         write_picture(take_picture(grown_, now().scene, options_, terminal_.progress()), picture.path, file);
       }
+      if (!picture.truths.empty()) write_truth(picture);
     }
     return warnings;
   }
@@ -218,6 +229,22 @@ class PictureTaker {
  private:
   double aspect() const { return static_cast<double>(options_.still.width) / options_.still.height; }
   const Document& now() const { return other_ ? *other_ : document_; }
+
+  /// What the picture shows, as files.
+  void write_truth(const Picture& picture) {
+    const StillOptions& still = options_.still;
+    const TruthOptions options{.width = still.width, .height = still.height, .transparent = still.transparent};
+    const Truth truth = see_truth(grown_, now().scene, options_.view, options, terminal_.progress());
+    const Camera camera = truth_camera(grown_, now().scene, options_.view, options);
+    const TruthContext context{.picture = std::filesystem::path(picture.path).filename().string(),
+                               .name = document_.name,
+                               .licence = document_.licence};
+    for (const auto& [format, path] : picture.truths) {
+      AtomicFile file(path);
+      file.write(encode_truth(truth, camera, *format, path, context));
+      file.commit();
+    }
+  }
 
   void grow_at(double time) {
     grown_time_ = time;
@@ -264,13 +291,38 @@ double film_rate(const std::vector<Picture>& pictures, const Document& document)
   return document.graph.animation ? document.graph.animation->fps : Animation().fps;
 }
 
+/// Gives the pictures the files of their truth, numbered as they are.
+void plan_truths(const RenderOptions& options, std::vector<Picture>& pictures) {
+  if (!options.wants_truth()) return;
+  if (options.output.empty()) {
+    for (Picture& picture : pictures) picture.path.clear();
+  }
+  if (film::is_film(options.output) || options.cards || options.detail.level > 0) {
+    throw InputError(
+        Diagnostic{.message = "depth, normals, masks and annotations are written beside pictures of the whole plant",
+                   .expected = fmt::format("no {}", film::is_film(options.output) ? "film"
+                                                    : options.cards               ? "--cards"
+                                                                                  : "--lod")});
+  }
+  for (std::size_t kind = 0; kind < options.truths.size(); ++kind) {
+    const std::string& path = options.truths[kind];
+    if (path.empty()) continue;
+    const TruthFormat& format = truth_formats()[kind];
+    check_truth_file(format, path);
+    const std::vector<std::string> paths = pictures.size() == 1
+                                               ? std::vector<std::string>{path}
+                                               : film::frame_paths(path, static_cast<int>(pictures.size()));
+    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].truths.emplace_back(&format, paths[k]);
+  }
+}
+
 void render(const RenderOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
-  if (options.output.empty()) {
+  if (options.output.empty() && !options.wants_truth()) {
     throw InputError(Diagnostic{.message = "no file to write is given", .expected = "-o FILE, or --fingerprint"});
   }
-  const bool films = is_film(options.output);
-  if (!options.fingerprint) {
+  const bool films = film::is_film(options.output);
+  if (!options.fingerprint && !options.output.empty()) {
     check_picture_file(films ? "film.png" : options.output, options.transparent && !films, chosen_file(options));
   }
   if (films && options.transparent) {
@@ -288,17 +340,19 @@ void render(const RenderOptions& options) {
   checked_step(options.step);
   const Document document = open_document(options.document);
   std::vector<Picture> pictures = planned_pictures(options, document);
+  plan_truths(options, pictures);
   const PictureOptions picture_options = chosen_picture(options, document);
   const std::vector<std::string> inputs = input_files(document);
   std::string folder;
   if (films) {
-    check_film(options.output, picture_options.still.width, picture_options.still.height);
+    film::check_film(options.output, picture_options.still.width, picture_options.still.height);
     check_output(options.output, inputs);
-    folder = frames_folder(options.output, hash_of_film(document, pictures, picture_options, options));
-    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].path = frame_path(folder, k);
+    folder = film::frames_folder(options.output, hash_of_film(document, pictures, picture_options, options));
+    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].path = film::frame_path(folder, k);
   }
   for (const Picture& picture : pictures) {
-    if (!options.fingerprint && !films) check_output(picture.path, inputs);
+    if (!options.fingerprint && !films && !picture.path.empty()) check_output(picture.path, inputs);
+    for (const auto& [format, path] : picture.truths) check_output(path, inputs);
   }
 
   const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
@@ -306,7 +360,7 @@ void render(const RenderOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     warnings = PictureTaker(document, picture_options, options, terminal).take(pictures, films);
-    if (films) make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
+    if (films) film::make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
   }
   if (!options.document.quiet) print_diagnostics(warnings);
   if (!options.document.quiet && !options.fingerprint) {
@@ -315,8 +369,20 @@ void render(const RenderOptions& options) {
                                     ? pictures[0].path
                                     : fmt::format("{} to {}", pictures.front().path, pictures.back().path);
     const StillOptions& still = picture_options.still;
-    print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
+    if (!options.output.empty()) {
+      print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
+    }
+    std::string truths;
+    for (const auto& [format, path] : pictures.front().truths) truths += (truths.empty() ? "" : ", ") + path;
+    if (!truths.empty()) print_status(fmt::format("{}: {} x {} pixels", truths, still.width, still.height));
   }
+}
+
+/// A sentence as a part of another: without its capital and its full stop.
+std::string lower_first(std::string_view sentence) {
+  std::string text(sentence.substr(0, sentence.size() - 1));
+  text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
 }
 
 }  // namespace
@@ -386,6 +452,17 @@ void add_render(CLI::App& app, Run& run) {
   command->add_flag("--transparent", options->transparent, "Leave out sky and ground, and add an alpha channel");
   command->add_flag("--hull", options->hull,
                     "Draw the convex hull of each tree's crown, whose lit_share is measured, as wires");
+  for (std::size_t kind = 0; kind < truth_formats().size(); ++kind) {
+    const TruthFormat& format = truth_formats()[kind];
+    const char* const endings = format.name == "coco"                                ? "in .json"
+                                : format.name == "depth" || format.name == "normals" ? "in .png or .pfm"
+                                                                                     : "in .png";
+    CLI::Option* const truth = command
+                                   ->add_option(fmt::format("--{}", format.name), options->truths[kind],
+                                                fmt::format("File to write, {}: {}", endings, lower_first(format.doc)))
+                                   ->type_name("FILE");
+    truth->excludes(fingerprint);
+  }
   command->footer("--show takes:\n" + parts +
                   "Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "frames.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/document/grow.h"
@@ -73,7 +73,7 @@ void shade(ShadeCommand command) {
   // Everything that can be wrong with the command line and the document comes before any work.
   if (command.outputs.empty()) command.outputs.emplace_back("-");
   for (const std::string& path : command.outputs) check_ending(path);
-  const double time = checked_time(command.time);
+  const double time = film::checked_time(command.time);
   command.request.facade = value_of(command.facade);
   command.request.panels = value_of(command.panels);
   command.request.ground = value_of(command.ground);

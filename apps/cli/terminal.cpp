@@ -85,10 +85,11 @@ TerminalProgress::~TerminalProgress() {
   if (bar_shown_) write_error(kEraseLine);
 }
 
-void TerminalProgress::tell_frames(std::size_t done, std::size_t found, std::size_t all) {
-  frames_done_ = done;
-  frames_found_ = found;
-  frames_ = all;
+void TerminalProgress::tell_parts(const char* what, std::size_t done, std::size_t found, std::size_t all) {
+  part_ = what;
+  parts_done_ = done;
+  parts_found_ = found;
+  parts_ = all;
 }
 
 void TerminalProgress::show(std::string_view stage, double fraction) {
@@ -97,14 +98,14 @@ void TerminalProgress::show(std::string_view stage, double fraction) {
   constexpr auto kLineEvery = std::chrono::seconds(3);
   const Clock::time_point now = Clock::now();
   if (now - begin_ < kFirst) return;
-  std::string frames;
-  if (const std::size_t all = frames_; all > 0) {
-    const std::size_t done = frames_done_;
-    const std::size_t made = done - std::min(done, frames_found_.load());
+  std::string parts;
+  if (const std::size_t all = parts_; all > 0) {
+    const std::size_t done = parts_done_;
+    const std::size_t made = done - std::min(done, parts_found_.load());
     const double spent = std::chrono::duration<double>(now - begin_).count();
-    frames = fmt::format("frame {} of {}", std::min(done + 1, all), all);
-    if (made > 0) frames += fmt::format(", {} left", duration_text(spent / made * static_cast<double>(all - done)));
-    stage = frames;
+    parts = fmt::format("{} {} of {}", part_.load(), std::min(done + 1, all), all);
+    if (made > 0) parts += fmt::format(", {} left", duration_text(spent / made * static_cast<double>(all - done)));
+    stage = parts;
     fraction = static_cast<double>(done) / static_cast<double>(all);
   }
   if (is_terminal_) {

@@ -29,9 +29,10 @@ class TerminalProgress {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   Progress& progress() { return progress_; }
-  /// Says that the work is that many frames, of which the first `done` are made: from then on the bar is over all of
-  /// them and tells the time left. Frames that were there before, `found` of them, took no time.
-  void tell_frames(std::size_t done, std::size_t found, std::size_t all);
+  /// Says that the work is that many parts, such as frames, of which `done` are made: from then on the bar is over all
+  /// of them and tells the time left. Parts that were there before, `found` of them, took no time. `what` is a literal
+  /// and calls one of them: "frame".
+  void tell_parts(const char* what, std::size_t done, std::size_t found, std::size_t all);
 
  private:
   void show(std::string_view stage, double fraction);
@@ -41,9 +42,10 @@ class TerminalProgress {
   bool bar_shown_ = false;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point shown_ = begin_;
-  std::atomic<std::size_t> frames_done_{0};
-  std::atomic<std::size_t> frames_found_{0};
-  std::atomic<std::size_t> frames_{0};
+  std::atomic<const char*> part_{nullptr};
+  std::atomic<std::size_t> parts_done_{0};
+  std::atomic<std::size_t> parts_found_{0};
+  std::atomic<std::size_t> parts_{0};
   Progress progress_;
 };
 

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::addresses_test {
 
 const std::string kToken = "0123456789abcdef0123456789abcdef";
 
@@ -57,5 +56,4 @@ TEST(Addresses, AllowNoScriptInPages) {
   EXPECT_NE(policy.find("frame-ancestors 'none'"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::addresses_test

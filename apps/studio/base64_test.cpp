@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::base64_test {
 
 // The examples of RFC 4648.
 TEST(Base64, FillsUpToFours) {
@@ -17,5 +16,4 @@ TEST(Base64, FillsUpToFours) {
 
 TEST(Base64, TakesAnyBytes) { EXPECT_EQ(base64(std::string("\0\xff\xfb", 3)), "AP/7"); }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::base64_test

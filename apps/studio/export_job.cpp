@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/film/film.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/components/camera.h"
 #include "meristem/output/formats.h"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 
 bool is_picture(const ExportOptions& options) { return options.format == ".png" || options.format == ".jpg"; }
 bool is_document(const ExportOptions& options) { return options.format == ".json"; }
+bool is_film(const ExportOptions& options) { return film::is_film(options.format); }
 
 const Format* format_with(const std::string& ending) {
   for (const Format& format : formats()) {
@@ -37,24 +39,6 @@ GltfInstances instances_of(const ExportOptions& options) {
   if (options.instances == "rows") return GltfInstances::rows;
   if (options.instances == "nodes") return GltfInstances::nodes;
   return GltfInstances::automatic;
-}
-
-StillOptions still_of(const ExportOptions& options, const Document& document) {
-  StillOptions still{.width = options.width.value_or(document.output.size[0]),
-                     .height = options.height.value_or(document.output.size[1]),
-                     .samples = options.samples.value_or(document.output.samples),
-                     .transparent = options.transparent};
-  check_still_options(still);
-  return still;
-}
-
-View view_of(const ExportOptions& options, const Document& document) {
-  View view = camera_view(document.graph);
-  if (!options.camera) return view;
-  view.position = options.camera->position;
-  view.target = options.camera->target;
-  view.field_of_view = radians(options.camera->field_of_view_deg);
-  return view;
 }
 
 /// What there is already, or it grows.
@@ -144,18 +128,65 @@ Value formats_value() {
     add(std::string(format.ending), std::string(format.doc), format.has_meshes(), format.can_instance);
   add(".png", "a picture, ray-cast", false, false);
   add(".jpg", "a picture, ray-cast, as a smaller file", false, false);
+  if (film::can_make_films()) {
+    add(".mp4", "a film over time, ray-cast", false, false);
+    add(".webm", "a film over time, as a smaller file", false, false);
+  }
   add(".json", "the document", false, false);
   return list;
 }
 
 void check_export(const ExportOptions& options) {
-  if (!is_picture(options) && !is_document(options) && format_with(options.format) == nullptr)
+  if (is_film(options) && !film::can_make_films())
+    throw Refusal("a film needs the program ffmpeg, which is not installed; pictures of many times need nothing");
+  if (options.frames && !is_film(options) && !is_picture(options))
+    throw Refusal("films and pictures alone have frames");
+  if (!is_picture(options) && !is_document(options) && !is_film(options) && format_with(options.format) == nullptr)
     throw Refusal("this format cannot be exported");
   if (!options.instances.empty() && options.instances != "automatic" && options.instances != "rows" &&
       options.instances != "nodes") {
     throw Refusal("'instances' is one of automatic, rows and nodes");
   }
   if (options.transparent && options.format == ".jpg") throw Refusal("a JPEG has no transparency");
+  if (options.transparent && is_film(options)) throw Refusal("a film has no transparency");
+}
+
+bool has_frames(const ExportOptions& options) { return is_film(options) || options.frames.has_value(); }
+
+StillOptions still_of(const ExportOptions& options, const Document& document) {
+  StillOptions still{.width = options.width.value_or(document.output.size[0]),
+                     .height = options.height.value_or(document.output.size[1]),
+                     .samples = options.samples.value_or(document.output.samples),
+                     .transparent = options.transparent};
+  check_still_options(still);
+  return still;
+}
+
+View view_of(const ExportOptions& options, const Document& document) {
+  View view = camera_view(document.graph);
+  if (!options.camera) return view;
+  view.position = options.camera->position;
+  view.target = options.camera->target;
+  view.field_of_view = radians(options.camera->field_of_view_deg);
+  return view;
+}
+
+Value made_file(const Downloads::Folder& folder, const std::string& first, const std::string& name,
+                const Progress& progress) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end(), [&first](const std::string& a, const std::string& b) {
+    return std::pair(a != first, a) < std::pair(b != first, b);
+  });
+  const std::string made = packed(folder.path, names, name, progress);
+  Value::List holds;
+  if (names.size() > 1) holds.assign(names.begin(), names.end());
+  std::error_code ignored;
+  return Value::Object{{"name", made},
+                       {"bytes", static_cast<double>(fs::file_size(folder.path / made, ignored))},
+                       {"address", fmt::format("downloads/{}/{}", folder.number, made)},
+                       {"holds", std::move(holds)}};
 }
 
 Value export_file(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress) {
@@ -169,31 +200,23 @@ Value export_file(const ExportSource& source, const ExportOptions& options, Down
   } else {
     write_levels(source, options, *format_with(options.format), path, progress);
   }
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end(), [&first](const std::string& a, const std::string& b) {
-    return std::pair(a != first, a) < std::pair(b != first, b);
-  });
-  const std::string made = packed(folder.path, names, source.name, progress);
-  Value::List holds;
-  if (names.size() > 1) holds.assign(names.begin(), names.end());
-  std::error_code ignored;
-  return Value::Object{{"name", made},
-                       {"bytes", static_cast<double>(fs::file_size(folder.path / made, ignored))},
-                       {"address", fmt::format("downloads/{}/{}", folder.number, made)},
-                       {"holds", std::move(holds)}};
+  return made_file(folder, first, source.name, progress);
 }
 
 std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,
                            const std::string& name) {
   const std::string target = quoted(name + options.format);
   if (is_document(options)) return fmt::format("cp {} {}", quoted(file), target);
-  std::string command =
-      fmt::format("{} {} {} -o {}", program, is_picture(options) ? "render" : "grow", quoted(file), target);
+  const bool is_drawn = is_picture(options) || is_film(options);
+  std::string command = fmt::format("{} {} {} -o {}", program, is_drawn ? "render" : "grow", quoted(file), target);
   if (options.seed) command += fmt::format(" --seed {}", *options.seed);
-  if (options.time != 0) command += fmt::format(" --time {}", options.time);
-  if (is_picture(options)) {
+  if (options.frames) {
+    command +=
+        fmt::format(" --time {:.9g}:{:.9g}:{:.9g}", options.frames->from, options.frames->to, options.frames->step);
+  } else if (options.time != 0 && !is_film(options)) {
+    command += fmt::format(" --time {}", options.time);
+  }
+  if (is_drawn) {
     if (options.width && options.height) command += fmt::format(" --size {}x{}", *options.width, *options.height);
     if (options.samples) command += fmt::format(" --samples {}", *options.samples);
     if (options.transparent) command += " --transparent";

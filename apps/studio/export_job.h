@@ -10,6 +10,7 @@
 #include "grower.h"
 #include "host.h"
 #include "meristem/document/document.h"
+#include "meristem/output/picture/still.h"
 #include "request.h"
 
 namespace meristem::studio {
@@ -30,6 +31,18 @@ Value formats_value();
 
 /// Throws a Refusal for options that do not fit.
 void check_export(const ExportOptions& options);
+
+/// Whether pictures of several times are asked for: a film, or numbered pictures.
+bool has_frames(const ExportOptions& options);
+
+/// How large and fine pictures are, and from where they are seen.
+StillOptions still_of(const ExportOptions& options, const Document& document);
+View view_of(const ExportOptions& options, const Document& document);
+
+/// The "file" of the answer: the one that was written to a folder of the downloads, or an archive of all that were, of
+/// which `first` is listed first. Throws MachineError, Cancelled.
+Value made_file(const Downloads::Folder& folder, const std::string& first, const std::string& name,
+                const Progress& progress);
 
 /// Writes a file to a new folder of the downloads, an archive where the format takes several, and gives the "file" of
 /// the answer. Throws InputError, MachineError, Cancelled.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "instance_value.h"
 #include "meristem/components/lsystem_trace.h"
 
 namespace meristem::studio {
@@ -46,7 +47,8 @@ Value::List places_within(const std::vector<DrawnModule>& places, std::size_t fi
 
 Value derivation(const Document& document, const GrammarRequest& request, double time, Progress& progress) {
   const std::optional<LsystemTrace> trace =
-      trace_lsystem(document.graph, document.scene, request.component, request.step, time, progress);
+      trace_lsystem(document.graph, document.scene, request.component,
+                    {.steps = request.step, .key = request.key, .number = request.number}, time, progress);
   if (!trace) return Value::Object{{"text", Value()}};
   const bool is_as_drawn = request.is_drawn || !trace->is_interpreted;
   const Word& word = request.is_drawn ? trace->drawn : trace->derived;
@@ -55,7 +57,10 @@ Value derivation(const Document& document, const GrammarRequest& request, double
   Value::List counts;
   for (const auto& [symbol, count] : symbol_counts(word, trace->alphabet))
     counts.push_back(Value::List{symbol, static_cast<double>(count)});
-  return Value::Object{{"text", trace->text},
+  return Value::Object{{"instance", Value::Object{{"number", static_cast<double>(trace->number)},
+                                                  {"of", static_cast<double>(trace->count)},
+                                                  {"key", instance_key(trace->site)}}},
+                       {"text", trace->text},
                        {"steps", trace->steps},
                        {"step", request.step.value_or(trace->steps)},
                        {"interpreted", trace->is_interpreted},

@@ -19,6 +19,7 @@ struct StudioLimits {
   std::uint64_t message_bytes = 17'000'000;  ///< of one message of the page
   int messages_per_second = 200;
   double job_seconds = 60;                     ///< for one growth, export or measurement
+  double film_seconds = 7200;                  ///< for one film, or pictures of many times
   std::uint64_t memory_bytes = 6'000'000'000;  ///< of the whole program, while a job runs
   int connections = 8;
 };
@@ -49,6 +50,7 @@ struct Host {
   Downloads downloads{};
   Worker growth{};
   Worker exports{};
+  Worker films{};   ///< which take minutes, while everything else goes on
   Worker stills{};  ///< and all else that a page asks for while a plant grows
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "meristem/graph/instances.h"
@@ -78,6 +79,7 @@ Value::Object described(const std::string& component, const FoundInstance& found
   Value::List values;
   for (const auto& [path, number] : found.values) values.push_back(Value::Object{{"path", path}, {"value", number}});
   return {{"component", component},
+          {"key", instance_key(found.site)},
           {"i", static_cast<double>(found.site.i)},
           {"n", static_cast<double>(found.site.n)},
           {"u", found.site.u},
@@ -88,6 +90,8 @@ Value::Object described(const std::string& component, const FoundInstance& found
 }
 
 }  // namespace
+
+std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.key.bits()); }
 
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
   const Document& document = *grown.wish.document;

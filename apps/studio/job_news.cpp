@@ -21,13 +21,18 @@ JobNews::~JobNews() {
   if (has_told_) send(std::nullopt, 1);
 }
 
+void JobNews::begin_part(std::string what, std::size_t part, std::size_t parts) {
+  part_share_ = static_cast<double>(part) / static_cast<double>(parts);
+  part_ = std::move(what) + " " + std::to_string(part + 1) + " of " + std::to_string(parts);
+}
+
 void JobNews::look(std::string_view stage, double share) {
   const Clock::time_point now = Clock::now();
   if (begins_.empty() || begins_.back().first != stage) begins_.emplace_back(stage, now);
   if (now - sent_ < kBetweenNews) return;
   sent_ = now;
   has_told_ = true;
-  send(stage, share);
+  send(part_.empty() ? stage : std::string_view(part_), part_.empty() ? share : part_share_);
 }
 
 void JobNews::send(std::optional<std::string_view> stage, double share) {

@@ -26,6 +26,8 @@ class JobNews {
   JobNews& operator=(const JobNews&) = delete;
 
   Progress& progress() { return progress_; }
+  /// What follows is the given one of several parts, such as "frame", from 0; of all of them the share is told.
+  void begin_part(std::string what, std::size_t part, std::size_t parts);
   /// Milliseconds of each stage up to now.
   std::vector<std::pair<std::string, double>> stages() const;
 
@@ -38,6 +40,8 @@ class JobNews {
   std::shared_ptr<Outbox> outbox_;
   std::string job_;
   std::optional<double> request_;
+  std::string part_;       // what is told in place of stages: "frame 3 of 100"; empty: stages are told
+  double part_share_ = 0;  // of all parts, that is over
   std::vector<std::pair<std::string, Clock::time_point>> begins_;
   Clock::time_point sent_ = Clock::now();
   bool has_told_ = false;

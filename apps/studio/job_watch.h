@@ -17,7 +17,8 @@ namespace meristem::studio {
 /// Watches one job while it lives, and cancels its progress where a limit is reached.
 class JobWatch {
  public:
-  JobWatch(Progress& progress, const StudioLimits& limits);
+  /// A film may take longer than other jobs.
+  JobWatch(Progress& progress, const StudioLimits& limits, bool is_film = false);
   ~JobWatch();
   JobWatch(const JobWatch&) = delete;
   JobWatch& operator=(const JobWatch&) = delete;
@@ -31,6 +32,7 @@ class JobWatch {
 
   Progress& progress_;
   const StudioLimits limits_;
+  const bool is_film_;
   std::atomic<Limit> reached_{Limit::none};
   std::mutex mutex_;
   std::condition_variable news_;

@@ -2,11 +2,13 @@
 #include "request.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "apps/film/frames.h"
 #include "meristem/document/json.h"
 #include "meristem/grow/lsystem/grammar.h"
 #include "meristem/shape/detail.h"
@@ -21,6 +23,8 @@ constexpr std::size_t kMostParts = 100'000;          // splices, edits or values
 constexpr std::size_t kMostStills = 16;
 constexpr double kWidestStill = 512;     // pixels
 constexpr double kMostModules = 20'000;  // that one answer tells
+constexpr std::size_t kMostSwept = 64;   // values of a sweep
+constexpr double kGreatestLength = 1e6;  // metres
 
 /// Reads the members of a request and refuses what they should not be.
 class Members {
@@ -228,6 +232,16 @@ InstanceRequest instance_request(const Members& members) {
   return request;
 }
 
+FrameTimes frames_of(const Members& members) {
+  const FrameTimes frames{.from = members.number("from", 0, kMostSeconds),
+                          .to = members.number("to", 0, kMostSeconds),
+                          .step = members.number("step", 1e-6, kMostSeconds)};
+  if (frames.to < frames.from) throw Refusal("the frames end before they begin");
+  if ((frames.to - frames.from) / frames.step >= film::kMostFrames)
+    throw Refusal(fmt::format("there are at most {} frames", film::kMostFrames));
+  return frames;
+}
+
 ExportOptions export_options(const Members& members) {
   ExportOptions options{.format = members.text("format"), .name = members.optional_text("name")};
   if (!members.has("options")) return options;
@@ -248,6 +262,10 @@ ExportOptions export_options(const Members& members) {
   if (given.has("camera")) {
     given.object("camera");
     options.camera = camera_of(Members(given.value("camera")));
+  }
+  if (given.has("frames")) {
+    given.object("frames");
+    options.frames = frames_of(Members(given.value("frames")));
   }
   return options;
 }
@@ -270,9 +288,40 @@ StillsRequest stills_request(const Members& members) {
   return request;
 }
 
+MeasuresRequest measures_request(const Members& members) {
+  MeasuresRequest request{.light = members.optional_flag("light").value_or(false)};
+  if (members.has("layer_height")) request.layer_height = members.number("layer_height", 0, kGreatestLength);
+  return request;
+}
+
+SweepRequest sweep_request(const Members& members) {
+  SweepRequest request{
+      .path = members.text("path"), .values = {}, .light = members.optional_flag("light").value_or(false)};
+  for (const Value& value : members.list("values")) {
+    if (value.number() == nullptr || !std::isfinite(*value.number()))
+      throw Refusal("'values' is not a list of numbers");
+    request.values.push_back(*value.number());
+  }
+  if (request.values.empty() || request.values.size() > kMostSwept)
+    throw Refusal(fmt::format("'values' has 1 to {} numbers", kMostSwept));
+  return request;
+}
+
+/// The number that 16 hexadecimal digits say.
+std::uint64_t key_of(const std::string& text) {
+  std::uint64_t key = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, key, 16);
+  if (text.size() != 16 || error != std::errc() || stop != end)
+    throw Refusal("'instance' is not the key of an instance");
+  return key;
+}
+
 GrammarRequest grammar_request(const Members& members) {
   GrammarRequest request{.component = members.text("component"), .step = {}};
   if (members.has("step")) request.step = static_cast<int>(members.whole("step", 0, kMostSteps));
+  if (members.has("instance")) request.key = key_of(members.text("instance"));
+  request.number = members.optional_whole("number").value_or(0);
   request.is_drawn = members.optional_flag("drawn").value_or(false);
   request.first = members.optional_whole("first").value_or(0);
   request.count = members.optional_whole("count", 0, kMostModules).value_or(request.count);
@@ -301,10 +350,13 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "stills") return stills_request(members);
   if (what == "grammar") return grammar_request(members);
   if (what == "overlays") return OverlaysRequest{texts_of(members, "parts")};
+  if (what == "clocks") return ClocksRequest{members.number("up_to", 0, kMostSeconds)};
   if (what == "picture") {
     return PictureRequest{members.text("file"), static_cast<int>(members.optional_whole("size", 16, 512).value_or(96))};
   }
-  if (what == "measures") return MeasuresRequest{};
+  if (what == "measures") return measures_request(members);
+  if (what == "measure_rows") return MeasureRowsRequest{};
+  if (what == "sweep") return sweep_request(members);
   if (what == "instance") return instance_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};
   if (what == "part") return part_request(members);
@@ -336,6 +388,9 @@ double id_of(const Value& message) {
 }
 
 }  // namespace
+
+/// A last step that rounding has carried past the end still counts.
+std::size_t FrameTimes::count() const { return 1 + static_cast<std::size_t>(std::floor((to - from) / step + 1e-9)); }
 
 std::optional<double> request_id(std::string_view message) noexcept {
   try {

@@ -70,7 +70,18 @@ struct SaveRequest {
   bool over = false;
 };
 struct ModelsRequest {};
-struct MeasuresRequest {};
+struct MeasuresRequest {
+  bool light = false;       ///< whether the light on every organ is measured
+  double layer_height = 0;  ///< metres: height of the layers for leaf area by height; 0: none
+};
+/// What the measures are called.
+struct MeasureRowsRequest {};
+/// Measures of the document with each of some values at a path.
+struct SweepRequest {
+  std::string path;
+  std::vector<double> values;
+  bool light = false;
+};
 /// What a component's instance is that is seen somewhere.
 struct InstanceRequest {
   std::string component;
@@ -95,6 +106,16 @@ struct CameraOptions {
   double field_of_view_deg = 35;  ///< vertical
 };
 
+/// Times of the pictures of a film.
+struct FrameTimes {
+  double from = 0;  ///< seconds, of the document
+  double to = 0;
+  double step = 0;  ///< above 0
+
+  std::size_t count() const;
+  double at(std::size_t frame) const { return from + static_cast<double>(frame) * step; }
+};
+
 /// What is written how.
 struct ExportOptions {
   std::string format;                 ///< an ending, with its dot
@@ -108,6 +129,7 @@ struct ExportOptions {
   std::optional<int> samples;
   bool transparent = false;
   std::optional<CameraOptions> camera;
+  std::optional<FrameTimes> frames;  ///< of a film, and of pictures that are several then; a film's is else all
 };
 struct ExportRequest {
   ExportOptions options;
@@ -127,10 +149,16 @@ struct StillsRequest {
 /// How the grammar of an lsystem component derives.
 struct GrammarRequest {
   std::string component;
-  std::optional<int> step;     ///< steps after which the word is asked for; unset: those of the component
-  bool is_drawn = false;       ///< whether interpretation rules are applied to it
-  std::uint64_t first = 0;     ///< index of the first module that is told
-  std::uint64_t count = 4000;  ///< most modules that are told
+  std::optional<int> step;             ///< steps after which the word is asked for; unset: those of the component
+  std::optional<std::uint64_t> key{};  ///< of the site of the instance that is meant; unset, or of none: by its number
+  std::uint64_t number = 0;            ///< of the instance among all of the component
+  bool is_drawn = false;               ///< whether interpretation rules are applied to it
+  std::uint64_t first = 0;             ///< index of the first module that is told
+  std::uint64_t count = 4000;          ///< most modules that are told
+};
+/// The clocks that begin up to a time of the document.
+struct ClocksRequest {
+  double up_to = 0;  ///< seconds
 };
 /// A picture that the document names, or might name, made small.
 struct PictureRequest {
@@ -138,10 +166,11 @@ struct PictureRequest {
   int size = 96;     ///< pixels along the longer side
 };
 
-using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
-                             ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest,
-                             CommandRequest, StillsRequest, GrammarRequest, PictureRequest, OverlaysRequest>;
+using Request =
+    std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
+                 AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
+                 MeasureRowsRequest, SweepRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest,
+                 CommandRequest, StillsRequest, GrammarRequest, ClocksRequest, PictureRequest, OverlaysRequest>;
 
 struct NumberedRequest {
   double id = 0;

@@ -5,8 +5,7 @@
 
 #include "refusal.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::request_test {
 
 template <class Kind>
 Kind read(const std::string& message) {
@@ -61,11 +60,23 @@ TEST(Request, ReadsEachKind) {
   EXPECT_FALSE(stills.fits);
   EXPECT_TRUE(read<StillsRequest>(R"({"do": "stills", "id": 1, "states": []})").states.empty());
   const auto grammar = read<GrammarRequest>(
-      R"({"do": "grammar", "id": 1, "component": "fir", "step": 3, "drawn": true, "first": 10, "count": 20})");
+      R"({"do": "grammar", "id": 1, "component": "fir", "step": 3, "drawn": true, "first": 10, "count": 20,
+          "instance": "00000000000000ff"})");
+  EXPECT_EQ(grammar.key, 255U);
   EXPECT_EQ(grammar.step, 3);
   EXPECT_TRUE(grammar.is_drawn);
   EXPECT_EQ(grammar.first + grammar.count, 30U);
   EXPECT_EQ(read<PictureRequest>(R"({"do": "picture", "id": 1, "file": "bark.png"})").size, 96);
+  const auto film = read<ExportRequest>(
+      R"({"do": "export", "id": 1, "format": ".mp4", "options": {"frames": {"from": 1, "to": 2, "step": 0.04}}})");
+  EXPECT_EQ(film.options.frames->count(), 26U);
+  EXPECT_DOUBLE_EQ(film.options.frames->at(25), 2);
+  const auto sweep =
+      read<SweepRequest>(R"({"do": "sweep", "id": 1, "path": "age", "values": [1, 2.5], "light": true})");
+  EXPECT_EQ(sweep.values, (std::vector<double>{1, 2.5}));
+  EXPECT_TRUE(sweep.light);
+  EXPECT_EQ(read<ClocksRequest>(R"({"do": "clocks", "id": 1, "up_to": 8})").up_to, 8);
+  EXPECT_EQ(read<MeasuresRequest>(R"({"do": "measures", "id": 1, "layer_height": 0.5})").layer_height, 0.5);
   for (const char* plain : {"all", "cancel", "models", "measures"})
     EXPECT_EQ(refusal(std::string(R"({"id": 1, "do": ")") + plain + "\"}"), "") << plain;
 }
@@ -82,6 +93,8 @@ TEST(Request, SaysWhatIsWrong) {
   EXPECT_NE(refusal(R"({"id": 1, "do": "stills", "states": [{}], "width": 5000})").find("'width'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "stills", "states": [{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}]})")
                 .find("more than 16"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "instance": "ff"})").find("'instance'"),
             std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "step": -1})").find("'step'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "count": 1e6})").find("'count'"),
@@ -104,5 +117,4 @@ TEST(Request, OfNoGoodStillHasANumber) {
   EXPECT_EQ(request_id("{"), std::nullopt);
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::request_test

@@ -11,8 +11,7 @@
 #include "tests/support/temporary_folder.h"
 #include "text_units.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::root_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -106,5 +105,4 @@ TEST(RootFolder, WritesOverWhatWasOpenedAlone) {
   EXPECT_NE(refusal([&] { root.write("oak.txt", "x", {}, false); }).find(".json"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::root_folder_test

@@ -5,8 +5,7 @@
 
 #include "meristem/shape/texture/texture_recipe.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::shown_pictures_test {
 
 constexpr int kPixels = 128;
 const Vec3 kBrown(0.42F, 0.35F, 0.28F);
@@ -42,5 +41,4 @@ TEST(ShownPictures, PicturesOfOtherSizesAreNeverAlike) {
       look_alike(make_bark_texture(recipe, kRed, kPixels), make_bark_texture(recipe, kRed, 2 * kPixels), kRed));
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::shown_pictures_test

@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "clock_values.h"
 #include "export_job.h"
+#include "film_job.h"
 #include "grammar_job.h"
 #include "instance_value.h"
 #include "job_news.h"
@@ -18,8 +21,6 @@
 #include "meristem/base/version.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
-#include "meristem/measure/measures.h"
-#include "meristem/output/measure_report.h"
 #include "overlays_value.h"
 #include "part_values.h"
 #include "refusal.h"
@@ -42,6 +43,7 @@ Value limits_value(const StudioLimits& limits) {
   return Value::Object{{"message_bytes", static_cast<double>(limits.message_bytes)},
                        {"messages_per_second", limits.messages_per_second},
                        {"job_seconds", limits.job_seconds},
+                       {"film_seconds", limits.film_seconds},
                        {"memory_bytes", static_cast<double>(limits.memory_bytes)},
                        {"connections", limits.connections}};
 }
@@ -71,17 +73,23 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
   return write_json_line(refusal);
 }
 
-/// Answers a request with what `work` gives, or why it gives nothing.
+/// Answers a request with what `work` gives, or why it gives nothing. Work of many parts takes the news, a film; other
+/// work takes their progress.
 template <class Work>
 void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, RunningJobs& jobs, double id, const char* job,
                Work& work) {
+  constexpr bool kHasParts = std::is_invocable_v<Work&, Host&, JobNews&>;
   if (jobs.is_closed()) return;
   JobNews news(outbox, job, id);
-  JobWatch watch(news.progress(), host.limits);
+  JobWatch watch(news.progress(), host.limits, kHasParts);
   jobs.add(news.progress());
   try {
     Value::Object done{{"is", "done"}, {"re", id}};
-    done.push_back(work(host, news.progress()));
+    if constexpr (kHasParts) {
+      done.push_back(work(host, news));
+    } else {
+      done.push_back(work(host, news.progress()));
+    }
     outbox->send_text(write_json_line(done));
   } catch (const Cancelled&) {
     const std::optional<Refusal> limit = watch.reached();
@@ -143,6 +151,7 @@ StudioSession::~StudioSession() {
   jobs_->close();
   stills_->running().close();
   derivations_->running().close();
+  sweeps_->running().close();
   grower_->close();
 }
 
@@ -269,6 +278,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const OpenReques
   cancel_jobs();
   grower_->leave();
   still_maker_ = std::make_shared<StillMaker>();
+  sweep_maker_ = std::make_shared<SweepMaker>();
   root_ = found.root;
   path_ = found.path;
   model_ = request.model;
@@ -425,9 +435,10 @@ void StudioSession::run_later(double id, const char* job, Work work) {
 
 /// Has a job answer the request unless a newer one of its kind comes.
 template <class Work>
-void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Work work) {
+void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Worker& worker,
+                               Work work) {
   const std::uint64_t number = jobs->begin();
-  host_.stills.post([&host = host_, outbox = outbox_, jobs, number, id, job, work = std::move(work)]() mutable {
+  worker.post([&host = host_, outbox = outbox_, jobs, number, id, job, work = std::move(work)]() mutable {
     if (jobs->is_newest(number)) return answer_by(host, outbox, jobs->running(), id, job, work);
     outbox->send_text(refused_text(id, "cancelled", {{"cancelled", true}}));
   });
@@ -437,6 +448,7 @@ void StudioSession::cancel_jobs() {
   jobs_->cancel();
   stills_->begin();
   derivations_->begin();
+  sweeps_->begin();
 }
 
 /// The document of the present text, with the seed that the options ask for. Throws the text's faults.
@@ -458,33 +470,59 @@ std::string StudioSession::name_for(const ExportOptions& options) {
   return file_name_of(fs::path(title_).stem().string());
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest&) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest& request) {
   const ExportOptions options{.time = grower_->parts().time};
-  run_later(
-      id, "measure",
-      [document = document_for(options), grown = grown_for(options), time = options.time](
-          Host&, Progress& progress) -> Value::Member {
-        if (grown != nullptr) {
-          const MeshScene meshes = mesh_detail(*document, grown->plant, {}, progress);
-          return {"measures",
-                  measures_value(measure_plant(grown->plant, meshes, document->scene, {}, progress), false)};
-        }
-        const GrownDocument all = grow_document(*document, progress, {.time = time, .up_to = GrownPart::meshes});
-        return {"measures", measures_value(measure_plant(all.plant, all.meshes, document->scene, {}, progress), false)};
-      });
+  run_later(id, "measure",
+            [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
+                Host&, Progress& progress) -> Value::Member {
+              return {"measures", measured(source, request, progress)};
+            });
   return std::nullopt;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
-  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache& cache) {
+std::optional<StudioSession::Answer> StudioSession::act(double, const MeasureRowsRequest&) {
+  return Answer{{"rows", measure_rows_value()}};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRequest& request) {
+  const SweepSource source{.text = session().text(),
+                           .file = session().file(),
+                           .root = root_,
+                           .models = host_.models_folder,
+                           .time = grower_->parts().time};
+  run_newest(id, "sweep", sweeps_, host_.exports,
+             [source, request, maker = sweep_maker_](Host& host, JobNews& news) -> Value::Member {
+               return {"sweep", maker->make(source, request, host.registry, news)};
+             });
+  return std::nullopt;
+}
+
+/// Has the thread that grows answer the request by what has grown.
+template <class Question>
+void StudioSession::ask_grown(double id, Question question) {
+  grower_->ask([outbox = outbox_, id, question](const GrownWish* grown, GrowthCache& cache) {
     try {
       if (grown == nullptr) throw Refusal("nothing has grown yet");
       Progress progress;
-      Value::Object done{{"is", "done"}, {"re", id}, {"instance", instance_value(*grown, request, progress, cache)}};
+      Value::Object done{{"is", "done"}, {"re", id}};
+      done.push_back(question(*grown, progress, cache));
       outbox->send_text(write_json_line(done));
     } catch (const std::exception& error) {
       outbox->send_text(refused_text(id, error.what(), {}));
     }
+  });
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
+  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
+    return {"instance", instance_value(grown, request, progress, cache)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const ClocksRequest& request) {
+  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
+    return {"clocks", clocks_value(grown, request.up_to, progress, cache)};
   });
   return std::nullopt;
 }
@@ -529,6 +567,16 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
     source.document = document_for(request.options);
     source.grown = grown_for(request.options);
   }
+  if (has_frames(request.options)) {
+    host_.films.post(
+        [&host = host_, outbox = outbox_, jobs = jobs_, id, source = std::move(source), options = request.options] {
+          const auto work = [&](Host& of, JobNews& news) -> Value::Member {
+            return {"file", export_frames(source, options, of.downloads, news)};
+          };
+          answer_by(host, outbox, *jobs, id, "export", work);
+        });
+    return std::nullopt;
+  }
   run_later(id, "export",
             [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
               return {"file", export_file(source, options, host.downloads, progress)};
@@ -550,7 +598,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
                            .models = host_.models_folder,
                            .time = grower_->parts().time,
                            .grown = grower_->grown()};
-  run_newest(id, "stills", stills_,
+  run_newest(id, "stills", stills_, host_.stills,
              [source, request, maker = still_maker_](Host& host, Progress& progress) -> Value::Member {
                return {"stills", maker->make(source, request, host.registry, progress)};
              });
@@ -561,7 +609,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
   // The text derives, also while a drag shows another step of it.
   const bool is_plain = session().overrides().empty();
   if (is_plain && !session().is_good()) throw Refusal("the document has faults");
-  run_newest(id, "grammar", derivations_,
+  run_newest(id, "grammar", derivations_, host_.stills,
              [document = is_plain ? std::make_shared<const Document>(*session().document()) : document_for({}), request,
               time = grower_->parts().time](Host&, Progress& progress) -> Value::Member {
                return {"derivation", derivation(*document, request, time, progress)};

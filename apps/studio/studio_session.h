@@ -15,6 +15,7 @@
 
 #include "grower.h"
 #include "host.h"
+#include "measure_job.h"
 #include "meristem/document/edit/session.h"
 #include "request.h"
 #include "still_maker.h"
@@ -91,6 +92,8 @@ class StudioSession {
   std::optional<Answer> act(double id, const SaveRequest& request);
   std::optional<Answer> act(double id, const ModelsRequest& request);
   std::optional<Answer> act(double id, const MeasuresRequest& request);
+  std::optional<Answer> act(double id, const MeasureRowsRequest& request);
+  std::optional<Answer> act(double id, const SweepRequest& request);
   std::optional<Answer> act(double id, const InstanceRequest& request);
   std::optional<Answer> act(double id, const PartsRequest& request);
   std::optional<Answer> act(double id, const PartRequest& request);
@@ -98,6 +101,7 @@ class StudioSession {
   std::optional<Answer> act(double id, const CommandRequest& request);
   std::optional<Answer> act(double id, const StillsRequest& request);
   std::optional<Answer> act(double id, const GrammarRequest& request);
+  std::optional<Answer> act(double id, const ClocksRequest& request);
   std::optional<Answer> act(double id, const PictureRequest& request);
   std::optional<Answer> act(double id, const OverlaysRequest& request);
 
@@ -108,10 +112,12 @@ class StudioSession {
   void restart(std::string text);
   void show(bool at_once);
   void add_reading(Answer& answer);
+  template <class Question>
+  void ask_grown(double id, Question question);
   template <class Work>
   void run_later(double id, const char* job, Work work);
   template <class Work>
-  void run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Work work);
+  void run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Worker& worker, Work work);
   void cancel_jobs();
   std::shared_ptr<const Document> document_for(const ExportOptions& options);
   std::shared_ptr<const GrownWish> grown_for(const ExportOptions& options) const;
@@ -123,7 +129,9 @@ class StudioSession {
   const std::shared_ptr<RunningJobs> jobs_ = std::make_shared<RunningJobs>();
   const std::shared_ptr<NewestJobs> stills_ = std::make_shared<NewestJobs>();
   const std::shared_ptr<NewestJobs> derivations_ = std::make_shared<NewestJobs>();
+  const std::shared_ptr<NewestJobs> sweeps_ = std::make_shared<NewestJobs>();
   std::shared_ptr<StillMaker> still_maker_;  // of the document; the worker's thread alone calls it
+  std::shared_ptr<SweepMaker> sweep_maker_;  // the same
   std::optional<Session> session_;
   std::string root_;                                            // of the session's files
   std::optional<std::string> path_;                             // below the host's root; none for models and new texts

@@ -14,8 +14,7 @@
 #include "tests/support/shown_scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::studio_session_test {
 
 namespace fs = std::filesystem;
 
@@ -312,6 +311,42 @@ TEST(StudioSession, TellsAStepOfADerivation) {
   studio.ask("drag", R"("values": {})");
   // Too much is refused before it is made.
   EXPECT_TRUE(is_refused(studio.ask("grammar", R"("component": "weed", "step": 60)")));
+}
+
+TEST(StudioSession, TellsTheDerivationOfTheInstanceThatWasPointedAt) {
+  Studio studio;
+  std::string text = R"json("text": "{\"meristem\": 1, \"components\": {\"view\": {\"type\": \"camera\"},
+    \"row\": {\"type\": \"hydra\", \"number\": 3, \"radius\": 1}, \"weed\": {\"type\": \"lsystem\", \"steps\": 3, \"length\": 1,
+    \"grammar\": [\"F\", \"#rules\", \"F : 1 -> F[+F]F\", \"F : 1 -> FF\"]}},
+    \"links\": [[\"view\", \"row\"], [\"row\", \"weed\"]]}")json";
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  const auto instance_of = [&](const std::string& members) {
+    const Value answer = studio.ask("grammar", R"("component": "weed", )" + members);
+    return *answer.find("derivation")->find("instance");
+  };
+  const Value third = instance_of(R"("number": 2)");
+  EXPECT_EQ(*third.find("number")->number(), 2);
+  EXPECT_EQ(*third.find("of")->number(), 3);
+  const Value by_key = instance_of(R"("instance": ")" + *third.find("key")->text() + "\"");
+  EXPECT_EQ(*by_key.find("number")->number(), 2);
+  EXPECT_NE(*instance_of(R"("number": 0)").find("key")->text(), *third.find("key")->text());
+}
+
+TEST(StudioSession, MeasuresOverTheValuesOfAHandle) {
+  Studio studio;
+  studio.open_bush();
+  const Value rows = *studio.ask("measure_rows").find("rows");
+  EXPECT_EQ(*rows.list()->at(0).find("name")->text(), "trees");
+  EXPECT_FALSE(rows.list()->at(0).find("doc")->text()->empty());
+  const std::string path = "stem.length";
+  const Value sweep = *studio.ask("sweep", R"("path": ")" + path + R"(", "values": [1, 2, -1])").find("sweep");
+  ASSERT_EQ(sweep.list()->size(), 3U);
+  const auto height = [&](std::size_t k) { return *sweep.list()->at(k).find("measures")->find("height")->number(); };
+  EXPECT_NEAR(height(0), 1, 1e-6);
+  EXPECT_NEAR(height(1), 2, 1e-6);
+  EXPECT_NE(sweep.list()->at(2).find("faults"), nullptr);  // no stem is shorter than nothing
+  EXPECT_FALSE(studio.ask("measures", R"("light": true)").find("measures")->find("leaf_irradiance")->is_null());
 }
 
 TEST(StudioSession, ShowsPicturesSmallAndNoneFromOutside) {
@@ -709,5 +744,4 @@ TEST(StudioSession, EndsInTheMiddleOfWork) {
   studio.page().receive(studio.request("export", R"("format": ".glb")"));
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::studio_session_test

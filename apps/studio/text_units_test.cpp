@@ -5,8 +5,7 @@
 
 #include <rapidcheck/gtest.h>
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::text_units_test {
 
 const std::string kTree = "h\u00e9 \U0001f333";  // a letter of two bytes, a tree of four
 
@@ -49,5 +48,4 @@ RC_GTEST_PROP(TextUnits, TakeAnyPatchThereAndBack, (std::string text, unsigned f
   RC_ASSERT(in_bytes(text, in_units(text, patch)) == patch);
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::text_units_test

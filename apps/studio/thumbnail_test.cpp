@@ -7,8 +7,7 @@
 #include "meristem/output/write/png.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::thumbnail_test {
 
 Image plain(int width, int height, std::array<std::uint8_t, 4> colour) {
   Image image{.width = width, .height = height, .rgba = {}};
@@ -48,5 +47,4 @@ TEST(Thumbnail, ReadsBesideTheDocumentAndNothingOutside) {
   EXPECT_THROW(thumbnail("plant.json", 16, inside + "/plant.json", inside, Limits()), std::runtime_error);
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::thumbnail_test

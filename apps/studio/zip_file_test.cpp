@@ -10,8 +10,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem::studio {
-namespace {
+namespace meristem::studio::zip_file_test {
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -57,5 +56,4 @@ TEST(ZipFile, WithoutAFileThereIsNoArchive) {
   EXPECT_FALSE(std::filesystem::exists(folder / "all.zip"));
 }
 
-}  // namespace
-}  // namespace meristem::studio
+}  // namespace meristem::studio::zip_file_test

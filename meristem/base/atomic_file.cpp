@@ -106,6 +106,14 @@ void AtomicFile::write(const void* data, std::size_t size) {
   buffer_.insert(buffer_.end(), bytes, bytes + size);
 }
 
+void AtomicFile::overwrite(std::size_t offset, std::string_view bytes) {
+  if (descriptor_ < 0 || is_stream() || offset + bytes.size() > size_) {
+    throw std::invalid_argument("only what is in an open file can be written over");
+  }
+  flush();
+  send_at(offset, bytes);
+}
+
 void AtomicFile::commit() {
   if (descriptor_ < 0) throw std::invalid_argument("a file can be committed only once");
   flush();
@@ -149,6 +157,16 @@ void AtomicFile::send(const std::byte* data, std::size_t size) {
     if (sent < 0) fail();
     data += sent;
     size -= static_cast<std::size_t>(sent);
+  }
+}
+
+void AtomicFile::send_at(std::size_t offset, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) fail();
+    offset += static_cast<std::size_t>(sent);
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
 }
 

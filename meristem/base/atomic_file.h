@@ -30,6 +30,9 @@ class AtomicFile {
     write(values.data(), values.size_bytes());
   }
   std::size_t size() const { return size_; }  ///< bytes written so far
+  /// Writes over bytes that have been written already, such as a count at the beginning that is known at the end. Not
+  /// for streams, nor beyond size(): std::invalid_argument.
+  void overwrite(std::size_t offset, std::string_view bytes);
   /// True where bytes go straight through and nothing can be taken back.
   bool is_stream() const { return temporary_.empty(); }
   /// Puts the file in place, or hands it to this thread's FileSet; closes it first if it is open. Later calls throw
@@ -39,6 +42,7 @@ class AtomicFile {
  private:
   void open_temporary();
   void flush();
+  void send_at(std::size_t offset, std::string_view bytes);
   void close();
   void send(const std::byte* data, std::size_t size);
   void close_descriptor();

@@ -16,8 +16,7 @@
 #include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::atomic_file_test {
 
 namespace fs = std::filesystem;
 
@@ -90,6 +89,20 @@ TEST_F(AtomicFileTest, KeepsBytesInOrderAcrossItsBuffer) {
   EXPECT_EQ(file.size(), expected.size());
   file.commit();
   EXPECT_TRUE(content_of(at("bytes")) == expected);
+}
+
+TEST_F(AtomicFileTest, WritesOverWhatItHoldsAlready) {
+  AtomicFile file(at("a").string());
+  put(file, "00000 points\n");
+  file.overwrite(0, "12345");
+  put(file, "more\n");
+  file.overwrite(6, "P");
+  EXPECT_THROW(file.overwrite(17, "xx"), std::invalid_argument);
+  file.commit();
+  EXPECT_EQ(content_of(at("a")), "12345 Points\nmore\n");
+  EXPECT_THROW(file.overwrite(0, "x"), std::invalid_argument);
+  AtomicFile stream("-");
+  EXPECT_THROW(stream.overwrite(0, ""), std::invalid_argument);
 }
 
 TEST_F(AtomicFileTest, ReplacesAFileAndKeepsItsPermissions) {
@@ -276,5 +289,4 @@ TEST_F(AtomicFileTest, StandardOutputWaitsForNoSet) {
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "to the screen");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::atomic_file_test

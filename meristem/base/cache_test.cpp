@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::cache_test {
 
 struct Words {
   std::uint64_t size = 1;
@@ -108,5 +107,4 @@ TEST(Cache, ClearedItHoldsNothing) {
   EXPECT_NE(use(cache, 7), first);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cache_test

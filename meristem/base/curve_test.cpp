@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::curve_test {
 
 double second_derivative(const Curve& curve, double x, double step) {
   return (curve.slope(x + step) - curve.slope(x - step)) / (2 * step);
@@ -153,5 +152,4 @@ RC_GTEST_PROP(Curve, SplineOfScaledPointsIsTheScaledSpline, (const std::vector<s
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::curve_test

@@ -8,8 +8,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::curve_values_test {
 
 TEST(CurveValues, AreThoseOfTheCurveToTheLastBit) {
   const RandomKey key(5);
@@ -44,5 +43,4 @@ TEST(CurveValues, ServeAllCurvesWithTheSameX) {
   for (std::size_t k = 0; k < rising.size(); ++k) EXPECT_EQ(values[k], curve(rising[k]));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::curve_values_test

@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::degrees_test {
 
 using math::cos_deg;
 using math::sin_deg;
@@ -90,5 +89,4 @@ RC_GTEST_PROP(Degrees, SineIsOddAndCosineIsEven, (int thousandths)) {
   RC_ASSERT(cos_deg(-angle) == cos_deg(angle));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::degrees_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::diagnostic_test {
 
 Diagnostic complete() {
   Diagnostic diagnostic;
@@ -96,5 +95,4 @@ TEST(NearestName, GivesUpOnNamesOverAHundredBytes) {
   EXPECT_EQ(nearest_name(std::string(16'000'000, 'a'), names), "");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::diagnostic_test

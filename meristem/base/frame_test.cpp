@@ -10,8 +10,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::frame_test {
 
 constexpr float kTolerance = 1e-6F;
 constexpr std::uint64_t kPairs = 2000;
@@ -184,5 +183,4 @@ TEST(NormalizedOr, FallsBackWhereThereIsNoDirection) {
   EXPECT_TRUE(are_near(normalized_or(Vec3(3e38F, 0, 3e38F), fallback), Vec3(std::sqrt(0.5F), 0, std::sqrt(0.5F))));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::frame_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::hash_test {
 
 std::string hex_of(std::string_view text) { return hash128_hex(std::as_bytes(std::span(text))); }
 
@@ -25,5 +24,4 @@ TEST(Hash, ChangesWithEveryByte) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::hash_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::in_quotes_test {
 
 TEST(InQuotes, KeepsShortTexts) {
   EXPECT_EQ(in_quotes("leaf"), "'leaf'");
@@ -22,5 +21,4 @@ TEST(InQuotes, KeepsCharactersWhole) {
 
 TEST(InQuotes, EndsForBytesThatAreNoText) { EXPECT_EQ(in_quotes(std::string(50, '\x80')), "'...'"); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::in_quotes_test

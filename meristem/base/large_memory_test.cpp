@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::large_memory_test {
 
 TEST(LargeMemory, IsAsLongAsAskedForAndEmpty) {
   for (const std::size_t count : {0, 3, 1'000'000, 10'000'000}) {
@@ -18,5 +17,4 @@ TEST(LargeMemory, IsAsLongAsAskedForAndEmpty) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::large_memory_test

@@ -5,8 +5,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem {
-namespace {
+namespace meristem::limits_test {
 
 std::string limit_message(double wanted) {
   try {
@@ -27,5 +26,4 @@ TEST(Limits, AnErrorRoundsNumbersBeyondTheDigitsOfADouble) {
             "components.tree.points: 1e+300 attraction points are too many; expected at most 10000000 (limits.points)");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::limits_test

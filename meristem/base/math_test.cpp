@@ -13,8 +13,7 @@
 #include "meristem/base/random.h"
 #include "meristem/base/vec.h"
 
-namespace meristem {
-namespace {
+namespace meristem::math_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -210,5 +209,4 @@ TEST(Math, BytesAreThoseOfEveryOtherMachine) {
   EXPECT_EQ(hash128_hex(std::as_bytes(std::span(values))), "3df3341405e279c1e6c38a40066f8431");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::math_test

@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::noise_test {
 
 const RandomKey kKey(7);
 
@@ -115,5 +114,4 @@ TEST(Noise, FarAwayPlacesAndMissingNumbersAreDefined) {
   EXPECT_TRUE(std::isnan(gradient_noise(kKey, 0, 1e300, std::nan(""))));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::noise_test

@@ -17,8 +17,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::parallel_test {
 
 constexpr int kThreadCounts[] = {1, 2, 3, 8};
 
@@ -248,5 +247,4 @@ TEST(ThreadLimit, IsOfOneThreadOnly) {
 
 TEST(ThreadLimit, RejectsANegativeNumber) { EXPECT_THROW(ThreadLimit(-1), std::invalid_argument); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::parallel_test

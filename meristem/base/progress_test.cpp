@@ -9,8 +9,7 @@
 
 #include "meristem/base/parallel.h"
 
-namespace meristem {
-namespace {
+namespace meristem::progress_test {
 
 struct Report {
   std::string stage;
@@ -133,5 +132,4 @@ TEST(ProgressPart, StopsAlone) {
   EXPECT_FALSE(whole.is_cancelled());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::progress_test

@@ -10,8 +10,7 @@
 
 #include "meristem/base/hash.h"
 
-namespace meristem {
-namespace {
+namespace meristem::random_test {
 
 using Words = std::array<std::uint32_t, 4>;
 
@@ -156,5 +155,4 @@ TEST(RandomKey, DirectionsAreUnitAndEvenOnTheSphere) {
   for (std::uint64_t k = 0; k < 1000; ++k) EXPECT_NEAR(glm::length(key.direction(k)), 1, 1e-6);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::random_test

@@ -9,8 +9,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem {
-namespace {
+namespace meristem::read_columns_test {
 
 using List = std::vector<double>;
 
@@ -135,5 +134,4 @@ TEST(ReadColumns, GathersAllFaultsOfRowsUpToTheLimit) {
   EXPECT_EQ(faults_of(text, limits).size(), 7U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::read_columns_test

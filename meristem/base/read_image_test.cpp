@@ -10,8 +10,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::read_image_test {
 
 /// Colours that JPEG keeps well, alpha falling from row to row.
 Image sample() {
@@ -115,5 +114,4 @@ TEST(ReadImage, RefusesMorePixelsThanAllowedByTheHeaderAlone) {
   EXPECT_FALSE(parse_image(png_bytes(sample()), "bark.png", limits).is_empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::read_image_test

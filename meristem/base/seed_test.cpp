@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::seed_test {
 
 TEST(Seed, IsAWholeNumberUpToTwoToThe53) {
   EXPECT_EQ(seed_of_text("0"), 0U);
@@ -25,5 +24,4 @@ TEST(Seed, RangeInWordsEndsWithTheLargest) {
   EXPECT_TRUE(std::string(kSeedRange).ends_with(' ' + std::to_string(kLargestSeed)));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::seed_test

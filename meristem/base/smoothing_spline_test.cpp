@@ -12,8 +12,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::smoothing_spline_test {
 
 using List = std::vector<double>;
 using Matrix = std::vector<List>;
@@ -231,5 +230,4 @@ TEST(SmoothingSpline, RejectsWhatIsNoFunction) {
   EXPECT_THROW(smooth_values(List{0, 1, 2}, {{1, 2, 3}}, 1, List{1, 0, 1}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::smoothing_spline_test

@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::track_test {
 
 using Way = Track::Way;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -78,5 +77,4 @@ TEST(Track, RefusesKeysWithoutOrder) {
   EXPECT_THROW(Track({{2, 0}, {1, 2}}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::track_test

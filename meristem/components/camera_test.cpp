@@ -6,8 +6,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::camera_test {
 
 View view_of(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -51,5 +50,4 @@ TEST(CameraComponent, ItsFrameMovesTheWholePlant) {
   EXPECT_EQ(plant.organs.at(0).frame.origin.y, 5);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::camera_test

@@ -7,8 +7,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cloud_test {
 
 const Value kBall = Value::Object{{"sphere", Value::Object{{"centre", Value::List{0, 2, 0}}, {"radius", 0.5}}}};
 
@@ -95,5 +94,4 @@ TEST(Cloud, LeavesOutTheDarkestShare) {
   EXPECT_GT(lowest(0.5), lowest(0) + 0.1F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cloud_test

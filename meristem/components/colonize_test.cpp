@@ -10,8 +10,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::colonize_test {
 
 Value crown(std::initializer_list<Value::List> profile) {
   return Value::Object{{"profile", Value::List(profile.begin(), profile.end())}};
@@ -292,5 +291,4 @@ TEST(ColonizeComponent, ItsLightIsChecked) {
   EXPECT_EQ(path_of({{"shade", Value::Object{{"depth", 100}}}}), "components.tree.light.shade.depth");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::colonize_test

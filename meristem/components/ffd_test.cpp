@@ -14,8 +14,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/space_maps.h"
 
-namespace meristem {
-namespace {
+namespace meristem::ffd_test {
 
 const Value::Object kBend{{"dx", "x + 0.1*y^2"}};
 const Value::Object kShear{{"dx", "x + 0.5*y"}, {"dz", "2*z"}};
@@ -282,5 +281,4 @@ TEST(Ffd, RefusesWhatIsNoFunctionOfSpace) {
       << faults[0].message;
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::ffd_test

@@ -6,8 +6,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::field_test {
 
 std::vector<Organ> plants_of(const Value::Object& field) {
   GraphBuilder builder(builtin_components());
@@ -57,5 +56,4 @@ TEST(Field, TooManyPlantsAreAFaultBeforeTheirMemoryIsSpent) {
   EXPECT_NE(faults[0].text().find("instances"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::field_test

@@ -15,8 +15,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grassleaf_test {
 
 using Object = Value::Object;
 using List = Value::List;
@@ -567,5 +566,4 @@ TEST(Grassleaf, ATurnThatVariesToEndBeforeItBeginsIsAKink) {
   EXPECT_EQ(tip_of(varied, varied.organs[0]), tip_of(plain, plain.organs[0]));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grassleaf_test

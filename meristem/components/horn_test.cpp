@@ -12,8 +12,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::horn_test {
 
 GraphBuilder one(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -215,5 +214,4 @@ TEST(Horn, HasTheSameBytesOnAnyNumberOfThreads) {
   for (const int threads : {2, 3, 8}) EXPECT_EQ(hash(threads), one_thread);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::horn_test

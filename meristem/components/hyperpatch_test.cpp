@@ -8,8 +8,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::hyperpatch_test {
 
 const Value::List kBox{Value::List{-1, 0, -1}, Value::List{1, 3, 1}};
 const Value::List kLinear{1, 1, 1};
@@ -104,5 +103,4 @@ TEST(Hyperpatch, ThatFoldsIsTold) {
   EXPECT_NE(fault.message.find("folds space over where 'trunk' stands"), std::string::npos) << fault.message;
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::hyperpatch_test

@@ -12,8 +12,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::leaf_test {
 
 // `copies` leaves in a row: each link to the leaf makes one.
 GraphBuilder leaves(int copies, const Value::Object& parameters) {
@@ -204,5 +203,4 @@ TEST(Leaf, ShapesAreRoundedToPowersThatAreLookedUpOrNot) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::leaf_test

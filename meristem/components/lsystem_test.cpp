@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::lsystem_test {
 
 using testing::HasSubstr;
 
@@ -178,5 +177,4 @@ TEST(Lsystem, StopsBeforeAnExplosionTakesMemory) {
   EXPECT_THAT(fault_of({{"grammar", "F\n#rules\nF -> FFFFFFFFFF\n"}, {"steps", 40}}), HasSubstr("limits.modules"));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::lsystem_test

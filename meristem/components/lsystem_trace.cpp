@@ -21,34 +21,48 @@ struct MetInstance {
   Directions directions;
 };
 
-/// Takes note of the first of all instances, whatever thread expands which.
-class FirstInstance {
+/// Takes note of all instances, whatever thread expands which.
+class MetInstances {
  public:
   void meet(const Lsystem& plant, const Site& site, const Directions& directions) {
     const std::lock_guard lock(mutex_);
-    if (!first_ || rank(site) < rank(first_->site)) first_ = {plant, site, directions};
+    all_.push_back({plant, site, directions});
   }
-  const std::optional<MetInstance>& get() const { return first_; }
+
+  /// All of them in an order that depends on no thread.
+  std::vector<MetInstance> take() {
+    std::ranges::sort(all_, {}, rank);
+    return std::move(all_);
+  }
 
  private:
-  static std::tuple<std::uint16_t, std::uint32_t, std::uint64_t> rank(const Site& site) {
-    return {site.depth, site.i, site.key.bits()};
+  static std::tuple<std::uint16_t, std::uint32_t, std::uint64_t> rank(const MetInstance& met) {
+    return {met.site.depth, met.site.i, met.site.key.bits()};
   }
 
   std::mutex mutex_;
-  std::optional<MetInstance> first_;
+  std::vector<MetInstance> all_;
 };
 
-/// The component type with an expansion that tells `first` of each instance, and draws nothing.
-ComponentType watched(const ComponentType& type, FirstInstance& first) {
+/// The number of the instance that is wished for, among some.
+std::size_t number_of(const std::vector<MetInstance>& all, const LsystemTraceWish& wish) {
+  if (wish.key) {
+    const auto found = std::ranges::find(all, *wish.key, [](const MetInstance& met) { return met.site.key.bits(); });
+    if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
+  }
+  return std::min(wish.number, all.size() - 1);
+}
+
+/// The component type with an expansion that tells `met` of each instance, and draws nothing.
+ComponentType watched(const ComponentType& type, MetInstances& met) {
   ComponentType made = type;
-  made.expand = [&first](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
+  made.expand = [&met](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
     Lsystem instance = *static_cast<const Lsystem*>(prototype.parameters.get());
     const VaryingValues values(prototype.varyings, sites, out.time());
     for (std::size_t k = 0; k < sites.size(); ++k) {
       values.apply(k, &instance);
       out.instance(instance, sites[k], k, [&](const Site& site) {
-        first.meet(instance, site, out.directions());
+        met.meet(instance, site, out.directions());
         out.no_children();
       });
     }
@@ -79,19 +93,24 @@ std::vector<DrawnModule> places_of(const Drawing& drawing) {
 }  // namespace
 
 std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
-                                          std::optional<int> steps, double time, Progress& progress) {
+                                          const LsystemTraceWish& wish, double time, Progress& progress) {
   const auto found = std::ranges::find(graph.components, id, &Prototype::id);
   if (found == graph.components.end() || found->type->name != lsystem_component().name) return std::nullopt;
-  FirstInstance first;
-  const ComponentType type = watched(*found->type, first);
+  MetInstances met;
+  const ComponentType type = watched(*found->type, met);
   Graph watching = graph;
   watching.components[static_cast<std::size_t>(found - graph.components.begin())].type = &type;
   expand(watching, scene, time, progress);
-  if (!first.get()) return std::nullopt;
+  const std::vector<MetInstance> all = met.take();
+  if (all.empty()) return std::nullopt;
 
-  const auto& [plant, site, directions] = *first.get();
+  const std::size_t number = number_of(all, wish);
+  const auto& [plant, site, directions] = all[number];
   const Grammar& grammar = plant.source().grammar;
-  LsystemTrace trace{.text = plant.source().text,
+  LsystemTrace trace{.site = site,
+                     .number = number,
+                     .count = all.size(),
+                     .text = plant.source().text,
                      .steps = plant.steps.value_or(grammar.steps.value_or(0)),
                      .alphabet = grammar.alphabet,
                      .derived = {},
@@ -100,7 +119,7 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
                      .places = {}};
   try {
     const RandomKey key = word_key(site);
-    trace.derived = derive(grammar, steps.value_or(trace.steps), key, graph.limits, progress);
+    trace.derived = derive(grammar, wish.steps.value_or(trace.steps), key, graph.limits, progress);
     trace.drawn = interpreted(grammar, trace.derived, key, graph.limits, progress);
     trace.places = places_of(draw(trace.drawn, grammar.alphabet, turtle_of(plant, directions), site.frame, graph.limits,
                                   "components." + id, progress));

@@ -24,8 +24,18 @@ struct DrawnModule {
   bool operator==(const DrawnModule&) const = default;
 };
 
+/// What is asked about.
+struct LsystemTraceWish {
+  std::optional<int> steps{};          ///< in place of the instance's own
+  std::optional<std::uint64_t> key{};  ///< the bits of the key of the instance's site; unset, or of none: see `number`
+  std::size_t number = 0;              ///< of the instance among all, where no key says it; beyond the last: the last
+};
+
 /// One instance of an lsystem component after a number of steps.
 struct LsystemTrace {
+  Site site;                        ///< of the instance
+  std::size_t number = 0;           ///< of the instance among all of the component
+  std::size_t count = 0;            ///< instances of the component
   std::string text;                 ///< of the grammar, as it was read
   int steps = 0;                    ///< that the instance itself would take
   Alphabet alphabet;                ///< of both words
@@ -35,10 +45,10 @@ struct LsystemTrace {
   std::vector<DrawnModule> places;  ///< by rising module; in undeformed space, before `finish` moves anything
 };
 
-/// Traces the first instance of the component with this id: of those with the fewest recursions behind them the first
-/// among its siblings. `steps` stands in for the instance's own. The draws are those that the plant grows by. Nothing
-/// where the component has no instance, or is no lsystem. Throws what expand, derive and draw throw.
+/// Traces an instance of the component with this id. Instances are counted from those with the fewest recursions behind
+/// them, and by their numbers among their siblings. The draws are those that the plant grows by. Nothing where the
+/// component has no instance, or is no lsystem. Throws what expand, derive and draw throw.
 std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
-                                          std::optional<int> steps, double time, Progress& progress);
+                                          const LsystemTraceWish& wish, double time, Progress& progress);
 
 }  // namespace meristem

@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::lsystem_trace_test {
 
 using testing::HasSubstr;
 
@@ -23,7 +22,7 @@ GraphBuilder traced_plant(const Value::Object& parameters) {
 std::optional<LsystemTrace> trace_of(const GraphBuilder& builder, std::optional<int> steps = {},
                                      const std::string& id = "plant") {
   Progress progress;
-  return trace_lsystem(builder.sound_graph(), Scene(), id, steps, 0, progress);
+  return trace_lsystem(builder.sound_graph(), Scene(), id, {.steps = steps}, 0, progress);
 }
 
 // Segments of the only stem, each as its two ends, in no order.
@@ -78,6 +77,28 @@ TEST(LsystemTrace, TellsTheDerivedWordFromTheDrawnOne) {
   EXPECT_EQ(word_text(trace->drawn, trace->alphabet), "FFFF");
 }
 
+TEST(LsystemTrace, FindsAnInstanceByItsKeyAndByItsNumber) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("ring", "hydra", {{"number", 4}, {"radius", 1}});
+  builder.component("plant", "lsystem", {{"grammar", "F\n#rules\nF : 1 -> F[+F]F\nF : 1 -> F[-F]FF"}, {"steps", 4}});
+  builder.link("view", "ring").link("ring", "plant");
+  const auto trace = [&](const LsystemTraceWish& wish) {
+    Progress progress;
+    return *trace_lsystem(builder.sound_graph(), Scene(), "plant", wish, 0, progress);
+  };
+  const LsystemTrace first = trace({});
+  EXPECT_EQ(first.number, 0U);
+  EXPECT_EQ(first.count, 4U);
+  const LsystemTrace third = trace({.number = 2});
+  EXPECT_EQ(third.site.i, 2U);
+  EXPECT_NE(word_text(third.derived, third.alphabet), word_text(first.derived, first.alphabet));
+  const LsystemTrace again = trace({.key = third.site.key.bits()});
+  EXPECT_EQ(again.number, 2U);
+  EXPECT_EQ(again.places, third.places);
+  EXPECT_EQ(trace({.key = 1}).number, 0U);      // of no instance
+  EXPECT_EQ(trace({.number = 99}).number, 3U);  // beyond the last
+}
+
 TEST(LsystemTrace, IsNothingForOtherComponents) {
   GraphBuilder builder = traced_plant({{"grammar", "F"}, {"steps", 0}});
   EXPECT_FALSE(trace_of(builder, {}, "view"));
@@ -92,5 +113,4 @@ TEST(LsystemTrace, SaysTheLineOfAFault) {
   EXPECT_THAT(faults[0].message, HasSubstr("line 3"));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::lsystem_trace_test

@@ -8,8 +8,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::needles_test {
 
 // `copies` shoots in a row.
 Plant shoots(int copies, const Value::Object& parameters) {
@@ -63,5 +62,4 @@ TEST(NeedlesComponent, FaultyOnesAreRejected) {
   EXPECT_EQ(path_of({{"count", "i"}}), "components.needles.count");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::needles_test

@@ -15,8 +15,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_test {
 
 GraphBuilder tree(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -650,5 +649,4 @@ TEST_F(OrganizeOnWood, CountsWhatStandsBeforeItIsMade) {
   EXPECT_EQ(faults[0].path, "components.tree.length");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_test

@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::phiball_test {
 
 GraphBuilder ball_of(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -124,5 +123,4 @@ TEST(Phiball, FaultsAreLocated) {
   EXPECT_EQ(fault({{"number", 2e9}}), "components.ball");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::phiball_test

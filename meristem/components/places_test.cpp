@@ -10,8 +10,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::places_test {
 
 std::vector<Organ> stones_of(const Value::Object& places, std::uint64_t seed = 1, const Scene& scene = {}) {
   GraphBuilder builder(builtin_components());
@@ -188,5 +187,4 @@ TEST(Places, RejectsAnAreaWithTooManySites) {
   EXPECT_NE(found[0].message.find("100000000 sites"), std::string::npos) << found[0].message;
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::places_test

@@ -10,8 +10,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::plugin_test {
 
 std::string fault_of(const std::string& path) {
   try {
@@ -48,5 +47,4 @@ TEST(Plugin, TheInterfaceNamesTheVersion) {
   EXPECT_EQ(plugin_interface().find("Meristem " + std::string(version()) + ", plug-ins 1, "), 0U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::plugin_test

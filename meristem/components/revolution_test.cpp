@@ -7,8 +7,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::revolution_test {
 
 GraphBuilder one(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -70,5 +69,4 @@ TEST(RevolutionComponent, FaultySilhouettesAreRejectedAtTheirPlace) {
   EXPECT_EQ(faults_of([] { one({{"kind", "liner"}}); }).at(0).nearest, "linear");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::revolution_test

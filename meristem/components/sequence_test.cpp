@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "meristem/components/registry.h"
+#include "meristem/graph/instances.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sequence_test {
 
 const Value::Object kShowsTime{{"frame", Value::Object{{"translate", Value::List{0, "t", 0}}}}};
 
@@ -65,6 +65,27 @@ TEST(Sequence, EachInstanceHasADelayOfItsOwn) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(all[static_cast<std::size_t>(i)], std::max(0.0, 2.5 - i), 1e-6);
 }
 
+TEST(Sequence, ItsClocksAreToldByTheirStarts) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera")
+      .component("star", "wreath", {{"number", 4}, {"angle", 0}})
+      .component("clock", "sequence", {{"delay", "floor(i/2)"}, {"speed", 2}, {"waits", false}})
+      .component("box", "simple", kShowsTime)
+      .component("ball", "simple");
+  builder.link("view", "star").link("star", "clock").link("clock", "box").link("clock", "ball");
+  const auto clocks_at = [&](double time) {
+    Progress progress;
+    return begun_clocks(builder.sound_graph(), Scene(), time, progress);
+  };
+  const std::vector<BegunClock> all = clocks_at(5);
+  ASSERT_EQ(all.size(), 2U);  // those of four instances, two and two alike
+  EXPECT_EQ(builder.sound_graph().components[all[0].component].id, "clock");
+  EXPECT_DOUBLE_EQ(all[0].clock.start, 0);
+  EXPECT_DOUBLE_EQ(all[1].clock.start, 1);
+  EXPECT_DOUBLE_EQ(all[1].clock.speed, 2);
+  EXPECT_EQ(clocks_at(0.5).size(), 1U);
+}
+
 TEST(Counts, OfACountWithAFractionTheLastPartIsSmaller) {
   for (const char* const type : {"hydra", "wreath", "phiball"}) {
     GraphBuilder builder(builtin_components());
@@ -110,5 +131,4 @@ TEST(Counts, NothingJumpsAsACountRises) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sequence_test

@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::simple_test {
 
 GraphBuilder one(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -179,5 +178,4 @@ TEST(Simple, WrongSizesAndShapesAreRejected) {
   EXPECT_EQ(faults_of([] { one({{"shape", "shpere"}}); }).at(0).nearest, "sphere");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::simple_test

@@ -16,8 +16,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::skeleton_test {
 
 using testing::HasSubstr;
 
@@ -135,5 +134,4 @@ TEST_F(SkeletonComponent, TheDigitisedWalnutIsAsItsReaderHasIt) {
   EXPECT_EQ(walnut.position[0], Vec3(0));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::skeleton_test

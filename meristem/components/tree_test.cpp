@@ -13,8 +13,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::tree_test {
 
 GraphBuilder trunk(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -309,5 +308,4 @@ TEST(Tree, TooManyPixelsOfTexturesAreStoppedAndNamed) {
   EXPECT_NE(faults[0].expected.find("limits.texture_pixels"), std::string::npos) << faults[0].text();
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tree_test

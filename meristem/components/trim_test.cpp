@@ -12,8 +12,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::trim_test {
 
 Value box(double low, double high) { return Value::List{Value::List{-2, low, -2}, Value::List{2, high, 2}}; }
 
@@ -210,5 +209,4 @@ TEST(Trim, RefusesABodyWithoutSizeAndATrimThatSaysNothing) {
             "the normal has no length");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::trim_test

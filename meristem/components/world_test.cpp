@@ -12,8 +12,7 @@
 #include "meristem/scene/crown/solid_crowns.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::world_test {
 
 using Object = Value::Object;
 using List = Value::List;
@@ -260,5 +259,4 @@ TEST(World, BadFieldsAreToldWithTheirPlace) {
   EXPECT_TRUE(faults_in({{"gravity", formula("1/x", "0", "0")}}, {}).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::world_test

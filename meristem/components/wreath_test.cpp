@@ -6,8 +6,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::wreath_test {
 
 std::vector<Organ> posts(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
@@ -43,5 +42,4 @@ TEST(Wreath, NumbersDifferPerChildAndAnArcIsAPartOfTheRing) {
 
 TEST(Wreath, WithoutANumberHasNoChildren) { EXPECT_TRUE(posts({{"number", 0}}).empty()); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::wreath_test

@@ -17,8 +17,7 @@
 #include "meristem/shape/cached_meshes.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::animation_test {
 
 Document read(const std::string& text, double time = 0) {
   return read_document(text, "d.json", builtin_components(), {.time = time});
@@ -358,5 +357,4 @@ TEST(Animation, KeysStandInItAlone) {
   EXPECT_NE(found[0].find("animation"), std::string::npos) << found[0];
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::animation_test

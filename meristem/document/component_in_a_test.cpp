@@ -10,8 +10,7 @@
 #include "meristem/document/schema.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::component_in_a_test {
 
 /// A cone that carries a ring of children near its apex.
 struct Spike : ComponentBase {
@@ -102,5 +101,4 @@ TEST(ComponentInATest, StandsInTheSchema) {
   EXPECT_NE(write_json(document_schema(registry())).find("\"spike\""), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::component_in_a_test

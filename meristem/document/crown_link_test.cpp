@@ -9,8 +9,7 @@
 #include "meristem/document/grow.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crown_link_test {
 
 std::string text(const std::string& surface, const std::string& link) {
   return R"({"meristem": 1, "components": {
@@ -65,5 +64,4 @@ TEST(CrownLink, KnowsNoKeysOfBranchLinks) {
   EXPECT_EQ(faults[0].path, "links[1].whorl");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crown_link_test

@@ -15,8 +15,7 @@
 #include "meristem/document/grow.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crowns_test {
 
 constexpr const char* kSmall = R"("points": 300)";
 
@@ -364,5 +363,4 @@ TEST(CrownDocument, NestingIsBounded) {
   EXPECT_NE(fault(crown).find("nest"), std::string::npos) << fault(crown);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crowns_test

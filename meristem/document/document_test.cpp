@@ -9,8 +9,7 @@
 #include "meristem/components/leaf.h"
 #include "meristem/components/registry.h"
 
-namespace meristem {
-namespace {
+namespace meristem::document_test {
 
 Document read(const std::string& text) { return read_document(text, "d.json", builtin_components()); }
 
@@ -284,5 +283,4 @@ TEST(ReadTextFile, FailsForPathsThatAreNoFiles) {
   EXPECT_THROW(read_text_file("/"), MachineError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::document_test

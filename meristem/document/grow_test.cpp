@@ -9,8 +9,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/components/registry.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grow_test {
 
 constexpr const char* kTree = R"j({
   "meristem": 1,
@@ -104,5 +103,4 @@ TEST(GrowDocument, StopsWhenCancelled) {
   EXPECT_THROW(grow_document(document, progress), Cancelled);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grow_test

@@ -14,8 +14,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::growth_cache_test {
 
 constexpr const char* kTwoTrees = R"j({
   "meristem": 1,
@@ -196,5 +195,4 @@ TEST(GrowthCache, ModelsGiveTheSameBytesWhateverChangesBefore) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::growth_cache_test

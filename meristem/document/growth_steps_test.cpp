@@ -11,7 +11,7 @@
 #include "meristem/graph/batch.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
+namespace meristem::growth_steps_test {
 namespace {
 
 constexpr const char* kColonizing = R"j({
@@ -223,4 +223,4 @@ TEST(GrowthSteps, ACloudThatDoesNotStandBesideItsTreeIsAFault) {
 }
 
 }  // namespace
-}  // namespace meristem
+}  // namespace meristem::growth_steps_test

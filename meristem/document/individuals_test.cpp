@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 
-namespace meristem {
-namespace {
+namespace meristem::individuals_test {
 
 GrownDocument grow(const std::string& components, const std::string& links) {
   const std::string text = R"({"meristem": 1, "components": {)" + components + R"(}, "links": [)" + links + "]}";
@@ -114,5 +113,4 @@ TEST(Individuals, OneBodyOfSeveralPlantsBelongsToNone) {
   EXPECT_EQ(grown.meshes.meshes[0].individual(0), kNoIndividual);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::individuals_test

@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace meristem {
-namespace {
+namespace meristem::json_test {
 
 /// "line:column: message; expected ...", as users read it.
 std::string fault_of(std::string_view text, const Limits& limits = {}) {
@@ -161,5 +160,4 @@ TEST(Json, ReadsBackWhatItWrites) {
   }));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::json_test

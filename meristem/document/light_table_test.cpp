@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 
-namespace meristem {
-namespace {
+namespace meristem::light_table_test {
 
 /// The document of a box with this scene, which has a line of its own.
 Document read_in(const std::string& scene, const std::vector<Override>& overrides = {}) {
@@ -277,5 +276,4 @@ TEST(SceneLight, RejectsLampsWithoutNumber) {
             "d.json:2:11: scene.lamps: 1001 lamps are too many; expected at most 1000");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::light_table_test

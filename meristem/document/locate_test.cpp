@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace meristem {
-namespace {
+namespace meristem::locate_test {
 
 /// "line:column" of a diagnostic at `path`.
 std::string place_of(std::string_view text, const std::string& path, int text_offset = -1) {
@@ -188,5 +187,4 @@ TEST(Locate, FindsEveryValueWhereItWasWritten) {
   }));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::locate_test

@@ -11,8 +11,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::lsystem_document_test {
 
 using testing::HasSubstr;
 
@@ -175,5 +174,4 @@ TEST(LsystemDocument, MayPlaceItselfToADepth) {
   EXPECT_EQ(plant.stems[0].parts.size(), 3U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::lsystem_document_test

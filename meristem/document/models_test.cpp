@@ -8,8 +8,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::models_test {
 
 class ModelsTest : public testing::Test {
  protected:
@@ -44,5 +43,4 @@ TEST_F(ModelsTest, SuggestTheNearestName) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::models_test

@@ -12,8 +12,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::obstacle_table_test {
 
 std::string document_with(const std::string& obstacles, const std::string& more = "") {
   return fmt::format(
@@ -183,5 +182,4 @@ TEST_F(ObstacleDocument, ARealHouseStandsOnTheGround) {
   EXPECT_TRUE(closedness_faults(house.bodies()[0].mesh).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::obstacle_table_test

@@ -9,8 +9,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 
-namespace meristem {
-namespace {
+namespace meristem::obstacle_warnings_test {
 
 // A wall from x = 1 to 1.5, into which a component may be told to go.
 std::vector<Diagnostic> warnings_of(const std::string& components, const std::string& links = "[]",
@@ -65,5 +64,4 @@ TEST(ObstacleWarnings, WhatGrowsKeepsOutAndIsNotNamed) {
                   .empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::obstacle_warnings_test

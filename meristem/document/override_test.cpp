@@ -7,8 +7,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::override_test {
 
 constexpr const char* kOak = R"({
   "meristem": 1,
@@ -152,5 +151,4 @@ TEST(Override, LeavesADocumentThatIsNoObjectToTheReader) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::override_test

@@ -14,8 +14,7 @@
 #include "meristem/document/json.h"
 #include "meristem/graph/table/usual_range.h"
 
-namespace meristem {
-namespace {
+namespace meristem::parameter_tables_test {
 
 const Value& tables() {
   static const Value tables = parameter_tables(builtin_components());
@@ -169,5 +168,4 @@ TEST(ComponentTables, RulesOfCompanyNameRowsThatThereAre) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::parameter_tables_test

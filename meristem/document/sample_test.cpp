@@ -16,8 +16,7 @@
 #include "meristem/graph/table/table.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sample_test {
 
 struct Angles {
   double angle = 0.5;
@@ -203,5 +202,4 @@ TEST(Sample, FaultsAreTold) {
             "it.fixed: 'fixed' is one number for all instances and cannot be an object; expected a number");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sample_test

@@ -14,8 +14,7 @@
 #include "meristem/graph/placement.h"
 #include "tests/support/check_sentence.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sentences_test {
 
 /// Every table that documents are read by, once; tables hold themselves.
 void collect(const ParameterTable& table, std::vector<const ParameterTable*>& tables) {
@@ -71,5 +70,4 @@ TEST(Sentences, ThatLeanOnOthersAreFoundOut) {
   EXPECT_EQ(sentence_fault(std::string(200, 'A') + "."), "is too long for a tooltip");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sentences_test

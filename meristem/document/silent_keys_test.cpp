@@ -7,8 +7,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 
-namespace meristem {
-namespace {
+namespace meristem::silent_keys_test {
 
 Document read(const std::string& components, const std::vector<std::string>& sets = {}) {
   ReadOptions options;
@@ -72,5 +71,4 @@ TEST(SilentKeys, NullTakesAKeyAway) {
   EXPECT_EQ(fault_of(kViewed, {"veiw.azimuth=null"}).substr(0, 45), "--set veiw.azimuth: components.veiw.azimuth: ");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::silent_keys_test

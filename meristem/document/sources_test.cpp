@@ -15,8 +15,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sources_test {
 
 constexpr const char* kTwig = R"j({
   "meristem": 1,
@@ -368,5 +367,4 @@ TEST_F(Garden, ItsLimitsHoldForAllVariantsTogether) {
   EXPECT_EQ(fault(row, links, R"j("limits": {"instances": 200}, )j"), "no fault");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sources_test

@@ -10,8 +10,7 @@
 #include "meristem/components/registry.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::variables_test {
 
 /// A leaf as long as `length` says, with variables.
 std::string with(const std::string& variables, const std::string& length = "1") {
@@ -161,5 +160,4 @@ TEST(Variables, ThatWereSetAreToldWhereTheyBreakARule) {
   EXPECT_EQ(faults_of(with(R"("wide": 600)", "wide")).find("(wide"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::variables_test

@@ -11,8 +11,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cached_expansion_test {
 
 Scene known_scene() {
   Scene scene;
@@ -277,5 +276,4 @@ TEST(Fingerprint, WhatIsNoFileHasNone) {
   EXPECT_FALSE(fingerprint_of("x", {}, files, 100).has_value());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cached_expansion_test

@@ -8,8 +8,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/shape/implicit/plant_body.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crown_placement_test {
 
 // A ball of 1 m radius about the tip of a stem 3 m high.
 Skeleton stem() {
@@ -92,5 +91,4 @@ TEST(CrownPlacement, StopsAtTheLimitOfInstances) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crown_placement_test

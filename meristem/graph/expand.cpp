@@ -6,11 +6,13 @@
 #include "meristem/graph/expand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <typeinfo>
 #include <unordered_map>
@@ -88,6 +90,16 @@ class Expansion {
     counts_.resize(graph_.components.size());
     walk();
     return std::move(counts_);
+  }
+
+  std::vector<BegunClock> clocks() {
+    clocks_.emplace();
+    walk();
+    const auto rank = [](const BegunClock& one) { return std::tuple(one.component, one.clock.start, one.clock.speed); };
+    std::ranges::sort(*clocks_, {}, rank);
+    const auto same = std::ranges::unique(*clocks_, {}, rank);
+    clocks_->erase(same.begin(), same.end());
+    return std::move(*clocks_);
   }
 
   /// Walks until the instance is found. The results of the cache stay, since the run does not end.
@@ -522,8 +534,19 @@ class Expansion {
       results_.store(key, places);
     }
     Batch children{to, std::move(places)};
+    if (clocks_ && graph_.components[batch.component].type->begins_clock) note_clocks(batch.component, children);
     if (tree_) children.numbers = note_instances(children, per_parent, batch.numbers, link);
     enqueue(std::move(children));
+  }
+
+  /// Notes the clocks that a component has begun for its children.
+  void note_clocks(ComponentIndex component, const Batch& children) {
+    const Clock* last = nullptr;
+    for (const Site& site : children.sites()) {
+      const bool is_new = last == nullptr || last->start != site.clock.start || last->speed != site.clock.speed;
+      last = &site.clock;
+      if (is_new && std::isfinite(site.clock.start)) clocks_->push_back({component, site.clock});
+    }
   }
 
   /// Adds the batch's instances to the tree, on each parent as many as `per_parent` says; gives their numbers.
@@ -615,8 +638,9 @@ class Expansion {
   const InstanceWish* wish_ = nullptr;  // what is looked for
   std::uint64_t passed_ = 0;            // of what is looked for, made by instances before
   std::optional<FoundInstance> found_;
-  std::vector<std::uint64_t> counts_;  // of instances by component, where they are asked for
-  std::uint64_t instances_ = 1;        // the root
+  std::vector<std::uint64_t> counts_;              // of instances by component, where they are asked for
+  std::optional<std::vector<BegunClock>> clocks_;  // where they are asked for
+  std::uint64_t instances_ = 1;                    // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
 };
@@ -631,6 +655,11 @@ InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, 
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                            Cache* cache, const GrowthView& view) {
   return Expansion(graph, scene, time, progress, {cache, view}).counts();
+}
+
+std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, double time, Progress& progress,
+                                     Cache* cache) {
+  return Expansion(graph, scene, time, progress, cache).clocks();
 }
 
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,

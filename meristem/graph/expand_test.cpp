@@ -12,8 +12,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::expand_test {
 
 GraphBuilder with_camera() {
   GraphBuilder builder(test_components());
@@ -382,5 +381,4 @@ TEST(Expand, MaterialsTakeTheComponentsNameAndColour) {
   EXPECT_EQ(plant.materials[0].roughness, 0.25F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::expand_test

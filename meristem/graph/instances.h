@@ -38,6 +38,18 @@ InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, 
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                            Cache* cache = nullptr, const GrowthView& view = {});
 
+/// A clock that an instance has begun for what hangs on it.
+struct BegunClock {
+  ComponentIndex component = 0;  ///< of the instance
+  Clock clock;
+};
+
+/// The clocks that the components of a graph have begun up to a time, those of each component by their starts and each
+/// once. Clocks of instances that have not appeared yet, and of those that bear nothing, are not among them. With the
+/// cache of an expansion of the same arguments, nothing is made anew. Throws as expand() does.
+std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, double time, Progress& progress,
+                                     Cache* cache = nullptr);
+
 /// A part of a plant whose instance is asked for, as expand() orders what it gives.
 struct InstanceWish {
   enum class Of {

@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::instances_test {
 
 Scene still_scene() {
   Scene scene;
@@ -105,5 +104,4 @@ TEST(Instances, AskingLeavesTheCacheAsItWas) {
   EXPECT_EQ(cache.bytes(), bytes);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::instances_test

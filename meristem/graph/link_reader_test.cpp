@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::link_reader_test {
 
 Value pair(const char* from, const char* to) { return Value(Value::List{Value(from), Value(to)}); }
 
@@ -85,5 +84,4 @@ TEST(AddCamera, LinksToWhatHangsOnNothing) {
   EXPECT_EQ(graph.components.size(), 3U) << "one is enough";
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::link_reader_test

@@ -9,8 +9,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::lofts_test {
 
 constexpr std::uint64_t kRing = 7, kRow = 8;
 
@@ -156,5 +155,4 @@ TEST(Lofts, TheLimitOfBytesNamesTheComponent) {
   EXPECT_TRUE(faults_of([&] { join_sections(sections, graph, 0, progress); }).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::lofts_test

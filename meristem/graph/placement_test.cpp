@@ -11,8 +11,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/graph/table/reader.h"
 
-namespace meristem {
-namespace {
+namespace meristem::placement_test {
 
 constexpr float kRadius = 0.02F;
 
@@ -489,5 +488,4 @@ TEST(Placement, ChildrenDroopToWhereGravityPulls) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::placement_test

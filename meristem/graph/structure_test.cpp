@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::structure_test {
 
 using Links = std::initializer_list<std::pair<const char*, const char*>>;
 
@@ -148,5 +147,4 @@ TEST(Structure, ThousandsOfLinksBackAreCountedInOneFault) {
   EXPECT_EQ(fault(builder), "links: 5000 links lead back to an ancestor; expected at most 64 recursions");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::structure_test

@@ -8,8 +8,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::surroundings_test {
 
 const Value kSideways = Value::List{1, 0, 0};
 const Value kStraightDown = Value::List{0, -1, 0};
@@ -106,5 +105,4 @@ TEST(Surroundings, OfUnknownOriginMakeSitesUnknown) {
   EXPECT_NE(hash_of(one), hash_of(site));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::surroundings_test

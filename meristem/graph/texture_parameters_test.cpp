@@ -6,8 +6,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/graph/table/reader.h"
 
-namespace meristem {
-namespace {
+namespace meristem::texture_parameters_test {
 
 struct Result {
   TextureParameters form;
@@ -197,5 +196,4 @@ TEST(TextureParameters, PicturesOfTheSamePixelsHaveTheSameFingerprint) {
   EXPECT_NE(fingerprint(two, Vec3(0.5F)), first);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::texture_parameters_test

@@ -7,8 +7,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::stand_space_test {
 
 constexpr std::uint64_t kMuch = 1'000'000'000;
 
@@ -190,5 +189,4 @@ TEST(StandSpace, AShootOfManyVoxelsCastsNoEndlessShade) {
   EXPECT_TRUE(fine.empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::stand_space_test

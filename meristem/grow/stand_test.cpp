@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::stand_test {
 
 // Grows for a number of steps and tells its name at each.
 class Counting : public Grower {
@@ -107,5 +106,4 @@ TEST(Stand, WithoutMembersIsDoneAtOnce) {
   EXPECT_TRUE(stand.take_skeletons(progress).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::stand_test

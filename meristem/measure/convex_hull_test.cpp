@@ -9,8 +9,7 @@
 #include "meristem/base/random.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::convex_hull_test {
 
 /// The corners, edge points and inner points of a grid in a box.
 std::vector<Vec3> box_grid(Vec3 size, Vec3 corner, int steps) {
@@ -159,5 +158,4 @@ TEST(ConvexOutline, DiameterIsThatOfAllPairs) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::convex_hull_test

@@ -7,8 +7,7 @@
 
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::counts_test {
 
 TEST(Counts, AddUpStemsAndOrgans) {
   Plant plant;
@@ -45,5 +44,4 @@ TEST(Counts, AnEmptyPlantHasNothing) {
   EXPECT_EQ(counts.height, 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::counts_test

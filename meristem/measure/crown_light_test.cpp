@@ -13,8 +13,7 @@
 #include "meristem/measure/tree_form.h"
 #include "tests/support/evaluation_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crown_light_test {
 
 /// A box of 2 by 1 by 1 m (x, y, z) with a corner at the origin: 10 m².
 Mesh box_hull() {
@@ -174,5 +173,4 @@ TEST(CrownLight, OfTheEvaluationTreeIsWhatIsKnown) {
   EXPECT_NEAR(sum / 10, 0.477, 0.016);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crown_light_test

@@ -14,8 +14,7 @@
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::foliage_test {
 
 /// A square of one metre in the plane of x and y.
 Mesh square() {
@@ -206,5 +205,4 @@ TEST(Foliage, CanBeStopped) {
   EXPECT_THROW(measure_foliage(plant, progress), Cancelled);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::foliage_test

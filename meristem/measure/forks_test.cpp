@@ -7,8 +7,7 @@
 
 #include "meristem/plant/pipe_radii.h"
 
-namespace meristem {
-namespace {
+namespace meristem::forks_test {
 
 /// A stem with laterals at the given angles (degrees) from the vertical, one above the other; radii 0.
 Skeleton with_laterals(const std::vector<double>& angles) {
@@ -99,5 +98,4 @@ TEST(Forks, WithoutRadiiNothingIsSaidAboutThem) {
   EXPECT_EQ(samples.area_ratios.size() + samples.pipe_exponents.size() + samples.pipe_unsolved, 0U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::forks_test

@@ -12,8 +12,7 @@
 
 #include "tests/support/evaluation.h"
 
-namespace meristem {
-namespace {
+namespace meristem::light_growth_test {
 
 /// How far an azimuth is from another, degrees.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 360)); }
@@ -119,5 +118,4 @@ TEST(LightGrowth, DriftingPointsOfHeldHeightGainTheDaysLightBesideABuilding) {
   EXPECT_NEAR(drifting.height, plain.height, 0.02 * plain.height);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::light_growth_test

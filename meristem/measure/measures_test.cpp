@@ -14,8 +14,7 @@
 #include "meristem/plant/pipe_radii.h"
 #include "tests/support/check_sentence.h"
 
-namespace meristem {
-namespace {
+namespace meristem::measures_test {
 
 /// A random tree that rises from `root`.
 Skeleton random_tree(std::uint64_t seed, Vec3 root, int nodes) {
@@ -369,5 +368,4 @@ TEST(MeasureRows, AnglesAreDegreesAndUnknownsAreNothing) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::measures_test

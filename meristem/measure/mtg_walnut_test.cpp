@@ -13,8 +13,7 @@
 #include "meristem/plant/mtg/mtg_skeleton.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::mtg_walnut_test {
 
 class Walnut : public testing::Test {
  protected:
@@ -77,5 +76,4 @@ TEST_F(Walnut, HasAPipeExponentWithinTheBandOfTrees) {
   EXPECT_EQ(measures_.pipe_exponent.count + measures_.pipe_unsolved, measures_.forks);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::mtg_walnut_test

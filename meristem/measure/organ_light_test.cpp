@@ -14,8 +14,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organ_light_test {
 
 /// A level square of one metre about the origin; u rises along x.
 std::shared_ptr<const Mesh> square() {
@@ -290,5 +289,4 @@ TEST(LeafLight, IsTheMeanByAreaOfTwoSidedOrgans) {
   EXPECT_EQ(mean_leaf_light({}, {}).exposure, 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organ_light_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::samples_test {
 
 TEST(Samples, QuantilesOfWholeNumbersAreInterpolated) {
   std::vector<double> numbers;
@@ -34,5 +33,4 @@ TEST(Samples, NoneHaveNothing) {
   EXPECT_EQ(quantile({}, 0.5), 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::samples_test

@@ -12,8 +12,7 @@
 #include "meristem/plant/plant.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::shade_test {
 
 Obstacles boxes(const std::vector<std::pair<DVec3, DVec3>>& corners) {
   std::vector<Obstacle> bodies;
@@ -234,5 +233,4 @@ TEST(Shade, RefusesTooManyRaysAndCanBeStopped) {
   EXPECT_THROW(measure_shade(ground, {south(40)}, {}, {}, progress), Cancelled);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::shade_test

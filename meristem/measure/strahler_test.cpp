@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::strahler_test {
 
 /// A tree in which every node but the last ones has `arity` children, `levels` forks deep, with `run` segments between
 /// forks.
@@ -61,5 +60,4 @@ TEST(Strahler, AChainIsOneStream) {
   EXPECT_TRUE(streams_of({}).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::strahler_test

@@ -8,8 +8,7 @@
 
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::surface_points_test {
 
 TEST(SurfacePoints, TrianglesGetPlacesInProportionToTheirArea) {
   const Mesh box = make_box({1, 2, 3});
@@ -67,5 +66,4 @@ TEST(Fraction, IsFromZeroToOne) {
   EXPECT_EQ(fraction(3), 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::surface_points_test

@@ -7,8 +7,7 @@
 
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::tree_form_test {
 
 TreeForm form_of(const Skeleton& skeleton) { return measure_form(skeleton, Children(skeleton)); }
 
@@ -163,5 +162,4 @@ TEST(TreeForm, TwiceTheSizeHasTwiceTheLengthsAndFourTimesTheAreas) {
   EXPECT_EQ(large.axes_by_order, small.axes_by_order);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tree_form_test

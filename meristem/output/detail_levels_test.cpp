@@ -16,8 +16,7 @@
 #include "meristem/document/models.h"
 #include "meristem/shape/outline.h"
 
-namespace meristem {
-namespace {
+namespace meristem::detail_levels_test {
 
 /// A shipped model.
 struct Model {
@@ -161,5 +160,4 @@ TEST(MakeLevels, GivesAsManyAsAreAskedForWhereAllAreWorthAFile) {
   EXPECT_FALSE(one.worthless.has_value());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::detail_levels_test

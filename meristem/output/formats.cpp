@@ -4,27 +4,21 @@
 #include <fmt/format.h>
 
 #include "meristem/base/version.h"
+#include "meristem/measure/surface_labels.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
 #include "meristem/output/overlay/trace_csv.h"
 #include "meristem/output/picture/obstacle_meshes.h"
+#include "meristem/output/skeleton/cylinder_csv.h"
 #include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
+#include "meristem/output/skeleton/tree_file.h"
 #include "meristem/output/write/names.h"
 
 namespace meristem {
 
 namespace {
-
-Provenance provenance_of(const Document& document) {
-  return {.name = document.name,
-          .author = document.author,
-          .licence = document.licence,
-          .seed = document.graph.seed,
-          .version = std::string(version()),
-          .sets = document.source.sets};
-}
 
 /// The MTL, and what pictures the components may need: which of them do is known once the plant has grown.
 std::vector<std::string> obj_companions(const Document& document, const std::string& path) {
@@ -70,12 +64,25 @@ constexpr Format kFormats[] = {
        });
      },
      GrownPart::meshes},
+    {".labels.ply", "the mesh with the tree, component, instance and shoot of each face, in binary PLY",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) {
+       const SurfaceLabels labels(grown.plant, grown.meshes, progress);
+       write_mesh_ply(grown.meshes, path, {provenance_of(document), &labels}, progress);
+     },
+     GrownPart::meshes, false, nullptr, true},
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
     {".csv", "the skeletons as a table, one row per node",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
+    {".qsm.csv", "the skeletons as cylinders in the columns of TreeQSM, z up, one row per cylinder",
+     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_cylinder_csv(grown.plant, path, progress); }},
+    {".trees.txt", "the skeletons as a tree file of treetools and raycloudtools, z up, one line per tree",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_tree_file(grown.plant, path, provenance_of(document), progress); }},
     {".operations.csv",
      "what operations did to self-organizing trees as a table, one row per cut, ring, bend, tie or mark",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
@@ -84,7 +91,7 @@ constexpr Format kFormats[] = {
      "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_points_csv(grown.traces, path, progress); },
-     GrownPart::plant, false, nullptr, TraceWish{.points = true}},
+     GrownPart::plant, false, nullptr, false, TraceWish{.points = true}},
     {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},
@@ -111,6 +118,15 @@ std::string nearest_ending(const std::string& name) {
 }
 
 }  // namespace
+
+Provenance provenance_of(const Document& document) {
+  return {.name = document.name,
+          .author = document.author,
+          .licence = document.licence,
+          .seed = document.graph.seed,
+          .version = std::string(version()),
+          .sets = document.source.sets};
+}
 
 std::span<const Format> formats() { return kFormats; }
 

@@ -9,6 +9,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/gltf/gltf.h"
+#include "meristem/output/write/provenance.h"
 
 namespace meristem {
 
@@ -18,6 +19,9 @@ struct FormatOptions {
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none
   bool obstacles = false;                              ///< formats with meshes hold the scene's obstacles as well
 };
+
+/// What files of a document say about where they came from.
+Provenance provenance_of(const Document& document);
 
 /// A kind of file that a grown document can be written to.
 struct Format {
@@ -29,10 +33,11 @@ struct Format {
   bool can_instance = false;
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
-  TraceWish wish{};  ///< what must be recorded of growth for it
+  bool is_whole = false;  ///< it holds the plant alone, without obstacles, and has no levels of detail
+  TraceWish wish{};       ///< what must be recorded of growth for it
 
-  bool has_meshes() const { return needs >= GrownPart::meshes; }      ///< so that levels of detail differ
-  bool has_textures() const { return needs >= GrownPart::textures; }  ///< so that it can show cards
+  bool has_meshes() const { return needs >= GrownPart::meshes && !is_whole; }  ///< so that levels of detail differ
+  bool has_textures() const { return needs >= GrownPart::textures; }           ///< so that it can show cards
 };
 
 /// Where a level of detail is written beside `path`, which is of that format: `oak_lod2.glb` for `oak.glb`; `path`

@@ -5,8 +5,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem {
-namespace {
+namespace meristem::formats_test {
 
 Diagnostic refusal_of(const std::string& path) {
   try {
@@ -49,5 +48,4 @@ TEST(Formats, RefusalsNameAllEndingsAndTheNearest) {
   EXPECT_EQ(refusal_of("a.glb/oak").message, "'a.glb/oak' has no ending that names a format");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::formats_test

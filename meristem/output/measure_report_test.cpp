@@ -5,8 +5,7 @@
 
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::measure_report_test {
 
 StandMeasures two_trees() {
   StandMeasures stand;
@@ -82,5 +81,4 @@ TEST(MeasureReport, ReferenceNamesEveryMeasure) {
     EXPECT_NE(page.find("| `" + std::string(row.name) + "` |"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::measure_report_test

@@ -18,8 +18,7 @@
 #include "tests/support/read_glb.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::placed_scene_test {
 
 using Json = nlohmann::json;
 
@@ -216,5 +215,4 @@ TEST(Clouds, LeaveTheHorizonAsItIs) {
   EXPECT_EQ(clouds.over({1, 0, 0}, Vec3(0.5F)), Vec3(0.5F));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::placed_scene_test

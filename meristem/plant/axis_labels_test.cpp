@@ -13,8 +13,7 @@
 #include "meristem/plant/join_stems.h"
 #include "meristem/plant/shed.h"
 
-namespace meristem {
-namespace {
+namespace meristem::axis_labels_test {
 
 using Labels = std::vector<std::string>;
 using Numbers = std::vector<std::uint32_t>;
@@ -144,5 +143,4 @@ TEST(AxisLabels, StayWhereNodesAreAddedBetween) {
             (std::set<std::string>{"main", "main.4", "main.4b", "main.4.2"}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::axis_labels_test

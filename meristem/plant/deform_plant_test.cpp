@@ -12,8 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "tests/support/space_maps.h"
 
-namespace meristem {
-namespace {
+namespace meristem::deform_plant_test {
 
 using Pointer = std::shared_ptr<const Deformation>;
 
@@ -320,5 +319,4 @@ TEST(DeformStem, ThatFoldsIsToldByItsPart) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::deform_plant_test

@@ -11,8 +11,7 @@
 #include "meristem/plant/pipe_radii.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::finish_test {
 
 constexpr double kStep = 0.05;
 
@@ -232,5 +231,4 @@ TEST(Subdivide, KeepsLoneRootsAndRejectsNoSpacing) {
   EXPECT_THROW(subdivide(skeleton, NAN), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::finish_test

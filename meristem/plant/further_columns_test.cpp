@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::further_columns_test {
 
 /// Three nodes in a row.
 Skeleton row_of_nodes() {
@@ -40,5 +39,4 @@ TEST(FurtherColumns, ASegmentIsPartOfTheMetamerThatItEndsWith) {
   EXPECT_EQ(inner_value(skeleton, "light", 0, 1, 0.5F), 2);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::further_columns_test

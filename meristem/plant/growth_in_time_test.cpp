@@ -7,8 +7,7 @@
 
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::growth_in_time_test {
 
 /// A stem of five segments upward, born in steps 1 to 5, with a lateral of two from its second node, of steps 4 and 5.
 Skeleton forked_stem() {
@@ -97,5 +96,4 @@ TEST(GrowthInTime, BirthsThatDoNotRiseKeepTheirOrder) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::growth_in_time_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::join_skeletons_test {
 
 /// A stem of a number of nodes with a branch at its foot.
 Skeleton tree(int nodes, float at, const char* column) {
@@ -43,5 +42,4 @@ TEST(JoinSkeletons, OfNoneIsNone) {
   EXPECT_EQ(join_skeletons({Skeleton(), Skeleton()}).node_count(), 0U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::join_skeletons_test

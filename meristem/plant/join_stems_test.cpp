@@ -5,8 +5,7 @@
 
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::join_stems_test {
 
 /// A straight stem of a number of segments of 1 m.
 Skeleton rod(Vec3 from, Vec3 heading, int segments, float radius) {
@@ -130,5 +129,4 @@ TEST(JoinStems, AStemWithoutDaughtersStaysAsItIs) {
   EXPECT_EQ(skeleton_hash(join_stems(std::move(stems))[0].skeleton), hash);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::join_stems_test

@@ -9,8 +9,7 @@
 #include "meristem/base/random.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::pipe_radii_test {
 
 // Every node but the root springs from a random earlier one among the last few.
 Skeleton random_tree(NodeIndex nodes, RandomKey key) {
@@ -106,5 +105,4 @@ TEST(PipeRadii, AStumpStaysAsThickAsWhenItBoreWhatItLost) {
   EXPECT_EQ(pipe_radii(whole, {}, model)[0], pipe_radii(cut, lost, model)[0]);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::pipe_radii_test

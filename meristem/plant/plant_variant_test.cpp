@@ -8,8 +8,7 @@
 #include "meristem/plant/plant.h"
 #include "tests/support/space_maps.h"
 
-namespace meristem {
-namespace {
+namespace meristem::plant_variant_test {
 
 /// A stem of two nodes with one organ at its tip.
 std::shared_ptr<const PlantVariant> twig() {
@@ -145,5 +144,4 @@ TEST(Planting, WhatIsDeformedWithinAPlacedPlantIsDeformedInItsWorld) {
   EXPECT_LT(glm::distance(all.organs.at(0).frame.origin, Vec3(5, 2, -1)), 1e-6F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::plant_variant_test

@@ -8,8 +8,7 @@
 #include "meristem/plant/pipe_radii.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::shed_test {
 
 // A stem of four nodes; from its second a lateral with a fork of its own, from its third a single twig.
 Skeleton small_tree() {
@@ -73,5 +72,4 @@ TEST(ShedBranches, WoodRemembersWhatItBoreAsFarAsItsMemoryGoes) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::shed_test

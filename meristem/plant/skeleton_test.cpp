@@ -8,8 +8,7 @@
 #include "meristem/plant/plant.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::skeleton_test {
 
 // A stem 0-1-2-4 with a lateral 3-5 from node 1, and a second root 6.
 Skeleton two_plants() {
@@ -127,5 +126,4 @@ TEST(Plant, CountsTheNodesOfAllStems) {
   EXPECT_EQ(plant.node_count(), 14U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::skeleton_test

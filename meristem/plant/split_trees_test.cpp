@@ -5,8 +5,7 @@
 
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::split_trees_test {
 
 /// A stem of two segments with one lateral.
 Skeleton fork() {
@@ -48,5 +47,4 @@ TEST(SplitTrees, AForestFallsIntoItsTrees) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::split_trees_test

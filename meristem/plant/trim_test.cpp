@@ -6,8 +6,7 @@
 #include "meristem/plant/pipe_radii.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::trim_test {
 
 /// All that lies below a height.
 auto below(float height) {
@@ -128,5 +127,4 @@ TEST(TrimSkeleton, FurtherColumnsAreThoseOfTheSegmentThatIsCut) {
   EXPECT_FLOAT_EQ(trimmed.skeleton.extra.at("light")[trimmed.node[3]], 2.5F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::trim_test

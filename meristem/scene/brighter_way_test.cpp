@@ -5,8 +5,7 @@
 
 #include "tests/support/walled_scene.h"
 
-namespace meristem {
-namespace {
+namespace meristem::brighter_way_test {
 
 constexpr double kNear = 1e-6;
 
@@ -46,5 +45,4 @@ TEST(BrighterWay, IsNoneInTheDark) {
   expect_near(brighter_way(scene, Vec3(0), 1), DVec3(0));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::brighter_way_test

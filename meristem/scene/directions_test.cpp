@@ -5,8 +5,7 @@
 
 #include "meristem/scene/scene.h"
 
-namespace meristem {
-namespace {
+namespace meristem::directions_test {
 
 constexpr SkyDirection kMorning{kPi / 2, kPi / 6};
 
@@ -63,5 +62,4 @@ TEST(Directions, ByDayALampPullsByItsStrength) {
   EXPECT_EQ(Scene().directions().key_at({0, 2, 0}), Scene().directions().key_at({2, 2, 0}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::directions_test

@@ -12,8 +12,7 @@
 #include "meristem/base/random.h"
 #include "tests/support/walled_scene.h"
 
-namespace meristem {
-namespace {
+namespace meristem::light_of_points_test {
 
 constexpr double kNear = 1e-6;
 
@@ -99,5 +98,4 @@ TEST(Brightest, DrawsLotsAmongEquallyDarkOnes) {
   EXPECT_NEAR(static_cast<double>(first_half), 250, 50);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::light_of_points_test

@@ -7,8 +7,7 @@
 
 #include "meristem/base/math.h"
 
-namespace meristem {
-namespace {
+namespace meristem::view_test {
 
 TEST(ViewSeenFrom, ReplacesThePlaceOfTheCameraAlone) {
   View view;
@@ -49,5 +48,4 @@ TEST(TurnedView, AWholeTurnIsNone) {
   EXPECT_FALSE(turned(View(), Vec3(0), 1).position.has_value());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::view_test

@@ -228,6 +228,8 @@ std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& de
     made[k].mesh = std::move(meshes[k]);
     made[k].material = number_of(material_of(tasks[k], plant.materials[part.material]), materials);
     made[k].frames = {Frame{.origin = tasks[k].origin()}};
+    made[k].origin = std::make_shared<const MeshOrigin>(
+        MeshOrigin{.stem = static_cast<std::uint32_t>(tasks[k].stem - plant.stems.data())});
     // One body of several plants belongs to none of them.
     if (tasks[k].stem->individual() != 0) made[k].individuals = {tasks[k].stem->individual()};
     // A crown has its own colour; the shade that tells its stem from others is its, too.

@@ -9,8 +9,7 @@
 #include "tests/support/body_plants.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::body_meshes_test {
 
 CacheRun uncached(nullptr, {});
 
@@ -163,5 +162,4 @@ TEST(BodyMeshes, StopWhenAsked) {
   EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, {}, materials, progress, uncached), Cancelled);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::body_meshes_test

@@ -61,6 +61,7 @@ void add_detail(const Detail& detail, Fingerprint& to) { to.add(detail.level).ad
 std::uint64_t StemTubes::bytes() const {
   std::uint64_t sum = 0;
   for (const std::shared_ptr<const Mesh>& mesh : meshes) sum += mesh->bytes();
+  for (const auto& of_mesh : tubes) sum += of_mesh->size() * sizeof(AxisTriangles);
   return sum;
 }
 

@@ -10,6 +10,7 @@
 #include "meristem/base/mesh.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
+#include "meristem/shape/mesh_origin.h"
 #include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/tube/tubes.h"
 
@@ -19,6 +20,7 @@ namespace meristem {
 struct StemTubes {
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::vector<TubeSize> sizes;
+  std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes{};  ///< of each mesh
 
   std::uint64_t bytes() const;
 };

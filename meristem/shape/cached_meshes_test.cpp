@@ -6,8 +6,7 @@
 #include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cached_meshes_test {
 
 /// A pole with a branch of another component.
 Stem forked(float height, Surface surface = {}) {
@@ -158,5 +157,4 @@ TEST(CachedMeshes, StaysInOrderWhenCancelledOrTooLarge) {
   EXPECT_EQ(cache.reuse<StemTubes>().made, 1U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cached_meshes_test

@@ -5,8 +5,7 @@
 
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::detail_budget_test {
 
 constexpr int kLevels = 4;
 
@@ -69,5 +68,4 @@ TEST(DetailBudget, NothingIsDividedWhereThereIsNothing) {
   EXPECT_EQ(DetailBudget(plant, {2}).of_tubes(2), 1);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::detail_budget_test

@@ -12,8 +12,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::detail_plan_test {
 
 constexpr int kLevels = 3;
 
@@ -221,5 +220,4 @@ TEST(Detail, RejectsLevelsAndSharesOutOfRange) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::detail_plan_test

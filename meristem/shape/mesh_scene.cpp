@@ -188,10 +188,26 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, 
   bytes.check("bytes of geometry", limits.mesh_bytes, "mesh_bytes");
 }
 
+/// The tubes of each mesh of a plan, by their first triangles.
+std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes_of(const TubePlan& plan) {
+  std::vector<std::vector<AxisTriangles>> tubes(plan.sizes().size());
+  for (std::size_t axis = 0; axis < plan.axis_count(); ++axis) {
+    if (plan[axis].triangles() == 0) continue;
+    tubes[plan[axis].mesh].push_back(
+        {static_cast<std::uint32_t>(plan[axis].first_triangle), static_cast<AxisIndex>(axis)});
+  }
+  std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> shared;
+  for (std::vector<AxisTriangles>& of_mesh : tubes) {
+    shared.push_back(std::make_shared<const std::vector<AxisTriangles>>(std::move(of_mesh)));
+  }
+  return shared;
+}
+
 std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::vector<Material>& materials,
                                            Progress& progress) {
   auto tubes = std::make_shared<StemTubes>();
   tubes->sizes = dress.plan->sizes();
+  tubes->tubes = tubes_of(*dress.plan);
   std::vector<Mesh> meshes = make_tubes(*dress.plan, progress);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const StemPart& look = *dress.looks.first_part[k];
@@ -227,6 +243,8 @@ std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<st
       instances.mesh = dress.tubes->meshes[k];
       instances.material = look.material;
       instances.frames = {Frame{}};
+      instances.origin = std::make_shared<const MeshOrigin>(
+          MeshOrigin{.stem = static_cast<std::uint32_t>(i), .tubes = dress.tubes->tubes[k]});
       if (look.tint != Vec3(1)) instances.tints = {look.tint};
       if (dress.looks.individual[k] != 0) instances.individuals = {dress.looks.individual[k]};
     }
@@ -259,6 +277,10 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
     const OrganPrototype& prototype = plant.prototypes[i];
     auto mesh = with_cached_tangents(scene.organs.meshes[i], plant.materials[prototype.material], results);
     placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}, {}};
+    // Where some organs are not shown, frames are no longer the organs in their order.
+    if (scene.organs.shown.empty()) {
+      placed[i].origin = std::make_shared<const MeshOrigin>(MeshOrigin{.prototype = static_cast<std::uint32_t>(i)});
+    }
     placed[i].frames.reserve(scene.organ_counts[i]);
     placed[i].tints.reserve(scene.organ_counts[i]);
     if (plant.individuals.size() > 1) placed[i].individuals.reserve(scene.organ_counts[i]);
@@ -397,7 +419,7 @@ class PlantingClothier {
   void add_to(MeshScene& scene, const Plant& plant) {
     find_variants(plant);
     clothe_variants();
-    for (const Planting& planting : plant.plantings) add(planting, scene);
+    for (std::uint32_t k = 0; k < plant.plantings.size(); ++k) add(plant.plantings[k], k, scene);
     check_limits(scene, plant);
     scene.meshes = grouped(std::move(scene.meshes));
     results_.end();
@@ -449,7 +471,7 @@ class PlantingClothier {
     }
   }
 
-  void add(const Planting& planting, MeshScene& scene) {
+  void add(const Planting& planting, std::uint32_t number, MeshScene& scene) {
     const std::size_t variant = number_.at(planting.variant.get());
     const MeshScene& own = meshes_[variant]->scene;
     auto places = std::make_shared<std::vector<Frame>>();
@@ -462,6 +484,9 @@ class PlantingClothier {
       placed.material = materials[part.material];
       placed.places = places;
       placed.individuals.clear();  // each instance is a plant
+      if (part.origin != nullptr) {
+        placed.origin = std::make_shared<const MeshOrigin>(MeshOrigin{.planting = number, .inner = part.origin});
+      }
       if (part.places == nullptr) continue;
       // A plant within this one stands on each of its sites at each site of this one.
       std::shared_ptr<const std::vector<Frame>>& all = multiplied[part.places.get()];

@@ -13,6 +13,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
+#include "meristem/shape/mesh_origin.h"
 
 namespace meristem {
 
@@ -28,6 +29,8 @@ struct MeshInstances {
   /// Where the plant stands whose part this is, if it stands in several places: each frame is meant in each of them.
   /// All parts of the plant share the list. Null: in the world, once.
   std::shared_ptr<const std::vector<Frame>> places{};
+  /// What of the plant it shows; null where that is not known, as in coarser levels of small plants and in obstacles.
+  std::shared_ptr<const MeshOrigin> origin{};
 
   std::size_t place_count() const { return places == nullptr ? 1 : places->size(); }
   /// Instances in all, place by place.

@@ -14,8 +14,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "meristem/shape/tube/tube_plan.h"
 
-namespace meristem {
-namespace {
+namespace meristem::mesh_scene_test {
 
 Stem stem(const std::string& component, float height) {
   Stem result;
@@ -165,5 +164,4 @@ TEST(MeshScene, RejectsIndicesThatPointNowhere) {
   rejects([](Plant& plant) { plant.prototypes[0].mesh = nullptr; });
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::mesh_scene_test

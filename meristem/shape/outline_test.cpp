@@ -9,8 +9,7 @@
 #include "meristem/shape/outline_raster.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::outline_test {
 
 MeshScene ball(double radius, Vec3 centre = Vec3(0)) {
   MeshScene scene;
@@ -65,5 +64,4 @@ TEST(OutlineRaster, CoversEachPixelOfTwoTrianglesOfASquareOnce) {
   for (const int covered : count) EXPECT_EQ(covered, 1);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::outline_test

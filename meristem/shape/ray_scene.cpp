@@ -332,6 +332,14 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   return point;
 }
 
+Vec3 RayScene::face_normal(const RayHit& hit) const {
+  const MeshInstances& part = scene_.meshes[hit.part];
+  const auto& triangle = part.mesh->triangles[hit.triangle];
+  const Vec3 a = part.mesh->positions[triangle[0]];
+  const Vec3 face = glm::cross(part.mesh->positions[triangle[1]] - a, part.mesh->positions[triangle[2]] - a);
+  return normalized_or(normal_matrix(part.frame(hit.instance).axes) * face, kUp);
+}
+
 TextureMapping RayScene::texture_mapping(const RayHit& hit) const {
   TextureMapping position;
   const MeshInstances& part = scene_.meshes[hit.part];

@@ -64,6 +64,8 @@ class RayScene {
   /// How far off a surface at a position a ray has to start not to meet it again, metres.
   static float clearance(Vec3 point);
   SurfacePoint surface_point(const RayHit& hit) const;
+  /// Normal of the triangle's front, unit, in world space; faster than surface_point.
+  Vec3 face_normal(const RayHit& hit) const;
   TextureMapping texture_mapping(const RayHit& hit) const;
   /// Linear factors on the colour of the instance that was hit.
   Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }

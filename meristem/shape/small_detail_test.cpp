@@ -10,8 +10,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::small_detail_test {
 
 /// A trunk, and on it a crown of flat faces with a few fruits.
 MeshScene low_poly_tree() {
@@ -94,5 +93,4 @@ TEST(SmallDetail, HasTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::small_detail_test

@@ -11,6 +11,7 @@
 #include "call.h"
 #include "errors.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/document/bundle.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "meristem/plant/plant_variant.h"
@@ -64,6 +65,13 @@ void save(const DocumentPointer& document, const py::object& path) {
   const std::string target = file_of(path);
   check_named_files(document->document, document->file, target);
   write_file(target, write_json(document->tree()));
+}
+
+py::tuple bundle_in_python(const DocumentPointer& document) {
+  const DocumentBundle bundle = bundle_of(document->document, models_folder());
+  py::list files;
+  for (const auto& [path, content] : bundle.files) files.append(py::make_tuple(path, py::bytes(content)));
+  return py::make_tuple(bundle.document, files);
 }
 
 py::list variables_of(const DocumentPointer& document) {
@@ -141,10 +149,14 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
       overrides(std::move(values)),
       seed(other_seed),
       shared(std::move(shared_work)) {
+  // Without the interpreter's lock: who waits for the reading must not keep it from who reads.
+  const std::string models = models_folder();
+  const Registry& registry = component_types();
+  const py::gil_scoped_release released;
   const std::scoped_lock reading(shared->reading);
   shared->files.reload();
-  document = read_document(text, file, component_types(),
-                           {.overrides = overrides, .seed = seed, .store = &shared->files, .models = models_folder()});
+  document = read_document(text, file, registry,
+                           {.overrides = overrides, .seed = seed, .store = &shared->files, .models = models});
 }
 
 DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed)
@@ -241,6 +253,10 @@ that step of growth. With `trace`, Plant.trace tells all steps of the growth; th
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")
+      .def("bundle", &bundle_in_python,
+           R"(The document's file and all files that it names, by content: what another machine needs to grow it.
+
+Gives (name, files): the path of the document below some folder, and (path, bytes) of each file there.)")
       .def("save", &save, py::arg("path"),
            "Writes the document as JSON, all values set. Raises InputError where it would not find a file that it "
            "names, "

@@ -110,10 +110,12 @@ py::object trace_of(const std::shared_ptr<PlantInPython>& plant);
 
 void bind_trace(py::module_& module);
 void bind_component_types(py::module_& module);
+void bind_dataset(py::module_& module);
 void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_plant(py::module_& module);
+void bind_scan(py::module_& module);
 void bind_session(py::module_& module);
 void bind_shade(py::module_& module);
 void bind_word(py::module_& module);

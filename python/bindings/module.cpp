@@ -23,7 +23,9 @@ PYBIND11_MODULE(_core, module) {
   bind_trace(module);
   bind_plant(module);
   bind_shade(module);
+  bind_scan(module);
   bind_document(module);
+  bind_dataset(module);
   bind_session(module);
   bind_word(module);
   bind_component_types(module);

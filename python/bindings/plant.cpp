@@ -562,7 +562,8 @@ of `scene`, or of growth if not given.)")
 "low" and "high" of each layer above y = 0 (metres, `height` apart) and the "leaf_area" between them (m²).)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
            py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
+           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .labels.ply, .skeleton.ply,
+.csv, .qsm.csv, .trees.txt, .mtg.
 
 `instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles: small files,
 which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level

@@ -2,6 +2,7 @@
 #include "meristem/document/edit/session.h"
 
 #include <cmath>
+#include <map>
 #include <mutex>
 
 #include <pybind11/stl.h>
@@ -220,6 +221,30 @@ its name. Gives the Change. Raises InputError where the name is taken or would h
           py::arg("path"), py::arg("index"),
           "Moves a member or element within its object or list, so that it is number `index`. Gives the Change. Raises "
           "InputError.")
+      .def(
+          "note",
+          [](const SessionPointer& s, const std::string& path, const std::string& note) {
+            return edit(s, {SetNote{path, note}});
+          },
+          py::arg("path"), py::arg("note"),
+          "Has the comment on a member say the note; an empty note takes the comment away. Gives the Change. Raises "
+          "InputError.")
+      .def(
+          "paste",
+          [](const SessionPointer& s, const std::string& part, const std::map<std::string, std::string>& names,
+             const py::object& index, const py::object& link_index) {
+            return edit(s, {InsertPart{.text = part,
+                                       .names = {names.begin(), names.end()},
+                                       .index = optional_index(index),
+                                       .link_index = optional_index(link_index)}});
+          },
+          py::arg("part"), py::kw_only(), py::arg("names") = py::dict(), py::arg("index") = py::none(),
+          py::arg("link_index") = py::none(),
+          R"(Puts in a part of a document, as part() gives it: its components with their notes, its links and variables.
+
+`names` gives components other names, as where a name is taken. The first component is number `index` of all, and the
+first link number `link_index`; by default, they come last. Links from the document to the part are further edits.
+Gives the Change. Raises InputError.)")
       .def("edit_text", &edit_text, py::arg("patch"),
            "Puts a patch as that of a Change into the text, as of somebody who types. Gives the Change. Raises "
            "ValueError "
@@ -275,6 +300,16 @@ written, with the values that set() gave it edited in. Nothing that the document
             s->session.reload();
           },
           "Reads the files that have changed since they were read, and the document with them.")
+      .def(
+          "part",
+          [](const SessionPointer& s, const std::vector<std::string>& components) {
+            const auto lock = s->lock();
+            return plant_part(s->session.text(), components);
+          },
+          py::arg("components"),
+          "A part of the document as a text of its own: these components as they are written, the links among them, "
+          "and "
+          "the variables that they name. Raises InputError where there is no such component.")
       .def("save", &save, py::arg("path"),
            "Writes the text as it is. Raises InputError where it has faults or would not find a file that it names, "
            "MachineError where it cannot be written.")
@@ -293,6 +328,15 @@ where there was never a document without faults), Cancelled.)")
           "The document's text as it is now.")
       .def_property_readonly(
           "file", [](const SessionPointer& s) { return s->session.file(); }, "Its name, or '<python>'.")
+      .def_property_readonly(
+          "notes",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            py::dict notes;
+            for (const auto& [name, note] : component_notes(s->session.text())) notes[py::str(name)] = note;
+            return notes;
+          },
+          "The comments on the components, by the components' names: a dict of str.")
       .def_property_readonly("document", &document_of,
                              "The Document of the last text without faults; None before there was one.")
       .def_property_readonly(

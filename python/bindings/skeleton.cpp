@@ -13,6 +13,7 @@
 #include "meristem/base/read_file.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/file/node_table.h"
 #include "meristem/plant/mtg/mtg_skeleton.h"
 #include "meristem/plant/pipe_radii.h"
 #include "meristem/plant/split_trees.h"
@@ -153,6 +154,19 @@ SkeletonPointer read_mtg_file(const py::object& file, const std::array<std::stri
   return std::make_shared<Skeleton>(std::move(read.skeleton));
 }
 
+SkeletonPointer read_skeleton_file(const py::object& file, double unit, const std::optional<double>& diameter_unit,
+                                   const std::string& up, bool at_origin) {
+  if (!(unit > 0) || !(diameter_unit.value_or(unit) > 0)) throw py::value_error("units must be above 0 metres");
+  if (up != "file" && up != "y" && up != "z") throw py::value_error("up is 'file', 'y' or 'z'");
+  const std::string path = path_of(file);
+  const Limits limits;
+  const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
+  const bool is_y_up = up == "file" ? table.is_y_up : up == "y";
+  Skeleton skeleton = skeleton_of(table, {.unit = unit, .is_y_up = is_y_up, .begins_at_origin = at_origin}, path);
+  for (float& radius : skeleton.radius) radius *= static_cast<float>(diameter_unit.value_or(unit) / unit);
+  return std::make_shared<Skeleton>(std::move(skeleton));
+}
+
 void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threads, const py::object& progress) {
   const std::string target = file_of(path);
   watch_of(progress)->run(threads, [&](Progress& inner) {
@@ -233,6 +247,13 @@ MachineError.)");
 `coordinates` are the features with the coordinates to the east, to the north and up, `diameter` that with diameters
 (TopDia or TopDiameter if empty), `unit` and `diameter_unit` the metres that 1 means. Other features that are numbers
 become columns, `birth` the ages. Raises InputError with the line.)");
+  module.def("read_skeleton", &read_skeleton_file, py::arg("path"), py::kw_only(), py::arg("unit") = 1.0,
+             py::arg("diameter_unit") = py::none(), py::arg("up") = "file", py::arg("at_origin") = true,
+             R"(Reads a Skeleton from a table of cylinders (TreeQSM, SimpleForest), of trees (treetools) or of nodes.
+
+`unit` and `diameter_unit` are the metres that 1 means, `up` the axis of the file that points up: "file" is y in tables
+that Meristem has written and z in all others. `at_origin` moves the first root to the origin. Raises InputError with
+the line.)");
 }
 
 }  // namespace meristem::python

@@ -16,6 +16,8 @@ from ._batch import BatchResult, batch
 from ._change import Change
 from ._collect import collect
 from ._core import (
+    DatasetFolder,
+    DatasetPlan,
     Document,
     Material,
     Mesh,
@@ -42,12 +44,15 @@ from ._core import (
     parameter_tables,
     read,
     read_mtg,
+    read_skeleton,
     schema,
     shade,
     sun_position,
     tubes,
     unit_vector,
+    verify_dataset,
 )
+from ._dataset import Dataset, dataset, open_dataset
 from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
 from ._fit import FitPoint, FitProgress, FitResult, fit
 from ._page import save_html, to_html
@@ -66,6 +71,9 @@ __all__ = [
     "BatchResult",
     "Cancelled",
     "Change",
+    "Dataset",
+    "DatasetFolder",
+    "DatasetPlan",
     "Diagnostic",
     "Document",
     "Error",
@@ -95,6 +103,7 @@ __all__ = [
     "colonize",
     "components",
     "convex_hull",
+    "dataset",
     "daylight",
     "declination",
     "derive",
@@ -102,12 +111,15 @@ __all__ = [
     "grass",
     "load_plugin",
     "models",
+    "open_dataset",
     "parameter_tables",
     "read",
     "read_mtg",
+    "read_skeleton",
     "schema",
     "shade",
     "sun_position",
     "tubes",
     "unit_vector",
+    "verify_dataset",
 ]

@@ -11,16 +11,19 @@ import os
 import pickle
 import sys
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sized
-from dataclasses import dataclass
-from typing import Any, Optional
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from typing import Any
 
+from ._carried import Carried
 from ._core import Document, Plant, Skeleton
+from ._executor import check_executor
 from ._job import Job, Measure, Task, refuse_seed
 from ._pool import refuse_unguarded_program
+from ._progress import ProgressCallback, teller
 from ._runner import Runner
 
 Values = Mapping[str, Any]
-_ProgressCallback = Callable[[int, Optional[int]], object]
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,8 @@ def batch(
     samples: Iterable[Values] | None = None,
     measure: str | Iterable[str] | Callable[[Plant], Any] | None = None,
     processes: int | None = None,
-    progress: _ProgressCallback | None = None,
+    executor: Executor | None = None,
+    progress: ProgressCallback | bool | None = None,
 ) -> Generator[BatchResult, None, None]:
     """Grows a plant for every seed of every set of values, and gives a BatchResult for each, in that order.
 
@@ -52,7 +56,10 @@ def batch(
     `measure`: names of measures (one or several), all of them if None, or a function of the plant that returns
     numbers, arrays, or a dict of them. Results are copies. Workers import the function: it stands at the top of a
     module. Each plant grows on one thread, on `processes` at once: all cores if None; 1 grows in this process. The
-    results are the same. `progress` is called with the number of plants done and that of all, None if it is unknown.
+    results are the same. Instead of processes, an `executor` takes the plants in chunks, whatever offers
+    concurrent.futures.Executor, such as Dask's or mpi4py's; the document travels with the files that it names.
+    `progress` is called with the number of plants done and that of all, None if it is unknown; True tells them on
+    standard error, with the time left.
 
     The processes end with the loop, by `break` or an error as well, or by close(). Raises InputError at once where the
     first values do not suit the document, ValueError and TypeError for wrong arguments; from the iterator what growing
@@ -63,20 +70,19 @@ def batch(
         raise TypeError(f"document must be a Document, not {type(document).__name__}")
     if not isinstance(seeds, Iterable):
         raise TypeError(f"seeds must be several numbers, such as [3] or range(10), not {type(seeds).__name__}")
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be a function of two numbers, not {type(progress).__name__}")
+    tell = teller(progress, "plant")
     if set is not None:
         document = document.set(set)
         refuse_seed(set)
-    count = count_processes(processes)
+    count = check_processes(processes, executor)
     sets = _sets_of_values(grid, samples)
     total = _total(seeds, sets)
     if (grid is not None or samples is not None) and iter(seeds) is seeds:
         raise ValueError("beside grid or samples, seeds must be a list or range: every set of values uses all of them")
     job = Job(document, check_measure(measure))
     tasks = _checked_tasks(job, (Task(seed, values) for values in map(_values_of, sets) for seed in seeds))
-    pickled = pickle_job(job) if count > 1 else None
-    return _grow(job, pickled, count if total is None else min(count, total), tasks, total, progress)
+    pickled = pickle_job(job, executor) if count > 1 or executor is not None else None
+    return _grow(job, pickled, count if total is None else min(count, total), tasks, total, tell, executor)
 
 
 def _grow(
@@ -85,7 +91,8 @@ def _grow(
     count: int,
     tasks: Iterable[Task],
     total: int | None,
-    progress: _ProgressCallback | None,
+    progress: ProgressCallback | None,
+    executor: Executor | None,
 ) -> Generator[BatchResult, None, None]:
     done = itertools.count(1)
 
@@ -93,9 +100,19 @@ def _grow(
         if progress is not None:
             progress(next(done), total)
 
-    with Runner(job, pickled, count) as runner:
+    with Runner(job, pickled, count, executor) as runner:
         for task, result in runner.run(tasks, tell):
             yield BatchResult(task.seed, dict(task.values), result)
+
+
+def check_processes(processes: int | None, executor: Executor | None) -> int:
+    """How many processes of our own grow at once; 1 where an executor does. Raises ValueError for both of them."""
+    if executor is None:
+        return count_processes(processes)
+    check_executor(executor)
+    if processes is not None:
+        raise ValueError("an executor has its own workers: give processes or executor, not both")
+    return 1
 
 
 def count_processes(processes: int | None) -> int:
@@ -178,10 +195,13 @@ def check_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) 
     return names
 
 
-def pickle_job(job: Job) -> bytes:
-    """The job for the workers. Raises RuntimeError and TypeError for programs and functions they cannot import."""
+def pickle_job(job: Job, executor: Executor | None = None) -> bytes:
+    """The job for the workers, for those of an executor with the files of its document.
+
+    Raises RuntimeError and TypeError for programs and functions they cannot import.
+    """
     program = getattr(sys.modules["__main__"], "__file__", None)
-    if program == "<stdin>":
+    if program == "<stdin>" and executor is None:
         raise RuntimeError(
             "workers cannot read a program from standard input: put it into a file, or grow with processes=1"
         )
@@ -195,4 +215,4 @@ def pickle_job(job: Job) -> bytes:
             pickle.dumps(job.measure)
         except Exception as error:
             raise TypeError(f"a worker cannot import {name} ({error}); {how}") from error
-    return pickle.dumps(job)
+    return pickle.dumps(job if executor is None else replace(job, document=Carried(job.document)))

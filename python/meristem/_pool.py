@@ -95,7 +95,7 @@ class Pool:
             if number in answers:
                 self._give(source, due)
                 due.popleft()
-                yield task, _result(*answers.pop(number))
+                yield task, result_of(*answers.pop(number)[1:])
 
     def stop(self) -> None:
         """Ends all workers, also in the midst of a plant; returns once they have, within half a second or so."""
@@ -191,7 +191,8 @@ class _Worker:
         return MachineError(f"a worker process of the batch {how}{where}{hint}")
 
 
-def _result(_: int, result: bytes | None, failure: bytes | None) -> bytes:
+def result_of(result: bytes | None, failure: bytes | None) -> bytes:
+    """The pickled result. Raises the error of a pickled failure instead, with where it was raised in the worker."""
     if result is not None:
         return result
     assert failure is not None
@@ -238,10 +239,10 @@ def _work(connection: Connection, job_bytes: bytes) -> None:
         number, task = item
         try:
             # Here and not before, so that a document or function that cannot be read is told as an error.
-            job = job or _load(job_bytes)
+            job = job or load_job(job_bytes)
             answer: _Answer = (number, job.run(task, progress), None)
         except Exception as error:
-            answer = (number, None, _pickle_failure(error))
+            answer = (number, None, pickle_failure(error))
         try:
             connection.send(answer)
         except OSError:
@@ -261,7 +262,8 @@ def _listen(connection: Connection, tasks: queue.SimpleQueue[tuple[int, Task] | 
     os._exit(1)
 
 
-def _load(job: bytes) -> Job:
+def load_job(job: bytes) -> Job:
+    """The job. Raises TypeError where it is of a function that this process cannot import."""
     try:
         loaded: Job = pickle.loads(job)
     except (AttributeError, ImportError) as error:
@@ -269,7 +271,8 @@ def _load(job: bytes) -> Job:
     return loaded
 
 
-def _pickle_failure(error: Exception) -> bytes:
+def pickle_failure(error: Exception) -> bytes:
+    """An error with its traceback in words, as result_of() raises it."""
     text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
     try:
         failure = pickle.dumps((error, text))

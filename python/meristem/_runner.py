@@ -1,27 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs plants of one job, here or on worker processes, which stay for the next ones."""
+"""Runs tasks of one job: here, on worker processes, which stay for the next ones, or on an executor."""
 
 from __future__ import annotations
 
 import pickle
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor
 from types import TracebackType
 from typing import Any
 
-from ._job import Job, Task
+from ._executor import AnyJob, ExecutorPool
 from ._pool import Pool
 
 
 class Runner:
-    """Where the plants of a job are grown. Its end, by `with`, is that of the processes."""
+    """Where the tasks of a job are run. Its end, by `with`, is that of the processes; an executor goes on."""
 
-    def __init__(self, job: Job, pickled: bytes | None, count: int) -> None:
-        """On `count` processes with the pickled job; in this one if there is none."""
+    def __init__(
+        self, job: AnyJob, pickled: bytes | None, count: int, executor: Executor | None = None, *, chunks: bool = True
+    ) -> None:
+        """With the pickled job on an executor or, without one, on `count` processes; in this one if there is none.
+
+        Tasks go to an executor in `chunks`, or one by one.
+        """
         self._job = job
-        self._pool = Pool(pickled, count) if pickled is not None else None
+        self._pool: Pool | ExecutorPool | None = None
+        if pickled is not None:
+            self._pool = Pool(pickled, count) if executor is None else ExecutorPool(pickled, executor, chunks=chunks)
 
-    def run(self, tasks: Iterable[Task], tell: Callable[[], None]) -> Iterator[tuple[Task, Any]]:
-        """The tasks with their results, in order. Calls `tell` whenever a plant is done."""
+    def run(self, tasks: Iterable[Any], tell: Callable[[], None]) -> Iterator[tuple[Any, Any]]:
+        """The tasks with their results, in order. Calls `tell` whenever one is done."""
         if self._pool is not None:
             for task, result in self._pool.run(tasks, tell):
                 yield task, pickle.loads(result)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -37,7 +38,7 @@ def program_of(page: Path) -> str:
     return "\n".join(program) + "\n"
 
 
-@pytest.mark.parametrize("name", ["python", "python-batches", "python-fits"])
+@pytest.mark.parametrize("name", ["python", "python-batches", "python-fits", "many-plants"])
 def test_the_examples_of_the_page_run(name: str, tmp_path: Path) -> None:
     program = program_of(MANUAL / f"{name}.md")
     assert "meristem." in program
@@ -57,3 +58,21 @@ def test_only_blocks_that_need_a_file_are_left_out(tmp_path: Path) -> None:
     blocks = "```python\na = 1\n```\n```python\n# a file of yours\nb = 2\n```\n```sh\nc\n```\n```python\nd\n```\n"
     page.write_text("Text\n" + blocks)
     assert program_of(page).split("\n") == ["", "", "a = 1", "", "", "", "", "", "", "", "", "", "d", "", ""]
+
+
+def blocks_of(page: Path, language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
+
+
+def test_programs_for_clusters_are_well_formed() -> None:
+    """Those that need a cluster are not run: they compile, and the shell reads its scripts."""
+    page = MANUAL / "many-plants.md"
+    programs = [block for block in blocks_of(page, "python") if any(mark in block for mark in LEFT_OUT)]
+    assert len(programs) == 3
+    for program in programs:
+        compile(program, page.name, "exec")
+    scripts = [block for block in blocks_of(page, "sh") if "#SBATCH" in block]
+    assert len(scripts) == 1
+    for script in scripts:
+        read = subprocess.run(["sh", "-n"], input=script, capture_output=True, text=True)
+        assert (read.returncode, read.stderr) == (0, "")

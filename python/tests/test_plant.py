@@ -132,7 +132,10 @@ def test_skeleton_table_has_the_rows_of_the_file(tmp_path: Path) -> None:
     np.testing.assert_array_equal(table["radius"].astype(np.float32), plant.stems[0].skeleton.radius)
 
 
-@pytest.mark.parametrize("name", ["tree.glb", "tree.obj", "tree.ply", "tree.skeleton.ply", "tree.csv", "tree.mtg"])
+FORMATS = [".glb", ".obj", ".ply", ".labels.ply", ".skeleton.ply", ".csv", ".qsm.csv", ".trees.txt", ".mtg"]
+
+
+@pytest.mark.parametrize("name", ["tree" + ending for ending in FORMATS])
 def test_files_have_the_same_bytes_on_any_number_of_threads(tmp_path: Path, name: str) -> None:
     contents = []
     for threads in (1, 2):

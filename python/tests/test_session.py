@@ -62,6 +62,30 @@ def test_members_and_elements_come_go_move_and_get_other_names() -> None:
     assert session.is_good and '"bud"' not in session.text
 
 
+def test_notes_are_comments_and_go_where_their_components_go() -> None:
+    session = meristem.Session(BUSH)
+    assert session.notes == {"stem": "straight"}
+    session.note("components.leaf", "along the stem")
+    assert '    // along the stem\n    "leaf"' in session.text
+    session.move("components.leaf", 0)
+    assert session.text.index("// along the stem") < session.text.index('"leaf"') < session.text.index('"stem"')
+    session.note("components.leaf", "")
+    assert session.notes == {"stem": "straight"}
+
+
+def test_parts_of_one_plant_are_put_into_another() -> None:
+    bush = meristem.Session(BUSH)
+    part = bush.part(["leaf"])
+    assert '"leaf"' in part and '"stem"' not in part
+    tree = meristem.Session('{"meristem": 1, "components": {"leaf": {"type": "simple"}}}')
+    tree.paste(bush.part(["stem", "leaf"]), names={"leaf": "blade"})
+    assert tree.is_good, tree.faults
+    assert list(tree.document.components)[:3] == ["leaf", "stem", "blade"]
+    assert '"many": 5' in tree.text and tree.notes == {"stem": "straight"} and tree.undo_count == 1
+    with pytest.raises(meristem.InputError):
+        bush.part(["nobody"])
+
+
 def test_text_as_somebody_types_it() -> None:
     session = meristem.Session(BUSH)
     at = BUSH.encode().index(b"0.50")

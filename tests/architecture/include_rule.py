@@ -11,7 +11,7 @@ them. A public header includes public headers only, and none of the heavy librar
 source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
 without a source. It says what it is for: in a sentence at its head, or above its first declaration. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
 Constants and types in unnamed namespaces have names that no other source of the room has, since sources are compiled
-in batches.
+in batches; a test has a namespace of its file's name, and may name its helpers as it likes.
 A room links the rooms whose headers it includes and no others, so that the links are the architecture, and the folders
 of a room include each other without a circle.
 """
@@ -21,7 +21,8 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
-ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output"]
+ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output",
+         "dataset"]
 DOORS = ["apps", "python"]
 HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",
          "valijson/", "Eigen/")
@@ -257,6 +258,16 @@ def check_batches(root: Path, sources: list[Path]) -> Iterator[Fault]:
                                         "sources they clash")
 
 
+def check_tests(folder: Path) -> Iterator[Fault]:
+    """In a batch of tests, helpers of one name are told apart by the namespaces of their files."""
+    for path in sorted(folder.rglob("*_test.cpp")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            if re.match(r"namespace (?!fs\b)", line) and not line.endswith(f"::{path.stem} {{"):
+                yield Fault(path, number, f"is not the namespace meristem::{path.stem}; in a batch of tests, helpers of one "
+                                          "name clash")
+                break
+
+
 def check_order(root: Path) -> Iterator[Fault]:
     """The build adds the rooms in the order of the line, and every folder is a room."""
     cmake = root / "meristem" / "CMakeLists.txt"
@@ -281,6 +292,8 @@ def check(root: Path) -> list[Fault]:
         folder = root / "meristem" / room
         faults += check_batches(root, [folder / name for name in lists[room]["SOURCES"] if (folder / name).is_file()])
     faults += check_sentences(root, public)
+    for folder in [root / "meristem", *(root / door for door in DOORS)]:
+        faults += check_tests(folder)
     for door in DOORS:
         faults += check_door_includes(root, door, public)
     return faults

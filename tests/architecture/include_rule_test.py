@@ -148,6 +148,13 @@ class IncludeRule(unittest.TestCase):
             self.write("meristem/shape/c.cpp", own % ("c", first.replace("kStep", "kOther").replace("Walk", "Way")))
             self.assertEqual(self.faults(), [])
 
+    def test_a_test_has_a_namespace_of_its_name(self) -> None:
+        self.write("meristem/shape/CMakeLists.txt", "meristem_room(shape HEADERS a.h TESTS b_test.cpp)")
+        self.write("meristem/shape/b_test.cpp", "\nnamespace meristem {\nnamespace {\n")
+        self.assert_only_fault("meristem/shape/b_test.cpp:2:", "meristem::b_test")
+        self.write("meristem/shape/b_test.cpp", "namespace fs = std::filesystem;\nnamespace meristem::b_test {\n")
+        self.assertEqual(self.faults(), [])
+
     def test_a_source_outside_all_lists_is_found(self) -> None:
         self.write("meristem/shape/forgotten_test.cpp", "")
         self.assert_only_fault("meristem/shape/forgotten_test.cpp:1:", "nothing compiles it")

@@ -262,7 +262,7 @@ class Files(Page):
     PAGE = "files.md"
 
     def test_sizes_of_the_oaks_files(self):
-        endings = (".glb", ".obj", ".ply", ".skeleton.ply", ".csv", ".mtg")
+        endings = (".glb", ".obj", ".ply", ".labels.ply", ".skeleton.ply", ".csv", ".qsm.csv", ".trees.txt", ".mtg")
         with tempfile.TemporaryDirectory() as folder:
             outputs = [word for ending in endings for word in ("-o", f"{folder}/oak{ending}")]
             subprocess.run([PROGRAM, "grow", "oak", "--quiet", *outputs], check=True, timeout=300)

@@ -463,5 +463,42 @@ class TrainingStudy(Page):
         self.says(f"{sum(row['holds'] == 'True' for row in rows)} of the {len(rows)} expectations hold")
 
 
+
+class ScanStudy(Page):
+    PAGE = "scan-study.md"
+
+    @staticmethod
+    def rows(instrument, stations):
+        return [row for row in table("scan-study/classes.csv")
+                if (row["instrument"], row["stations"]) == (instrument, stations)]
+
+    def share(self, stations, member):
+        rows = self.rows("terrestrial", stations)
+        return 100 * sum(row[member] * row["length"] for row in rows) / sum(row["length"] for row in rows)
+
+    def test_what_is_seen(self):
+        for member, count in (("fitted", 1), ("fitted", 2), ("fitted", 6), ("seen", 6)):
+            cells = " | ".join(f"{100 * row[member]:.0f} %" for row in self.rows("terrestrial", count))
+            self.says(f"| {member}, {count} station{'s' if count > 1 else ''} | {cells} |")
+        whole = self.rows("terrestrial", 6)
+        self.says(f"{100 * whole[0]['seen']:.0f} % of the wood thinner than 4 mm has at least 5 points. "
+                  f"One station sees {100 * self.rows('terrestrial', 1)[0]['seen']:.0f} % of it.",
+                  f"{self.share(1, 'fitted'):.0f} % can be fitted from one station, {self.share(2, 'fitted'):.0f} % from two, "
+                  f"and {self.share(6, 'fitted'):.0f} % from six",
+                  f"gets {sum(int(row['points']) for row in whole):,} points",
+                  f"{sum(row['length'] for row in whole):.0f} m of wood")
+
+    def test_how_thick_it_looks(self):
+        for instrument, name in (("terrestrial", "`terrestrial`"), ("phase", "`phase`"), ("ray", "ray")):
+            cells = " | ".join(f"{row['thickness']:.2f}" for row in self.rows(instrument, 6))
+            self.says(f"| {name} | {cells} |")
+        whole = self.rows("terrestrial", 6)
+        thin = sum(row["length"] for row in whole if row["high"] <= 0.01)
+        self.says(f"Wood thinner than 10 mm is {100 * thin / sum(row['length'] for row in whole):.0f} % of the length")
+
+    def test_expectations(self):
+        self.assertEqual({row["holds"] for row in table("scan-study/expectations.csv")}, {"True"})
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -8,8 +8,7 @@
 
 #include "tests/support/space_maps.h"
 
-namespace meristem {
-namespace {
+namespace meristem::bezier_volume_test {
 
 const DVec3 kLow(-1, 0, -2);
 const DVec3 kHigh(1, 4, 1);
@@ -122,5 +121,4 @@ TEST(BezierVolume, HasANumberForAllThatItDependsOn) {
   EXPECT_NE(own, fingerprint_of(BezierVolume(kLow, kHigh + 1.0, {2, 2, 2}, shifted_points({2, 2, 2}))));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::bezier_volume_test

@@ -13,8 +13,7 @@
 #include "meristem/base/parallel.h"
 #include "tests/support/space_maps.h"
 
-namespace meristem {
-namespace {
+namespace meristem::deformation_test {
 
 using Level = Deformation::Level;
 
@@ -238,5 +237,4 @@ TEST(Deformation, HasANumberForAllThatItDependsOn) {
   EXPECT_NE(own, Deformation({level(bend()), level(bend())}).hash());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::deformation_test

@@ -8,8 +8,7 @@
 
 #include "tests/support/space_maps.h"
 
-namespace meristem {
-namespace {
+namespace meristem::function_map_test {
 
 TEST(FunctionMap, WithoutFunctionsIsTheIdentity) { expect_identity(functions("", "", "")); }
 TEST(FunctionMap, OfTheCoordinatesIsTheIdentity) { expect_identity(functions("x", "y", "z")); }
@@ -55,5 +54,4 @@ TEST(FunctionMap, HasANumberForAllThatItDependsOn) {
   EXPECT_NE(own, fingerprint_of(functions("x - y", "", "")));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::function_map_test

@@ -8,8 +8,7 @@
 
 #include "meristem/base/frame.h"
 
-namespace meristem {
-namespace {
+namespace meristem::polar_test {
 
 void expect_near(const DMat3& a, const DMat3& b, double tolerance) {
   for (int k = 0; k < 3; ++k) EXPECT_LT(glm::distance(a[k], b[k]), tolerance);
@@ -41,5 +40,4 @@ TEST(NearestRotation, IsARotationForAnyMatrixOfPositiveDeterminant) {
   expect_near(stretch, glm::transpose(stretch), 1e-13);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::polar_test

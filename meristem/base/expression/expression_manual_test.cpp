@@ -14,8 +14,7 @@
 #include "meristem/base/expression/expression.h"
 #include "meristem/base/expression/expression_functions.h"
 
-namespace meristem {
-namespace {
+namespace meristem::expression_manual_test {
 
 std::string manual() {
   std::ifstream file(MERISTEM_SOURCE_DIR "/docs/manual/expressions.md");
@@ -92,5 +91,4 @@ TEST(ExpressionManual, ListsEveryFunctionWithItsSignatureAndEveryConstant) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::expression_manual_test

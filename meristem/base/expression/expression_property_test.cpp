@@ -15,8 +15,7 @@
 #include "meristem/base/expression/expression.h"
 #include "meristem/base/math.h"
 
-namespace meristem {
-namespace {
+namespace meristem::expression_property_test {
 
 const ExpressionNames kNames{{"i", "u", "v"}, {{"age", 12}}};
 
@@ -286,5 +285,4 @@ RC_GTEST_PROP(ExpressionProperty, CutAFormulaAnywhereAndItCompilesOrIsLocated, (
   expect_answer(text.substr(0, *rc::gen::inRange<std::size_t>(0, text.size() + 1)));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::expression_property_test

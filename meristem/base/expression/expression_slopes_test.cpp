@@ -9,8 +9,7 @@
 
 #include "meristem/base/expression/expression.h"
 
-namespace meristem {
-namespace {
+namespace meristem::expression_slopes_test {
 
 const ExpressionNames kNames{{"x", "y", "z"}, {}};
 
@@ -99,5 +98,4 @@ TEST(ExpressionHash, IsOfWhatItDoes) {
   EXPECT_NE(hash("k*x", 2), hash("k*y", 2));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::expression_slopes_test

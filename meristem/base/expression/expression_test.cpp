@@ -9,8 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::expression_test {
 
 const ExpressionNames kNames{{"i", "n", "u", "length"}, {{"age", 12}}};
 
@@ -395,5 +394,4 @@ TEST(Expression, ManyPendingOperandsSpillToTheHeap) {
   }());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::expression_test

@@ -123,6 +123,13 @@ Patch with_note_above(std::string_view text, std::size_t container, std::size_t 
 
 }  // namespace
 
+std::optional<TextRange> note_lines_above(const LocatedTree& tree, LocatedValue container, std::size_t index) {
+  const std::optional<NotePlace> note = find_note(tree, container, index);
+  if (!note || !note->is_above) return std::nullopt;
+  const std::size_t first = tree.at(tree.part(container, index)).first();
+  return TextRange{line_begin(tree.text(), note->comments.front().begin), line_begin(tree.text(), first)};
+}
+
 std::string note_on(const LocatedTree& tree, LocatedValue container, std::size_t index) {
   const std::optional<NotePlace> place = find_note(tree, container, index);
   return place ? text_of(tree, *place) : std::string();

@@ -4,6 +4,8 @@
 // member, and comments within it, are no notes.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +18,16 @@ namespace meristem {
 
 /// The note on a part of a list or object, without the signs that make it a comment; empty where there is none.
 std::string note_on(const LocatedTree& tree, LocatedValue container, std::size_t index);
+
+/// A piece of a text.
+struct TextRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// The lines above a part of a list or object that are a note on it, from the first byte of the first line to that of
+/// the part's own; nothing where no note stands there.
+std::optional<TextRange> note_lines_above(const LocatedTree& tree, LocatedValue container, std::size_t index);
 
 /// The notes on the members of an object at the top of the document, such as "components", by name.
 std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object);

@@ -5,8 +5,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem {
-namespace {
+namespace meristem::note_test {
 
 const std::string kPlant = R"json({
   "meristem": 1,
@@ -79,5 +78,4 @@ TEST(Note, KeepsTheEndsOfLines) {
 
 TEST(Note, IsRefusedWhereThereIsNothing) { EXPECT_THROW(noted(kPlant, "components.root", "x"), InputError); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::note_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::patch_test {
 
 const Patch kPatch = {{1, 2, "XYZ"}, {4, 0, "-"}, {5, 1, ""}};
 
@@ -41,5 +40,4 @@ TEST(Patch, ThatDoesNotFitIsRefused) {
   EXPECT_THROW(inverse_patch("abc", {{2, 2, ""}}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::patch_test

@@ -7,8 +7,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/edit/session.h"
 
-namespace meristem {
-namespace {
+namespace meristem::plant_part_test {
 
 const std::string kFlower = R"json({
   "meristem": 1,
@@ -129,5 +128,4 @@ TEST(PlantPart, AListThatIsNotThereIsMadeForItsFirstElement) {
             R"({"meristem": 1, "components": {"a": {"type": "tree"}, "b": {"type": "leaf"}}, "links": [["a", "b"]]})");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::plant_part_test

@@ -7,8 +7,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/edit/session.h"
 
-namespace meristem {
-namespace {
+namespace meristem::rename_test {
 
 const std::string kFern = R"json({
   "meristem": 1,
@@ -133,5 +132,4 @@ TEST(Rename, RefusesNamesThatMeanSomethingElse) {
   EXPECT_EQ(fault_of("variables.sise", "s").nearest, "size");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::rename_test

@@ -49,7 +49,7 @@ struct RenameValue {
   std::string path;
   std::string name;
 };
-/// Moves a member or element within its object or list to `index`.
+/// Moves a member or element within its object or list to `index`, with its note.
 struct MoveValue {
   std::string path;
   std::size_t index = 0;

@@ -11,8 +11,7 @@
 #include "meristem/document/json.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::session_test {
 
 namespace fs = std::filesystem;
 
@@ -318,5 +317,4 @@ TEST_F(SessionWithFiles, NothingOutsideOfTheRootIsRead) {
   EXPECT_NE(included.find("this lies outside the folder that may be read"), std::string::npos) << included;
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::session_test

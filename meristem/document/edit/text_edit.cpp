@@ -4,12 +4,14 @@
 #include "meristem/document/edit/text_edit.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/edit/layout.h"
+#include "meristem/document/edit/note.h"
 #include "meristem/document/edit/part_edit.h"
 #include "meristem/document/edit/path.h"
 #include "meristem/document/edit/value_difference.h"
@@ -163,6 +165,24 @@ Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_
            .replacement = write_json_line(Value(std::string(name)))}};
 }
 
+namespace {
+
+/// Takes the note above a part along with it, where the part has its lines for itself.
+void take_note_along(const LocatedTree& tree, LocatedValue container, std::size_t index, RemovedPart& removed) {
+  const std::optional<TextRange> note = note_lines_above(tree, container, index);
+  if (!note) return;
+  const auto own = std::ranges::find(removed.patch, note->end, &Splice::offset);
+  if (own == removed.patch.end()) return;
+  own->offset = note->begin;
+  own->length += note->end - note->begin;
+  const std::string_view text = tree.text();
+  const std::string_view indent = indent_at(text, note->begin);
+  const std::string_view lines = text.substr(note->begin, note->end - note->begin);
+  removed.written.text = std::string(lines.substr(indent.size())) + std::string(indent) + removed.written.text;
+}
+
+}  // namespace
+
 Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index) {
   const PathTarget target = find_path(tree, path);
   const LocatedValue container = target.container();
@@ -171,7 +191,8 @@ Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t ind
     refuse(path, fmt::format("there is no element {} among {}", index, count), fmt::format("0 to {}", count - 1));
   }
   if (index == target.places.back()) return {};
-  const RemovedPart removed = remove_part(tree, container, target.places.back());
+  RemovedPart removed = remove_part(tree, container, target.places.back());
+  take_note_along(tree, container, target.places.back(), removed);
   const LocatedTree without(apply_patch(tree.text(), removed.patch));
   const std::vector<std::size_t> above(target.places.begin(), target.places.end() - 1);
   const LocatedValue left = value_at(without, above);

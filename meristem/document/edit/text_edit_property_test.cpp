@@ -17,8 +17,7 @@
 #include "meristem/document/edit/text_edit.h"
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::text_edit_property_test {
 
 /// Whatever a test draws; the same in every run and on every machine.
 class Draws {
@@ -334,5 +333,4 @@ TEST(TextEditProperty, EveryNumberOfTheShippedModelsIsWrittenOverAlone) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::text_edit_property_test

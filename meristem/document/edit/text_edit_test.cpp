@@ -8,8 +8,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::text_edit_test {
 
 std::string set(const std::string& text, const std::string& path, const Value& value) {
   return apply_patch(text, set_value(LocatedTree(text), path, value));
@@ -169,6 +168,18 @@ TEST(TextEdit, MovesAMemberWithTheCommentInItsLine) {
   EXPECT_EQ(move("[1.0, 2, 3e0]", "[0]", 1), "[2, 1.0, 3e0]");
 }
 
+TEST(TextEdit, MovesAMemberWithTheNoteAboveIt) {
+  const std::string text =
+      "{\n  // the first\n  \"a\": 1, // one\n  \"b\": 2,\n\n  // the last,\n  /* of all */\n  \"c\": 3\n}\n";
+  EXPECT_EQ(move(text, "a", 1),
+            "{\n  \"b\": 2,\n  // the first\n  \"a\": 1, // one\n\n  // the last,\n  /* of all */\n  \"c\": 3\n}\n");
+  EXPECT_EQ(move(text, "c", 0),
+            "{\n  // the last,\n  /* of all */\n  \"c\": 3,\n  // the first\n  \"a\": 1, // one\n  \"b\": 2\n\n}\n");
+  // A comment that an empty line parts from the member is none of its own, nor is one above several.
+  EXPECT_EQ(move("{\n  // all\n\n  \"a\": 1,\n  \"b\": 2\n}\n", "b", 0), "{\n  \"b\": 2,\n  // all\n\n  \"a\": 1\n}\n");
+  EXPECT_EQ(move("{\n  // both\n  \"a\": 1, \"b\": 2\n}\n", "a", 1), "{\n  // both\n  \"b\": 2,\n  \"a\": 1\n}\n");
+}
+
 TEST(TextEdit, RenamesAMember) {
   EXPECT_EQ(rename(kLeaf, "components.leaf", "foliage"), with("\"leaf\": {", "\"foliage\": {"));
   EXPECT_EQ(fault_of([] { rename(kLeaf, "components.leaf", "stem"); }).message, "there is a 'stem' already");
@@ -220,5 +231,4 @@ TEST(TextEdit, RefusesValuesThatTextCannotSay) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::text_edit_test

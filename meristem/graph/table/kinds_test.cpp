@@ -5,8 +5,7 @@
 
 #include "meristem/graph/table/table.h"
 
-namespace meristem {
-namespace {
+namespace meristem::kinds_test {
 
 struct Snip {
   int at = 1;
@@ -166,5 +165,4 @@ TEST(Kinds, ElementsAreShownAsDocumentsWriteThem) {
   EXPECT_EQ(garden_table().parameters[0].show(&result.garden), Value(work));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::kinds_test

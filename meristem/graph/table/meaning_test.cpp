@@ -5,8 +5,7 @@
 
 #include "meristem/graph/table/table.h"
 
-namespace meristem {
-namespace {
+namespace meristem::meaning_test {
 
 struct Nib {
   double width = 1;
@@ -49,7 +48,7 @@ const ParameterTable& pen_table() {
   return table;
 }
 
-std::vector<Diagnostic> faults_of(const Value& value) {
+std::vector<Diagnostic> faults_in(const Value& value) {
   ParameterReader reader({}, Limits{});
   Pen pen;
   reader.read(pen_table(), &pen, value, DocumentPath());
@@ -58,7 +57,7 @@ std::vector<Diagnostic> faults_of(const Value& value) {
 
 /// The path and the words of the only fault.
 std::string fault_of(const Value& value) {
-  const std::vector<Diagnostic> faults = faults_of(value);
+  const std::vector<Diagnostic> faults = faults_in(value);
   if (faults.size() != 1) return std::to_string(faults.size()) + " faults";
   return faults[0].path + ": " + faults[0].message + " (" + faults[0].expected + ")";
 }
@@ -73,23 +72,23 @@ TEST(Meaning, AParameterOfAnotherChoiceIsAFaultWhateverItsValue) {
 }
 
 TEST(Meaning, ADefaultGivesItAsAGivenValueDoes) {
-  EXPECT_TRUE(faults_of(Object{{"spring", 2}}).empty());
-  EXPECT_TRUE(faults_of(Object{{"spring", 2}, {"retracts", true}}).empty());
-  EXPECT_TRUE(faults_of(Object{{"nib", Object{}}, {"kind", "quill"}}).empty());
+  EXPECT_TRUE(faults_in(Object{{"spring", 2}}).empty());
+  EXPECT_TRUE(faults_in(Object{{"spring", 2}, {"retracts", true}}).empty());
+  EXPECT_TRUE(faults_in(Object{{"nib", Object{}}, {"kind", "quill"}}).empty());
 }
 
 TEST(Meaning, AnyOfSeveralGiversWillDo) {
   EXPECT_EQ(fault_of(Object{{"ink", 1}}),
             "ink: 'ink' has no meaning here (\"kind\": \"quill\", 'cartridge' beside it, or no such key)");
-  EXPECT_TRUE(faults_of(Object{{"ink", 1}, {"cartridge", 3}}).empty());
-  EXPECT_TRUE(faults_of(Object{{"ink", 1}, {"kind", "quill"}}).empty());
+  EXPECT_TRUE(faults_in(Object{{"ink", 1}, {"cartridge", 3}}).empty());
+  EXPECT_TRUE(faults_in(Object{{"ink", 1}, {"kind", "quill"}}).empty());
 }
 
 TEST(Meaning, ReachesIntoNestedTables) {
   EXPECT_EQ(fault_of(Object{{"kind", "fountain"}, {"nib", Object{{"slit", 1}}}}).substr(0, 8), "nib.slit");
   EXPECT_EQ(fault_of(Object{{"feather", 1}}),
             "feather: 'feather' has no meaning without 'nib.width' ('nib.width' beside it, or no such key)");
-  EXPECT_TRUE(faults_of(Object{{"kind", "quill"}, {"nib", Object{{"width", 1}}}, {"feather", 1}}).empty());
+  EXPECT_TRUE(faults_in(Object{{"kind", "quill"}, {"nib", Object{{"width", 1}}}, {"feather", 1}}).empty());
 }
 
 TEST(Meaning, WhatNothingGivesAMeaningIsNoRowAndSaysWhy) {
@@ -98,8 +97,7 @@ TEST(Meaning, WhatNothingGivesAMeaningIsNoRowAndSaysWhy) {
 }
 
 TEST(Meaning, IsNotAskedForWhereTheGiverCouldNotBeRead) {
-  EXPECT_EQ(faults_of(Object{{"kind", "crayon"}, {"nib", Object{}}}).size(), 1U);
+  EXPECT_EQ(faults_in(Object{{"kind", "crayon"}, {"nib", Object{}}}).size(), 1U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::meaning_test

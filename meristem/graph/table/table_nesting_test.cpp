@@ -11,8 +11,7 @@
 #include "meristem/graph/table/table.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::table_nesting_test {
 
 struct Grain {
   double weight = 1;
@@ -244,5 +243,4 @@ TEST_F(FileRow, RowsMayNeedOrExcludeIt) {
             "rock.weight: 'weight' has no meaning beside 'file'; expected only one of them");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::table_nesting_test

@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::table_test {
 
 struct Petal {
   double length = 2;
@@ -436,5 +435,4 @@ TEST(Reader, CountsTheFaultsThatItNoLongerKeeps) {
   EXPECT_EQ(reader.diagnostics().size(), 3U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::table_test

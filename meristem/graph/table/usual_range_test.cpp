@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::usual_range_test {
 
 using Ends = std::pair<double, double>;
 
@@ -95,5 +94,4 @@ TEST(UsualRange, IsNeverEmptyAndLiesInTheHardRange) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::usual_range_test

@@ -9,8 +9,7 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem {
-namespace {
+namespace meristem::varying_test {
 
 // Five sticks a metre apart with the given parameters, along x.
 GraphBuilder five_sticks(const Value::Object& parameters) {
@@ -140,5 +139,4 @@ TEST(Varying, TheSeedChangesAllThatIsRandom) {
   for (std::size_t k = 0; k < 5; ++k) EXPECT_NE(before[k], after[k]);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::varying_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::approach_test {
 
 TEST(Approach, LeadsStraightToItsTarget) {
   const Approach approach = plan_approach({3, 4, 0}, 0.5, 2);
@@ -28,5 +27,4 @@ TEST(Approach, TakesTheFirstOfEquallyNearPoints) {
   EXPECT_FALSE(nearest_of({}, Vec3(0)).has_value());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::approach_test

@@ -7,8 +7,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::attraction_cloud_test {
 
 const Scene kOpenScene;
 
@@ -96,5 +95,4 @@ TEST(AttractionCloud, FindsTheNearestPointFromEachRoot) {
   EXPECT_EQ(cloud.nearest_point(other), Vec3(-2, 1, 0));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::attraction_cloud_test

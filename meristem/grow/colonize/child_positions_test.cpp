@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::child_positions_test {
 
 // A root, its child 1, and two children of that, 2 and 3.
 class ChildPositionsTest : public testing::Test {
@@ -38,5 +37,4 @@ TEST_F(ChildPositionsTest, RefuseTheNodeAndItsParent) {
 
 TEST_F(ChildPositionsTest, AllowWhatOthersHold) { EXPECT_TRUE(places_.is_free(skeleton_, 2, {1, 1, 0})); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::child_positions_test

@@ -8,8 +8,7 @@
 
 #include "meristem/base/math.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cloud_motion_test {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
@@ -102,5 +101,4 @@ TEST(CloudMotion, StandsStillInTheDark) {
   expect_near(motion[2].position, Vec3(1, 3, 0));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cloud_motion_test

@@ -14,8 +14,7 @@
 #include "meristem/scene/crown/solid_crowns.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::colonize_light_test {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 const ColonizeParameters kSmall{
@@ -263,5 +262,4 @@ TEST(ColonizeInShade, PointsOfOtherTreesCountInTheLimit) {
             middle(grow({{low, parameters}}, Scene())[0]) - 0.1F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::colonize_light_test

@@ -9,8 +9,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/plain_colonizer.h"
 
-namespace meristem {
-namespace {
+namespace meristem::colonize_reference_test {
 
 const Scene kOpenScene;
 
@@ -56,5 +55,4 @@ TEST(ColonizeReference, IncrementalGrowthEqualsBruteForceNodeByNode) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::colonize_reference_test

@@ -15,8 +15,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/evaluation_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::colonize_test {
 
 const Scene kOpenScene;
 constexpr Finish kUnfinished{.decimate = 0, .relax = false, .subdivide = 0};
@@ -491,5 +490,4 @@ TEST(Colonize, RejectsBrokenContracts) {
   EXPECT_THROW(grow({{0, NAN, 0}}, {}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::colonize_test

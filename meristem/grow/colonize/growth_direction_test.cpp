@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::growth_direction_test {
 
 TEST(GrowthDirection, IsTheUnitSumPlusBias) {
   const auto plain = growth_direction({0, 5, 0}, DVec3(0));
@@ -24,5 +23,4 @@ TEST(GrowthDirection, IsNothingWhereSumOrBiasedSumVanishes) {
   EXPECT_FALSE(growth_direction({1e-9, 0, 0}, DVec3(0)).has_value());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::growth_direction_test

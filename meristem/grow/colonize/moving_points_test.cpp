@@ -11,8 +11,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::moving_points_test {
 
 using NewNode = MovingPoints::NewNode;
 
@@ -127,5 +126,4 @@ TEST(MovingPoints, MustBeFinite) {
   EXPECT_THROW(MovingPoints{points}, std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::moving_points_test

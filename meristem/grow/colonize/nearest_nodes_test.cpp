@@ -13,8 +13,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::nearest_nodes_test {
 
 std::vector<Vec3> random_points(std::size_t count, RandomKey key, Vec3 size) {
   std::vector<Vec3> points;
@@ -197,5 +196,4 @@ TEST(PointTree, BoxesHoldTheirHalves) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::nearest_nodes_test

@@ -12,8 +12,7 @@
 #include "tests/support/sha256.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::derive_conformance_test {
 
 using Json = nlohmann::json;
 
@@ -147,5 +146,4 @@ TEST(DeriveConformance, TheDigestIsSha256) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::derive_conformance_test

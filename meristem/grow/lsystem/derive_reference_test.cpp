@@ -5,8 +5,7 @@
 #include "meristem/grow/lsystem/derive.h"
 #include "tests/support/build_grammar.h"
 
-namespace meristem {
-namespace {
+namespace meristem::derive_reference_test {
 
 constexpr std::size_t kNowhere = std::string::npos;
 
@@ -169,5 +168,4 @@ TEST(DeriveReference, AgreesWithAPlainRewritingOfRandomGrammars) {
   EXPECT_GT(context_changes, 500);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::derive_reference_test

@@ -11,8 +11,7 @@
 #include "meristem/base/parallel.h"
 #include "tests/support/build_grammar.h"
 
-namespace meristem {
-namespace {
+namespace meristem::derive_test {
 
 std::string derived(const GrammarText& text, int steps, std::uint64_t seed = 1) {
   const Grammar grammar = build_grammar(text);
@@ -308,5 +307,4 @@ TEST(Derive, RefusesConditionsWithoutAValue) {
   EXPECT_THROW(derive(grammar, 1, RandomKey(1), Limits(), progress), InputError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::derive_test

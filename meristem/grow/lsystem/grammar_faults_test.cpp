@@ -11,8 +11,7 @@
 #include "meristem/grow/lsystem/grammar_reader.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grammar_faults_test {
 
 using Texts = std::vector<std::string>;
 
@@ -319,5 +318,4 @@ TEST(GrammarWarnings, NameRulesThatCanNeverMatch) {
   EXPECT_EQ(warnings_of("A\nA : 1 > 2 -> B\n"), Texts{"2:5: the condition '1 > 2' is never true"});
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grammar_faults_test

@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::grammar_reader_test {
 
 Word axiom_of(const Grammar& grammar) {
   Word word;
@@ -369,5 +368,4 @@ RC_GTEST_PROP(GrammarReader, FindsFaultsInAnyTextOrReadsIt, ()) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grammar_reader_test

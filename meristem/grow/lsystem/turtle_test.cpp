@@ -14,8 +14,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::turtle_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -386,5 +385,4 @@ TEST(Turtle, TheColumnEndMarksWhereBranchesEnd) {
   EXPECT_TRUE(drawn("[][+]f[]").skeleton.extra.at("end").empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::turtle_test

@@ -10,8 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::word_test {
 
 TEST(Alphabet, TellsSymbolsApartByTheirNumberOfParameters) {
   Alphabet alphabet;
@@ -99,5 +98,4 @@ TEST(SymbolCounts, AddsUpLettersOfASymbolInTheOrderOfTheAlphabet) {
   EXPECT_TRUE(symbol_counts({}, alphabet).empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::word_test

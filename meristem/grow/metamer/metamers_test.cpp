@@ -12,8 +12,7 @@
 #include "tests/support/plain_metamers.h"
 #include "tests/support/random_metamers.h"
 
-namespace meristem {
-namespace {
+namespace meristem::metamers_test {
 
 Metamers seed() { return {kUp, Vec3(1, 0, 0), RandomKey(1)}; }
 
@@ -212,5 +211,4 @@ RC_GTEST_PROP(Metamers, NamesOfShootsAreNeverUsedAgain, ()) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::metamers_test

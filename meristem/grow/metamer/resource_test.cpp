@@ -10,8 +10,7 @@
 
 #include "tests/support/random_metamers.h"
 
-namespace meristem {
-namespace {
+namespace meristem::resource_test {
 
 ResourceFlow divided(const Metamers& metamers, const BudLight& light, const ResourceModel& model, int iteration = 1,
                      double age = 0) {
@@ -416,5 +415,4 @@ TEST(DivideResource, TheOtherSideOfADarkOneGetsAll) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::resource_test

@@ -9,8 +9,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_cut_test {
 
 /// A cut of a shoot by name.
 struct NamedCut {
@@ -196,5 +195,4 @@ TEST(OrganizeCut, ActInTheirOrder) {
   EXPECT_THROW(tree({low, high}), InputError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_cut_test

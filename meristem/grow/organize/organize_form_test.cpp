@@ -9,8 +9,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_form_test {
 
 /// A stem without branches, that goes straight where its seed heads.
 OrganizeParameters rod(int metamers) {
@@ -269,5 +268,4 @@ TEST(OrganizeForm, TreesLeanToALowSunAsFarAsTheirShadeDoes) {
   }());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_form_test

@@ -12,8 +12,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_markers_test {
 
 /// The specification's set for markers.
 OrganizeParameters among_markers(int iterations) {
@@ -155,5 +154,4 @@ TEST(OrganizeAmongMarkers, ARootTooFarAwayIsAFault) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_markers_test

@@ -14,8 +14,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_stand_test {
 
 std::vector<Skeleton> grow(Stand& stand) {
   Progress progress;
@@ -250,5 +249,4 @@ TEST(OrganizeInAStand, MembersStepSideBySideWithTheSameBytes) {
   for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes[0]);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_stand_test

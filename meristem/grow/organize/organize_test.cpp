@@ -13,8 +13,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_test {
 
 Diagnostic fault_of(const OrganizeParameters& parameters, const Scene& scene = {}, const Limits& limits = {},
                     const Frame& seed = {}) {
@@ -393,5 +392,4 @@ TEST(Organize, StopsWhenAsked) {
   EXPECT_THROW(stand.grow(progress), Cancelled);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_test

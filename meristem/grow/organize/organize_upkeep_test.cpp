@@ -13,8 +13,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organize_upkeep_test {
 
 OrganizeParameters with(OrganizeParameters parameters, Operation operation) {
   operation.path = "components.tree.operations[" + std::to_string(parameters.operations.size()) + "]";
@@ -243,5 +242,4 @@ TEST(OrganizeTie, DrawsABranchTowardTheGround) {
   EXPECT_GT(lower, 1);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organize_upkeep_test

@@ -11,8 +11,7 @@
 #include "tests/support/organized_trees.h"
 #include "tests/support/random_metamers.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sag_test {
 
 constexpr double kGravity = 9.81;
 constexpr PipeModel kRod{.tip_radius = 0.01, .exponent = 2, .memory = 1};
@@ -199,5 +198,4 @@ TEST(Sag, HeavyCrownsAreLowerAndWider) {
   EXPECT_LT(slenderness(bent_tree(0.3)), 0.9 * slenderness(grow_organized(parameters)));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sag_test

@@ -8,8 +8,7 @@
 
 #include "tests/support/random_metamers.h"
 
-namespace meristem {
-namespace {
+namespace meristem::standing_tree_test {
 
 constexpr std::uint64_t kMuch = 1'000'000'000;
 constexpr Vec3 kRoot{3, 0.25F, -7};
@@ -163,5 +162,4 @@ TEST(StandingTree, WhatDoesNotMoveIsNotTold) {
   EXPECT_EQ(one.tree->metamers().tip, pose.tip);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::standing_tree_test

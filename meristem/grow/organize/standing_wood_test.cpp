@@ -15,8 +15,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::standing_wood_test {
 
 /// A stem of `nodes` equal internodes up to a height.
 Skeleton stem(int nodes, float height) {
@@ -222,5 +221,4 @@ TEST(StandingWood, IsCountedBeforeItIsMade) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::standing_wood_test

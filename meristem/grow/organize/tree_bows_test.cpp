@@ -14,8 +14,7 @@
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
-namespace meristem {
-namespace {
+namespace meristem::tree_bows_test {
 
 /// A straight stem of a number of metamers, a metre long each, that heads `way`.
 Metamers straight(int count, Vec3 way) {
@@ -148,5 +147,4 @@ TEST(OrganizeGirdle, RingedBranchesKeepWhatTheyMake) {
   EXPECT_LT(of_seed(last, "resource"), 1.9 * of_seed(last, "light"));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tree_bows_test

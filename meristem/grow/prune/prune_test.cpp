@@ -18,8 +18,7 @@
 #include "meristem/grow/prune/work_recorder.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
-namespace meristem {
-namespace {
+namespace meristem::prune_test {
 
 /// A stem straight up, one metre per metamer, its lateral buds to +x and -x by turns.
 class HandMade {
@@ -533,5 +532,4 @@ TEST(SupportLine, LeadsBackToItsPole) {
   EXPECT_LT(glm::distance(way_along(bent, Vec3(0, 1, 0), 2), glm::normalize(Vec3(1, 1, 0))), 1e-6F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::prune_test

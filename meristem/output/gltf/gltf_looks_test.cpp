@@ -12,8 +12,7 @@
 #include "tests/support/read_glb.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::gltf_looks_test {
 
 using Json = nlohmann::json;
 using Bytes4 = std::array<std::uint8_t, 4>;
@@ -239,5 +238,4 @@ TEST(GltfLooks, HaveTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::gltf_looks_test

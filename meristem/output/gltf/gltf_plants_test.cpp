@@ -12,8 +12,7 @@
 #include "tests/support/read_glb.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::gltf_plants_test {
 
 using Json = nlohmann::json;
 
@@ -140,5 +139,4 @@ TEST(GltfPlants, MoreThanAThousandHaveNoNodes) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::gltf_plants_test

@@ -12,8 +12,7 @@
 #include "tests/support/read_glb.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::gltf_test {
 
 using Json = nlohmann::json;
 
@@ -266,5 +265,4 @@ TEST(Gltf, LeavesNothingWhenCancelled) {
   std::filesystem::remove(directory);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::gltf_test

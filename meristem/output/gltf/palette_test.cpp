@@ -7,8 +7,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::palette_test {
 
 std::vector<Vec3> random_colours(std::size_t count) {
   const RandomKey key(3);
@@ -75,5 +74,4 @@ TEST(Palette, RefusesSizesThatAByteDoesNotCount) {
   EXPECT_THROW(make_palette({}, 257), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::palette_test

@@ -7,8 +7,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 
-namespace meristem {
-namespace {
+namespace meristem::graph_drawing_test {
 
 /// The source's figure 6.1, with a ball at each end.
 Document first_example() {
@@ -61,5 +60,4 @@ TEST(GraphDrawing, TooManyInstancesAreRefused) {
   EXPECT_THROW(instance_tree(document.graph, document.scene, 0, 10, progress), InputError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::graph_drawing_test

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::tree_layout_test {
 
 TEST(TreeLayout, ParentsStandInTheMiddleOfTheirChildren) {
   const std::vector<std::uint32_t> parents{kNoParent, 0, 0, 0, 2};
@@ -48,5 +47,4 @@ TEST(TreeLayout, OfNothingIsNothing) {
   EXPECT_EQ(place_tree({}).levels, 0U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tree_layout_test

@@ -21,8 +21,7 @@
 #include "tests/support/sample_scenes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::obj_test {
 
 namespace fs = std::filesystem;
 
@@ -404,5 +403,4 @@ TEST_F(ObjTest, LeavesNothingWhenCancelled) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::obj_test

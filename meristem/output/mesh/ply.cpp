@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -20,6 +18,7 @@
 #include "meristem/base/colour.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/output/skeleton/skeleton_table.h"
+#include "meristem/output/write/append_bytes.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/names.h"
 #include "meristem/plant/plant_variant.h"
@@ -28,8 +27,6 @@ namespace meristem {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "records are written as they lie in memory");
-
 void check_count(std::string_view what, std::uint64_t count) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
   if (count <= kMost) return;
@@ -37,13 +34,6 @@ void check_count(std::string_view what, std::uint64_t count) {
   fault.message = fmt::format("the plant has {} {}", count, what);
   fault.expected = fmt::format("at most {}, the format's limit: fewer organs, or surfaces with fewer triangles", kMost);
   throw InputError(std::move(fault));
-}
-
-template <class Value>
-void append_bytes(std::string& out, const Value& value) {
-  std::array<char, sizeof(Value)> bytes;
-  std::memcpy(bytes.data(), &value, sizeof(Value));
-  out.append(bytes.data(), bytes.size());
 }
 
 /// The first lines of a header.
@@ -63,8 +53,8 @@ std::uint8_t byte_of(float channel) {
 
 class MeshPly {
  public:
-  MeshPly(const MeshScene& scene, AtomicFile& file, Progress& progress)
-      : scene_(scene), file_(file), writer_(file, progress) {
+  MeshPly(const MeshScene& scene, const SurfaceLabels* labels, AtomicFile& file, Progress& progress)
+      : scene_(scene), labels_(labels), file_(file), writer_(file, progress) {
     for (const MeshInstances& instances : scene.meshes) {
       has_normals_ |= !instances.mesh->normals.empty();
       has_uvs_ |= !instances.mesh->uvs.empty();
@@ -80,9 +70,15 @@ class MeshPly {
     if (has_normals_) header += "property float nx\nproperty float ny\nproperty float nz\n";
     if (has_uvs_) header += "property float s\nproperty float t\n";
     header += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int component\n";
-    header +=
-        fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", scene_.triangle_count());
-    file_.write(header);
+    header += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", scene_.triangle_count());
+    if (labels_ != nullptr) {
+      header += "property uchar kind\nproperty ushort order\n";
+      for (const char* name : {"tree", "component", "instance", "shoot"}) {
+        header += fmt::format("property int {}\n", name);
+      }
+      header += fmt::format("element shoot {}\nproperty list uchar uchar label\n", labels_->shoot_count());
+    }
+    file_.write(header + "end_header\n");
   }
 
   void write_vertices() {
@@ -109,7 +105,8 @@ class MeshPly {
 
   void write_faces() {
     std::size_t base = 0;
-    for (const MeshInstances& instances : scene_.meshes) {
+    for (std::uint32_t part = 0; part < scene_.meshes.size(); ++part) {
+      const MeshInstances& instances = scene_.meshes[part];
       const Mesh& mesh = *instances.mesh;
       const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
         const auto offset = static_cast<std::uint32_t>(base + frame * mesh.vertex_count());
@@ -119,6 +116,7 @@ class MeshPly {
           if (flips) std::swap(b, c);
           out += '\3';
           append_bytes(out, std::array{offset + a, offset + b, offset + c});
+          if (labels_ != nullptr) append_label(part, frame, t, out);
         }
       };
       write_for_frames(writer_, instances.count(), mesh.triangle_count(), kFaceBytes, fill);
@@ -126,9 +124,18 @@ class MeshPly {
     }
   }
 
+  void write_shoots() {
+    if (labels_ == nullptr) return;
+    for (std::uint32_t shoot = 0; shoot < labels_->shoot_count(); ++shoot) {
+      const std::string label = labels_->shoot_label(shoot).substr(0, kLongestLabelText);
+      file_.write(std::string(1, static_cast<char>(label.size())) + label);
+    }
+  }
+
  private:
   static constexpr std::size_t kMostVertexBytes = 8 * 4 + 3 + 4;
-  static constexpr std::size_t kFaceBytes = 1 + 3 * 4;
+  static constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 3 + 4 * 4;
+  static constexpr std::size_t kLongestLabelText = 255;
 
   /// What all vertices of one colour (sRGB) and component end with.
   static std::string tail_of(Vec3 colour, std::int32_t component) {
@@ -144,7 +151,21 @@ class MeshPly {
     if (has_uvs_) append_bytes(out, mesh.uvs.empty() ? Vec2(0) : mesh.uvs[v]);
   }
 
+  void append_label(std::uint32_t part, std::size_t instance, std::size_t triangle, std::string& out) const {
+    const Mesh& mesh = *scene_.meshes[part].mesh;
+    const auto [a, b, c] = mesh.triangles[triangle];
+    const Vec3 middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0F;
+    const SurfaceLabel label =
+        labels_->of(part, static_cast<std::uint32_t>(instance), static_cast<std::uint32_t>(triangle),
+                    scene_.meshes[part].frame(instance).point(middle));
+    append_bytes(out, static_cast<std::uint8_t>(label.kind));
+    append_bytes(out, label.order);
+    // None is the largest number, which becomes -1.
+    append_bytes(out, std::array{label.tree, label.component, label.instance, label.shoot});
+  }
+
   const MeshScene& scene_;
+  const SurfaceLabels* labels_;
   AtomicFile& file_;
   BlockWriter writer_;
   std::vector<std::string> components_;
@@ -232,10 +253,11 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
   check_count("triangles", scene.triangle_count());
   progress.begin("writing PLY", vertices + scene.triangle_count());
   AtomicFile file(path);
-  MeshPly ply(scene, file, progress);
+  MeshPly ply(scene, options.labels, file, progress);
   ply.write_header(options.provenance, vertices);
   ply.write_vertices();
   ply.write_faces();
+  ply.write_shoots();
   file.commit();
 }
 

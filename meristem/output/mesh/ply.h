@@ -4,6 +4,7 @@
 #include <string>
 
 #include "meristem/base/progress.h"
+#include "meristem/measure/surface_labels.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/mesh_scene.h"
@@ -13,14 +14,17 @@ namespace meristem {
 /// What the head of the file says.
 struct PlyOptions {
   Provenance provenance;
+  const SurfaceLabels* labels = nullptr;  ///< of the meshes; null: faces have none
 };
 
 /// Writes `scene` as one mesh in binary little-endian PLY: metres, y up. A vertex has `x y z`, `nx ny nz` and `s t` (v
 /// upward; each of the two only if some mesh has them, 0 for those that have not), `red green blue` of its material,
 /// tinted as its instance is, as bytes (sRGB), and `component`, an index whose name stands in the header: `comment
-/// component 0 tree`. Faces are `list uchar int vertex_indices`. Instances are flattened. Streams: memory beyond the
-/// scene stays below 64 MB. The file appears whole or not at all; "-" is standard output. Throws MachineError (path,
-/// disk), InputError for more vertices than an `int` counts, Cancelled.
+/// component 0 tree`. Faces are `list uchar int vertex_indices`, and with labels also `uchar kind` (SurfaceKind),
+/// `ushort order`, and as `int` `tree`, `component`, `instance` and `shoot`, -1 for none; an element `shoot` then has
+/// the label of each shoot, `list uchar uchar label`. Instances are flattened. Streams: memory beyond the scene stays
+/// below 64 MB. The file appears whole or not at all; "-" is standard output. Throws MachineError (path, disk),
+/// InputError for more vertices than an `int` counts, Cancelled.
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress);
 
 /// Writes the skeletons of `plant` as points and edges in binary little-endian PLY: metres, y up. A vertex has the

@@ -19,8 +19,7 @@
 #include "tests/support/sample_plants.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::ply_test {
 
 /// A PLY as a reader that knows nothing of the writer sees it: columns of numbers by element and property.
 struct Ply {
@@ -327,5 +326,4 @@ TEST(SkeletonPly, ReportsAFullDiskAndARefusedPath) {
   EXPECT_THROW(write_skeleton_ply(two_stems(), "/nonexistent/plant.ply", {}, progress), MachineError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::ply_test

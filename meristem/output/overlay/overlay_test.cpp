@@ -13,7 +13,7 @@
 #include "meristem/output/overlay/overlay_text.h"
 #include "tests/support/build_graph.h"
 
-namespace meristem {
+namespace meristem::overlay_test {
 namespace {
 
 constexpr const char* kTree = R"j({
@@ -145,4 +145,4 @@ TEST(Overlay, TextIsWrittenWhereItIsSeen) {
 }
 
 }  // namespace
-}  // namespace meristem
+}  // namespace meristem::overlay_test

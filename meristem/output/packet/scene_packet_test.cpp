@@ -11,8 +11,7 @@
 #include "tests/support/sample_scenes.h"
 #include "tests/support/shown_scene.h"
 
-namespace meristem {
-namespace {
+namespace meristem::scene_packet_test {
 
 std::string next(PacketMaker& maker, const MeshScene& scene) {
   return maker.next({.meshes = &scene}, {.hash = "0"}, Progress());
@@ -231,5 +230,4 @@ TEST(ScenePacket, HasTheSameBytesForTheSameScenes) {
   for (const std::size_t leaves : {3U, 7U}) EXPECT_EQ(next(one, leafy_scene(leaves)), next(other, leafy_scene(leaves)));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::scene_packet_test

@@ -8,8 +8,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::camera_test {
 
 /// Specks about scattered positions, some of them mirrored or scaled.
 MeshScene specks(int count, Vec3 spread) {
@@ -118,5 +117,4 @@ TEST(Camera, FindsAPlaceForAnEmptyScene) {
   EXPECT_NEAR(glm::length(*camera.project(Vec3(0))), 0, 0.2);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::camera_test

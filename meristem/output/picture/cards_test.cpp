@@ -9,8 +9,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cards_test {
 
 /// A ball of 1 m that stands on the ground.
 MeshScene ball() {
@@ -83,5 +82,4 @@ TEST(Cards, RejectOptionsOutOfRange) {
   EXPECT_THROW(cards_of(ball(), kMostCards + 1), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cards_test

@@ -7,8 +7,7 @@
 #include "meristem/measure/convex_hull.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::hull_wires_test {
 
 /// Corners of a box of 4 x 2 x 1 m, and points on its faces.
 std::vector<Vec3> box_points(Vec3 low) {
@@ -100,5 +99,4 @@ TEST(HullWires, OfTreesWithoutACrownAddNothing) {
   EXPECT_EQ(all.materials.size(), 1U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::hull_wires_test

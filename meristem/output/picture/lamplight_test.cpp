@@ -5,8 +5,7 @@
 
 #include "meristem/base/colour.h"
 
-namespace meristem {
-namespace {
+namespace meristem::lamplight_test {
 
 constexpr int kSamples = 4096;
 
@@ -62,5 +61,4 @@ TEST(Lamplight, IsBoundedNearTheLamp) {
   EXPECT_NEAR(mean_irradiance(lamps, {0, 0.8F, 0}, 0.5F).g, as_from_half_a_metre, 1e-4 * as_from_half_a_metre);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::lamplight_test

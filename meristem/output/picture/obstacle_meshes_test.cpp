@@ -6,8 +6,7 @@
 #include "meristem/output/picture/still.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::obstacle_meshes_test {
 
 Obstacles wall_and_hidden_box() {
   return Obstacles({{.mesh = box_mesh({-4, 0, -3}, {4, 6, -2}), .colour = {0.9F, 0.1F, 0.1F}},
@@ -61,5 +60,4 @@ TEST(ObstacleMeshes, AloneTheyAreFramed) {
   EXPECT_GT(image.rgba[4 * middle] - image.rgba[4 * middle + 2], 60);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::obstacle_meshes_test

@@ -14,6 +14,7 @@
 
 #include "meristem/output/picture/clouds.h"
 #include "meristem/output/picture/daylight.h"
+#include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/lamplight.h"
 #include "meristem/output/picture/sampling.h"
 #include "meristem/output/picture/texture_sampler.h"
@@ -21,14 +22,6 @@
 #include "meristem/shape/ray_scene.h"
 
 namespace meristem {
-
-/// Level ground that catches shadows and, seen from the camera, fades into the horizon.
-struct Ground {
-  float height = 0;
-  Vec3 colour{0.1F};  ///< linear
-  Vec3 centre{0};
-  float fade_distance = 10;  ///< metres from the centre at which half is faded
-};
 
 /// What lies between the camera and what it sees, and behind that.
 struct Air {

@@ -7,8 +7,7 @@
 
 #include "meristem/base/colour.h"
 
-namespace meristem {
-namespace {
+namespace meristem::path_tracer_test {
 
 constexpr int kSamples = 4096;
 
@@ -399,5 +398,4 @@ TEST(PathTracer, HazeTakesItsShareOfWhatIsSeen) {
   EXPECT_NEAR((1 - hidden / kSamples) / (1 - plain / kSamples), std::exp(-2.0 / 4), 0.02);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::path_tracer_test

@@ -9,8 +9,7 @@
 #include "meristem/base/colour.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::photographer_test {
 
 constexpr int kSize = 40;
 
@@ -181,5 +180,4 @@ TEST(Photographer, AnEdgeIsSmoothedByATentOfTwoPixels) {
   EXPECT_EQ(cover(9), 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::photographer_test

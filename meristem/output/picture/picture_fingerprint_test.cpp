@@ -10,8 +10,7 @@
 
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::picture_fingerprint_test {
 
 struct Subject {
   GrownDocument grown;
@@ -59,5 +58,4 @@ TEST(PictureFingerprint, IsBlindToAnglesThatAPositionReplaces) {
 
 TEST(PictureFingerprint, FramesHaveNoGapsThatItCouldRead) { EXPECT_EQ(sizeof(Frame), 12 * sizeof(float)); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::picture_fingerprint_test

@@ -5,8 +5,7 @@
 
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::picture_test {
 
 /// A tree whose crown reaches well past the one small triangle that is to be seen of it.
 GrownDocument crown_about_a_triangle() {
@@ -62,5 +61,4 @@ TEST(Picture, OfNothingHasNoHulls) {
   EXPECT_EQ(take_picture({}, Scene(), options, progress).rgba, plain.rgba);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::picture_test

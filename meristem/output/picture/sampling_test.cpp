@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::sampling_test {
 
 /// How many points of the third pair of dimensions lie in each of `columns` x `rows` equal cells.
 std::vector<int> counts_by_cell(std::uint32_t pixel, std::uint32_t begin, std::uint32_t end, int columns, int rows) {
@@ -109,5 +108,4 @@ TEST(Sampling, ConeDirectionsStayInTheCone) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sampling_test

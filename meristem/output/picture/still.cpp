@@ -11,6 +11,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/path_tracer.h"
 #include "meristem/output/picture/photographer.h"
@@ -41,19 +42,6 @@ void check_range(const char* path, int value, int most) {
   fault.expected = fmt::format("1 to {}", most);
   fault.path = path;
   throw InputError(std::move(fault));
-}
-
-/// The ground goes through the origin if the plant stands about there, else through its lowest point.
-Ground ground_below(const MeshScene& meshes, const Scene& scene) {
-  const Box box = meshes.bounds();
-  const float extent = box.is_empty() ? 1 : glm::length(box.size());
-  Ground ground;
-  ground.colour = linear_from_srgb(scene.ground_colour);
-  ground.centre = box.is_empty() ? Vec3(0) : box.centre();
-  const float lowest = box.is_empty() ? 0 : box.low.y;
-  ground.height = std::abs(lowest) < 0.05F * extent ? 0 : lowest;
-  ground.fade_distance = 1.2F * extent;
-  return ground;
 }
 
 /// A number in [0, 1) that spreads over neighbouring pixels, so that smooth skies show no steps in 8 bits.

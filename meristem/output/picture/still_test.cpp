@@ -10,8 +10,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::still_test {
 
 /// A block of 1 m standing on the origin and a few hundred leaves above it.
 MeshScene block_with_leaves() {
@@ -211,5 +210,4 @@ TEST(Still, RefusesSizesAndSamplesOutOfRange) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::still_test

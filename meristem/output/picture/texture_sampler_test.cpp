@@ -6,8 +6,7 @@
 #include "meristem/base/colour.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::texture_sampler_test {
 
 /// Pixels that differ from one another, with alpha too.
 Image motley(int width, int height) {
@@ -99,5 +98,4 @@ TEST(TextureSampler, NormalsAreUnitAndPointWhereTheMapSays) {
   EXPECT_NEAR(glm::length(sampler.normal({0.5F, 0.5F}, 0)), 1, 1e-5);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::texture_sampler_test

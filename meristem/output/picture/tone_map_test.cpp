@@ -5,8 +5,7 @@
 
 #include "meristem/base/colour.h"
 
-namespace meristem {
-namespace {
+namespace meristem::tone_map_test {
 
 TEST(Colour, SrgbAndLinearLightAreInverse) {
   for (int i = 0; i <= 255; ++i) {
@@ -52,5 +51,4 @@ TEST(ToneMap, ExposureClosesForLampsByNightAndHardlyByDay) {
   EXPECT_EQ(exposure(noon, 0), exposure(noon));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tone_map_test

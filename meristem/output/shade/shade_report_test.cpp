@@ -6,8 +6,7 @@
 #include "meristem/document/json.h"
 #include "meristem/output/write/small_text.h"
 
-namespace meristem {
-namespace {
+namespace meristem::shade_report_test {
 
 struct Case {
   ShadePlan plan;
@@ -87,5 +86,4 @@ TEST(SmallText, DrawsDotsAndLeavesOutWhatIsOutside) {
   EXPECT_EQ(small_text_width("", 2), 0);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::shade_report_test

@@ -6,8 +6,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/json.h"
 
-namespace meristem {
-namespace {
+namespace meristem::shade_request_test {
 
 Scene street() {
   Scene scene;
@@ -149,5 +148,4 @@ TEST(ShadeRequest, BoundsRays) {
   EXPECT_NE(fault_of(request).find("spacing: the spacing cannot be 0"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::shade_request_test

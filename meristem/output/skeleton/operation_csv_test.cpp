@@ -6,8 +6,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/read_file.h"
 
-namespace meristem {
-namespace {
+namespace meristem::operation_csv_test {
 
 Plant pruned() {
   Plant plant;
@@ -50,5 +49,4 @@ TEST(OperationCsv, RefusesAPathThatCannotBeWritten) {
   EXPECT_THROW(write_operation_csv(pruned(), "/no/such/folder/x.operations.csv", progress), MachineError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::operation_csv_test

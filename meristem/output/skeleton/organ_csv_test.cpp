@@ -12,8 +12,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 
-namespace meristem {
-namespace {
+namespace meristem::organ_csv_test {
 
 /// Organs of two prototypes of one component and one of another, by turns.
 Plant organs(std::size_t count) {
@@ -76,5 +75,4 @@ TEST(OrganCsv, ARefusedPathIsAnError) {
   EXPECT_THROW(write_organ_csv(organs(3), light(3), "/no/such/folder/organs.csv", progress), MachineError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::organ_csv_test

@@ -12,8 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "tests/support/sample_plants.h"
 
-namespace meristem {
-namespace {
+namespace meristem::skeleton_csv_test {
 
 std::string written(const Plant& plant) {
   const std::string path =
@@ -111,5 +110,4 @@ TEST(SkeletonCsv, LeavesNothingWhenCancelled) {
   std::filesystem::remove(folder);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::skeleton_csv_test

@@ -21,8 +21,7 @@
 #include "tests/support/sample_plants.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::skeleton_mtg_test {
 
 std::string written(const Plant& plant, const MtgOptions& options = {}) {
   const std::string path =
@@ -333,5 +332,4 @@ TEST(SkeletonMtg, LeavesNothingWhenCancelled) {
   std::filesystem::remove(folder);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::skeleton_mtg_test

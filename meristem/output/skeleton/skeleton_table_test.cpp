@@ -7,8 +7,7 @@
 
 #include "tests/support/sample_plants.h"
 
-namespace meristem {
-namespace {
+namespace meristem::skeleton_table_test {
 
 std::vector<double> column(const SkeletonTable& table, const std::string& name) {
   std::vector<double> values;
@@ -87,5 +86,4 @@ TEST(SkeletonTable, APlantWithoutStemsHasColumnsAndNoRows) {
   EXPECT_TRUE(column(table, "x").empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::skeleton_table_test

@@ -12,8 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::block_writer_test {
 
 std::string written(std::size_t count, std::size_t element_bytes, BlockWriter::Fill fill) {
   const TemporaryFolder folder;
@@ -70,5 +69,4 @@ TEST(BlockWriter, RunsOfFramesCoverARangeOnce) {
   EXPECT_EQ(elements, expected);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::block_writer_test

@@ -6,8 +6,7 @@
 #include "meristem/base/colour.h"
 #include "tests/support/sample_scenes.h"
 
-namespace meristem {
-namespace {
+namespace meristem::colour_factors_test {
 
 MeshScene tinted(Vec3 colour, std::vector<Vec3> tints) {
   MeshScene scene = scene_of(triangle(), std::vector<Frame>(tints.size()));
@@ -63,5 +62,4 @@ TEST(ColourFactors, CoverMeshesOfOneMaterialWithAndWithoutTints) {
   EXPECT_LT(glm::length(factors.mean - scene.materials[0].tint() * (2.75F / 4)), 1e-6F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::colour_factors_test

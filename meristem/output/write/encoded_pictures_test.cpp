@@ -9,8 +9,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/read_image.h"
 
-namespace meristem {
-namespace {
+namespace meristem::encoded_pictures_test {
 
 using Kind = TexturePicture::Kind;
 
@@ -70,5 +69,4 @@ TEST(EncodedPictures, StayInOrderWhenCancelledOrASketch) {
   EXPECT_EQ(read_back(*pictures.encode(colour, Progress())[0]).rgba, texture.colour.rgba);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::encoded_pictures_test

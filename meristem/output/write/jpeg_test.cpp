@@ -10,8 +10,7 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/read_image.h"
 
-namespace meristem {
-namespace {
+namespace meristem::jpeg_test {
 
 /// Waves with a little grain, as pictures of leaves have.
 Image waves(int width, int height) {
@@ -67,5 +66,4 @@ TEST(Jpeg, RefusesQualitiesOutOfRangeAndSizesThatCannotBe) {
   EXPECT_THROW(encode_jpeg(Image{3, 3, {}}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::jpeg_test

@@ -5,8 +5,7 @@
 
 #include "meristem/output/write/provenance.h"
 
-namespace meristem {
-namespace {
+namespace meristem::names_test {
 
 TEST(Names, ALineHasNoControlCharacters) {
   EXPECT_EQ(single_line("two\nlines\r\tand\x7f more \xC3\xA9"), "two lines  and  more \xC3\xA9");
@@ -50,5 +49,4 @@ TEST(Names, FileWordsHaveNoSlash) {
   EXPECT_EQ(file_word(""), "_");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::names_test

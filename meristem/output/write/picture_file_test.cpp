@@ -12,8 +12,7 @@
 #include "meristem/base/read_image.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::picture_file_test {
 
 std::string fault_of(const std::string& path, bool transparent, const PictureFileOptions& options) {
   try {
@@ -48,5 +47,4 @@ TEST(PictureFile, RefusesWhatTheFormatCannotHold) {
   EXPECT_EQ(fault_of("oak.jpeg", false, {.quality = 80, .max_bytes = 1000}), "");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::picture_file_test

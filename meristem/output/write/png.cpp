@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <exception>
 #include <stdexcept>
+#include <vector>
 
 #include <png.h>
 #include <zlib.h>
@@ -52,13 +53,21 @@ bool is_opaque(const Image& image) {
   return true;
 }
 
+/// What libpng is given: rows of bytes, from the top.
+struct PngRows {
+  int width, height;
+  int bits;         // per channel
+  int colour_type;  // of libpng
+  const std::uint8_t* bytes;
+  std::size_t row_bytes;
+  bool skips_alpha;  // every fourth byte
+};
+
 /// Nothing with a destructor may live here: libpng leaves it by longjmp.
-void write_rows(png_structp png, png_infop info, const Image& image, PixelKind kind, bool has_alpha,
-                PngPacking packing) {
+void write_rows(png_structp png, png_infop info, const PngRows& rows, PixelKind kind, PngPacking packing) {
   if (setjmp(png_jmpbuf(png)) != 0) return;
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-               has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(rows.width), static_cast<png_uint_32>(rows.height), rows.bits,
+               rows.colour_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (kind == PixelKind::srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   // Named, so that the bytes do not change with libpng's defaults.
   png_set_compression_level(png, 6);
@@ -71,31 +80,42 @@ void write_rows(png_structp png, png_infop info, const Image& image, PixelKind k
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
   }
   png_write_info(png, info);
-  if (!has_alpha) png_set_filler(png, 0, PNG_FILLER_AFTER);
-  for (int y = 0; y < image.height; ++y) {
-    png_write_row(png, image.rgba.data() + std::size_t{4} * image.width * y);
-  }
+  if (rows.skips_alpha) png_set_filler(png, 0, PNG_FILLER_AFTER);
+  for (int y = 0; y < rows.height; ++y) png_write_row(png, rows.bytes + rows.row_bytes * y);
   png_write_end(png, info);
 }
 
 /// Gives the bytes of the PNG to `write`, in order.
+void stream_rows(const PngRows& rows, PixelKind kind, PngPacking packing,
+                 FunctionRef<void(const void* data, std::size_t size)> write) {
+  PngTarget target{write, nullptr};
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keep_error, ignore_warning);
+  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
+  if (info != nullptr) {
+    png_set_write_fn(png, &target, write_bytes, flush_nothing);
+    write_rows(png, info, rows, kind, packing);
+  } else {
+    target.failure = std::make_exception_ptr(MachineError("PNG: libpng could not be set up"));
+  }
+  png_destroy_write_struct(&png, &info);
+  if (target.failure) std::rethrow_exception(target.failure);
+}
+
 void stream_png(const Image& image, PixelKind kind, PngPacking packing,
                 FunctionRef<void(const void* data, std::size_t size)> write) {
   if (image.width < 1 || image.height < 1 ||
       image.rgba.size() != std::size_t{4} * image.width * static_cast<std::size_t>(image.height)) {
     throw std::invalid_argument("a picture's size and its bytes do not agree");
   }
-  PngTarget target{write, nullptr};
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keep_error, ignore_warning);
-  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
-  if (info != nullptr) {
-    png_set_write_fn(png, &target, write_bytes, flush_nothing);
-    write_rows(png, info, image, kind, !is_opaque(image), packing);
-  } else {
-    target.failure = std::make_exception_ptr(MachineError("PNG: libpng could not be set up"));
-  }
-  png_destroy_write_struct(&png, &info);
-  if (target.failure) std::rethrow_exception(target.failure);
+  const bool opaque = is_opaque(image);
+  const PngRows rows{.width = image.width,
+                     .height = image.height,
+                     .bits = 8,
+                     .colour_type = opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
+                     .bytes = image.rgba.data(),
+                     .row_bytes = std::size_t{4} * image.width,
+                     .skips_alpha = opaque};
+  stream_rows(rows, kind, packing, write);
 }
 
 }  // namespace
@@ -110,6 +130,29 @@ std::string encode_png(const Image& image, PixelKind kind, PngPacking packing) {
   std::string bytes;
   stream_png(image, kind, packing,
              [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
+  return bytes;
+}
+
+std::string encode_grey_png(int width, int height, std::span<const std::uint16_t> grey) {
+  if (width < 1 || height < 1 || grey.size() != std::size_t{1} * width * height) {
+    throw std::invalid_argument("a picture's size and its numbers do not agree");
+  }
+  std::vector<std::uint8_t> big_endian;
+  big_endian.reserve(2 * grey.size());
+  for (const std::uint16_t number : grey) {
+    big_endian.push_back(static_cast<std::uint8_t>(number >> 8U));
+    big_endian.push_back(static_cast<std::uint8_t>(number & 255U));
+  }
+  const PngRows rows{.width = width,
+                     .height = height,
+                     .bits = 16,
+                     .colour_type = PNG_COLOR_TYPE_GRAY,
+                     .bytes = big_endian.data(),
+                     .row_bytes = std::size_t{2} * width,
+                     .skips_alpha = false};
+  std::string bytes;
+  stream_rows(rows, PixelKind::numbers, PngPacking::small,
+              [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
   return bytes;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "meristem/base/image.h"
@@ -18,5 +20,8 @@ void write_png(const Image& image, const std::string& path, PixelKind kind = Pix
 
 /// The bytes of a PNG file.
 std::string encode_png(const Image& image, PixelKind kind = PixelKind::srgb, PngPacking packing = PngPacking::small);
+
+/// The bytes of a PNG file of one channel with 16 bits per pixel, row by row from the top: numbers, not colours.
+std::string encode_grey_png(int width, int height, std::span<const std::uint16_t> grey);
 
 }  // namespace meristem

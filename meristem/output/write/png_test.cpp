@@ -10,8 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem {
-namespace {
+namespace meristem::png_test {
 
 Image gradient(bool opaque) {
   Image image{7, 5, {}};
@@ -87,5 +86,4 @@ TEST(Png, RefusesASizeThatDoesNotFitItsBytes) {
   EXPECT_THROW(write_png(image, temporary_path()), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::png_test

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -113,11 +114,14 @@ Beginning beginning_of(std::string_view text) {
   return before;
 }
 
+std::string_view separator_of(std::string_view line) {
+  if (line.find(';') != std::string_view::npos) return ";";
+  return line.find('\t') != std::string_view::npos ? "\t" : ",";
+}
+
 std::vector<std::string> names_of_head(std::string_view line) {
   std::vector<std::string> names;
-  const std::string_view separators = line.find(';') != std::string_view::npos    ? ";"
-                                      : line.find('\t') != std::string_view::npos ? "\t"
-                                                                                  : ",";
+  const std::string_view separators = separator_of(line);
   while (names.size() < 1000) {
     const std::size_t end = std::min(line.find_first_of(separators), line.size());
     names.emplace_back(without_blanks(line.substr(0, std::min<std::size_t>(end, kMostLetters))));
@@ -127,14 +131,41 @@ std::vector<std::string> names_of_head(std::string_view line) {
   return names;
 }
 
+/// TreeQSM's text files name a point and a direction once, over three columns each. Each such name becomes three. Empty
+/// for all other heads.
+std::string expanded_head(std::string_view line, const std::vector<std::string>& names) {
+  std::string head;
+  bool is_expanded = false;
+  for (const std::string& name : names) {
+    const std::string plain = plain_name(name);
+    const bool is_triple = plain == "startpoint" || plain == "axisdirection";
+    is_expanded = is_expanded || is_triple;
+    for (const std::string_view letter : {"_x", "_y", "_z"}) {
+      if (!head.empty()) head += separator_of(line);
+      head += name;
+      if (!is_triple) break;
+      head += letter;
+    }
+  }
+  return is_expanded ? head : std::string();
+}
+
 /// Which columns are read into what.
 class TableReader {
  public:
   TableReader(std::string_view text, const std::string& file, const Limits& limits)
       : text_(text), file_(file), limits_(limits), before_(beginning_of(text)) {
     const std::string_view rest = text_.substr(before_.offset);
-    head_ = names_of_head(rest.substr(0, std::min(rest.find('\n'), rest.size())));
+    const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
+    head_ = names_of_head(line);
+    const std::string expanded = expanded_head(line, head_);
+    if (expanded.empty()) return;
+    rewritten_ = std::string(text_.substr(0, before_.offset)) + expanded + std::string(rest.substr(line.size()));
+    text_ = rewritten_;
+    head_ = names_of_head(expanded);
   }
+  TableReader(const TableReader&) = delete;
+  TableReader& operator=(const TableReader&) = delete;
 
   NodeTableForm form() const {
     return kStart[0].in(head_) || kStart[1].in(head_) || kStart[2].in(head_) ? NodeTableForm::cylinders
@@ -217,6 +248,7 @@ class TableReader {
   }
 
   std::string_view text_;
+  std::string rewritten_;  // the text with another head line
   const std::string& file_;
   const Limits& limits_;
   Beginning before_;
@@ -318,6 +350,7 @@ class Sorter {
     const bool has_births = std::ranges::none_of(rows_, [](const Row& row) { return std::isnan(row.birth); });
     std::unordered_map<double, std::uint32_t> branches;
     std::vector<NodeIndex> node_of(rows_.size(), kNoNode);
+    std::map<std::array<double, 3>, NodeIndex> roots_at;  // where cylinders begin that have no parent
     for (const std::uint32_t k : order_) {
       const Row& row = rows_[k];
       if (row.radius < 0) {
@@ -335,8 +368,12 @@ class Sorter {
         table_.line.push_back(row.line);
         return static_cast<NodeIndex>(table_.node_count() - 1);
       };
-      // A cylinder ends in its node; that of a root also begins in one.
-      if (form_ == NodeTableForm::cylinders && parent == kNoNode) parent = add(row.begin);
+      // A cylinder ends in its node; that of a root also begins in one, which all that begin there share.
+      if (form_ == NodeTableForm::cylinders && parent == kNoNode) {
+        const auto [root, is_new] = roots_at.try_emplace({row.begin.x, row.begin.y, row.begin.z}, kNoNode);
+        if (is_new) root->second = add(row.begin);
+        parent = root->second;
+      }
       node_of[k] = add(row.end);
     }
   }
@@ -404,6 +441,8 @@ class TreeFileReader {
            nearest_name("parent_id", names));
     }
     parent_ = static_cast<std::size_t>(parent - names.begin());
+    const auto branch = std::ranges::find(names, "branch_id");
+    if (branch != names.end()) branch_ = static_cast<std::size_t>(branch - names.begin());
   }
 
   double number(std::string_view text, std::string_view what) {
@@ -456,6 +495,7 @@ class TreeFileReader {
       row.radius = number(cells[3], "radius");
       const double parent = number(cells[parent_], "parent_id");
       row.parent = parent < 0 ? -1 : base + parent;
+      if (branch_ != kNoColumn) row.branch = number(cells[branch_], "branch_id");
       row.line = line_;
       ++segment_;
     }
@@ -467,7 +507,9 @@ class TreeFileReader {
   int line_ = 0;
   std::size_t skipped_ = 0;  // parts of a line before its segments
   std::size_t width_ = 0;
+  static constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
   std::size_t parent_ = 0;
+  std::size_t branch_ = kNoColumn;
   std::size_t segment_ = 0;
   std::vector<Row> rows_;
 };

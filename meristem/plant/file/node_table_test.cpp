@@ -10,8 +10,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::node_table_test {
 
 Skeleton skeleton(const std::string& text, const NodeTablePlacement& placement = {}) {
   return skeleton_of(read_node_table(text, "t.csv"), placement, "t.csv");
@@ -111,6 +110,32 @@ TEST(NodeTable, CylindersEndInNodesAndCountFromOne) {
   EXPECT_EQ(tree.order, (Orders{0, 0, 0, 1}));
 }
 
+TEST(NodeTable, TreeQsmsTextFilesNameAPointOverThreeColumns) {
+  const Skeleton tree = skeleton(
+      "radius (m)\tlength (m)\tstart_point\taxis_direction\tparent\textension\tbranch\tbranch_order\n"
+      "0.1\t1\t5\t5\t0\t0\t0\t1\t0\t2\t1\t0\n"
+      "0.08\t0.5\t5\t5\t1\t1\t0\t0\t1\t0\t1\t0\n");
+  ASSERT_EQ(tree.node_count(), 3U);
+  EXPECT_EQ(tree.position[2], Vec3(0.5F, 1, 0));
+  EXPECT_EQ(tree.radius[1], 0.1F);
+  EXPECT_EQ(fault_of("length (m)\tstart_point\taxis_direction\tparent\n1\t0\t0\tup\t0\t0\t1\t0\n"),
+            "t.csv:1:1: there is no column 'radius'; expected a head line that names it");
+}
+
+TEST(NodeTable, CylindersThatBeginWhereARootBeginsShareIt) {
+  const Skeleton bush = skeleton(
+      "radius,length,start.x,start.y,start.z,axis.x,axis.y,axis.z,parent,branch\n"
+      "0.1,1,0,0,0,0,0,1,0,1\n0.05,1,0,0,0,1,0,0,0,2\n0.05,1,3,0,0,0,0,1,0,3\n");
+  EXPECT_EQ(bush.parent, (Nodes{kNoNode, 0, 0, kNoNode, 3}));
+  EXPECT_EQ(bush.axis, (Axes16{0, 0, 1, 2, 2}));
+}
+
+TEST(NodeTable, BranchesOfTreeFilesAreAxes) {
+  const Skeleton tree =
+      skeleton("x,y,z,radius,parent_id,branch_id\n0,0,0,0.1,-1,0, 0,0,1,0.1,0,0, 1,0,1,0.09,1,4, 0,0,2,0.05,1,0\n");
+  EXPECT_EQ(tree.axis, (Axes16{0, 0, 1, 0})) << "although the other one is thicker";
+}
+
 TEST(NodeTable, CylindersMayHaveEndsAndNumbers) {
   const Skeleton tree = skeleton(
       "ID,parentID,startX,startY,startZ,endX,endY,endZ,radius\n"
@@ -178,5 +203,4 @@ TEST(NodeTable, MoreNodesThanMayBeAreRefusedWhileTheyAreRead) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::node_table_test

@@ -11,8 +11,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::mtg_skeleton_test {
 
 // The codes begin on line 13.
 constexpr const char* kHeader =
@@ -234,5 +233,4 @@ TEST(MtgSkeleton, MetresAreRoundedToFloatsOnce) {
 
 TEST(MtgSkeleton, AFileWithoutEntitiesHasNoNodes) { EXPECT_EQ(read("").skeleton.node_count(), 0U); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::mtg_skeleton_test

@@ -10,8 +10,7 @@
 #include "meristem/base/read_file.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::mtg_test {
 
 // 17 lines; the codes begin on line 18.
 constexpr const char* kHeader =
@@ -259,5 +258,4 @@ TEST(Mtg, FilesOfOthers) {
   EXPECT_EQ(shoot.parent[19], 15U) << "the first internode of U2 follows the last one of U1";
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::mtg_test

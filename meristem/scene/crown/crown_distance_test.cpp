@@ -11,8 +11,7 @@
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crown_distance_test {
 
 Vec3 random_point(std::uint64_t k) {
   const RandomKey key(k);
@@ -88,5 +87,4 @@ TEST(CrownDistance, OfOtherBodiesTowardTheirMiddle) {
   EXPECT_NEAR(Unknown().distance({0.5F, 0, 0}), -1.25, 1e-5);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crown_distance_test

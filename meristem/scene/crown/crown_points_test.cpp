@@ -18,8 +18,7 @@
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crown_points_test {
 
 const ProfileCrown kRoundCrown({{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}});
 
@@ -284,5 +283,4 @@ TEST(BlueNoise, EndsWhereOnlyFewPlacesAreLeft) {
   EXPECT_EQ(place(box, {.count = 2000, .blue_noise = true}).size(), 2000U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crown_points_test

@@ -14,8 +14,7 @@
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
-namespace meristem {
-namespace {
+namespace meristem::crown_test {
 
 // Two points make a straight spline: a cylinder and a cone.
 const ProfileCrown::Profile kCylinder{{0.5F, 1}, {0.5F, 3}};
@@ -245,5 +244,4 @@ TEST(CombinedCrown, RejectsNothingToCombine) {
   EXPECT_THROW(CombinedCrown(CombineKind::unite, {nullptr}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::crown_test

@@ -5,8 +5,7 @@
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem {
-namespace {
+namespace meristem::expression_field_test {
 
 ExpressionField field_of(std::array<const char*, 3> texts, ExpressionField::Options options = {}) {
   const auto compile = [](const char* text) { return Expression::compile(text, {field_variables(), {}}); };
@@ -48,5 +47,4 @@ TEST(ExpressionField, TellsWhereItVanishesUnlessItAdds) {
   EXPECT_EQ(field_of({"-x", "0", "-z"}, {.must_point = false}).at({0, 3, 0}), Vec3(0));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::expression_field_test

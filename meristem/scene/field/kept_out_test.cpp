@@ -7,8 +7,7 @@
 
 #include "meristem/scene/crown/solid_crowns.h"
 
-namespace meristem {
-namespace {
+namespace meristem::kept_out_test {
 
 /// Where a stem goes that wants to go straight on.
 std::vector<Vec3> way_past(const KeptOut& body, Vec3 position, Vec3 heading, double step, int steps,
@@ -73,5 +72,4 @@ TEST(KeptOut, ItsFrameTurnsMovesAndScalesTheBody) {
   EXPECT_NEAR(aside.z, -0.5, 1e-3);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::kept_out_test

@@ -8,8 +8,7 @@
 
 #include "meristem/scene/directions.h"
 
-namespace meristem {
-namespace {
+namespace meristem::ready_fields_test {
 
 constexpr double kForEver = std::numeric_limits<double>::infinity();
 
@@ -103,5 +102,4 @@ TEST(Pulling, TwoTurnsOfStrengthOneAreOneOfStrengthTwo) {
   EXPECT_EQ(share_pulled(1, 0.5), 1);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::ready_fields_test

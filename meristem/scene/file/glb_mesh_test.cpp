@@ -13,8 +13,7 @@
 #include "meristem/scene/obstacle/obstacles.h"
 #include "tests/support/sample_bodies.h"
 
-namespace meristem {
-namespace {
+namespace meristem::glb_mesh_test {
 
 template <class T>
 void append(std::string& bytes, const T& value) {
@@ -240,5 +239,4 @@ TEST(GlbMesh, LimitsBoundWhatItMakes) {
   EXPECT_EQ(fault(box_glb(), limits).substr(0, 30), "body: the JSON of the file has");
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::glb_mesh_test

@@ -6,8 +6,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::read_mesh_test {
 
 TriangleMesh parse(std::string_view bytes, std::uint64_t limit = 100) {
   Limits limits;
@@ -116,5 +115,4 @@ TEST(ReadMesh, ARealBuildingIsClosedAndHasItsVolume) {
   EXPECT_NEAR(inside / double{kParts * kParts * kParts} * size.x * size.y * size.z, 991.18, 5);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::read_mesh_test

@@ -13,8 +13,7 @@
 #include "meristem/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
 
-namespace meristem {
-namespace {
+namespace meristem::read_points_test {
 
 const std::array<DVec3, 2> kTwo{DVec3(1, 2.5, -3), DVec3(4, 5, 6e-3)};
 
@@ -176,5 +175,4 @@ TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
   EXPECT_THROW(read_points(folder / "scan.xyz", small), InputError);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::read_points_test

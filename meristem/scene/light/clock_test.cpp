@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::clock_test {
 
 constexpr double kAngleError = 0.012;  // degrees: what the Almanac states, and the rounding of published figures
 
@@ -103,5 +102,4 @@ TEST(Clock, TheSolarFormulaIsWithinHalfADegree) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::clock_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::light_test {
 
 constexpr double kDortmund = 51.51494;  // degrees north
 
@@ -125,5 +124,4 @@ TEST(Light, HasTheMeanDirectionOfWhatIsFar) {
   EXPECT_EQ(light.mean_direction(), kUp) << "in the dark";
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::light_test

@@ -11,8 +11,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::shadow_grid_test {
 
 constexpr float kVoxel = 0.5F;  // exact in binary, so that positions are
 
@@ -326,5 +325,4 @@ TEST(ShadowGrid, BricksComeAndGoInAnyOrder) {
   EXPECT_TRUE(grid.empty());
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::shadow_grid_test

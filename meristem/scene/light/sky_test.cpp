@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::sky_test {
 
 float luminance(Vec3 light) { return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b; }
 
@@ -86,5 +85,4 @@ TEST(Sky, HasTheHorizonsLightBelowIt) {
   EXPECT_EQ(sky.radiance({3, 0, 4}), sky.radiance({3, -2, 4}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sky_test

@@ -13,8 +13,7 @@
 
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::sun_test {
 
 constexpr double kDortmund = 51.51494;  // degrees north
 constexpr double kTolerance = 0.001;    // degrees, and hours where times are compared
@@ -206,5 +205,4 @@ TEST(Sun, DirectionsOfVectorsReturn) {
   EXPECT_NEAR(sky_direction({0, -2, 0}).altitude, -kPi / 2, 1e-12);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::sun_test

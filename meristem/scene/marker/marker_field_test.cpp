@@ -15,8 +15,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/scene/crown/profile_crown.h"
 
-namespace meristem {
-namespace {
+namespace meristem::marker_field_test {
 
 constexpr float kSpacing = 0.07F;
 const MarkerParameters kForm{.spacing = kSpacing, .occupancy = 0.2};
@@ -463,5 +462,4 @@ TEST(MarkerField, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(field.share_out(std::vector<Seeker>(1), rooms, Progress()), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::marker_field_test

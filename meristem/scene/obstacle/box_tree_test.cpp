@@ -8,8 +8,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::box_tree_test {
 
 std::set<std::uint32_t> all_around(const BoxTree& tree, Vec3 position) {
   std::set<std::uint32_t> found;
@@ -74,5 +73,4 @@ TEST(BoxTree, MayBeEmpty) {
   EXPECT_FALSE(BoxTree(std::vector<Box>()).any_around(Vec3(0), [](std::uint32_t) { return true; }));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::box_tree_test

@@ -14,8 +14,7 @@
 #include "meristem/scene/crown/mesh_crown.h"
 #include "tests/support/sample_bodies.h"
 
-namespace meristem {
-namespace {
+namespace meristem::closed_mesh_test {
 
 // The unit cube, two triangles a side.
 TriangleMesh cube(DVec3 low = DVec3(0), double size = 1) {
@@ -221,5 +220,4 @@ TEST(MeshCrown, IsPlacedByItsFrame) {
   EXPECT_NEAR(crown.bounds().low.y, 4, 1e-5);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::closed_mesh_test

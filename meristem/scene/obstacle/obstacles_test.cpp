@@ -15,8 +15,7 @@
 #include "tests/support/sample_bodies.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::obstacles_test {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -455,5 +454,4 @@ TEST(Obstacles, TheirTreesLeaveTheSmallestNumbersToOtherLoops) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::obstacles_test

@@ -11,8 +11,7 @@
 #include "meristem/base/mesh.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cut_polygon_test {
 
 using Points = std::vector<glm::dvec2>;
 
@@ -144,5 +143,4 @@ TEST(CutPolygon, CrossingsAndTouchingsAreFound) {
   EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cut_polygon_test

@@ -7,8 +7,7 @@
 
 #include "meristem/base/math.h"
 
-namespace meristem {
-namespace {
+namespace meristem::polygon_mesh_test {
 
 double area_of(const Mesh& mesh) {
   double area = 0;
@@ -62,5 +61,4 @@ TEST(MakePolygon, FillsALargeStarWithoutGaps) {
   EXPECT_NEAR(area_of(mesh), kPoints * 0.6 * std::sin(kPi / kPoints), 1e-4);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::polygon_mesh_test

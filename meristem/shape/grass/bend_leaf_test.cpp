@@ -10,8 +10,7 @@
 #include "meristem/base/vec.h"
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::bend_leaf_test {
 
 testing::AssertionResult keeps_its_pieces(const GrassLeaf& before, const GrassLeaf& after) {
   for (std::size_t k = 1; k < before.point_count(); ++k) {
@@ -82,5 +81,4 @@ TEST(BendLeaf, RejectsPlacesOutOfRange) {
   EXPECT_THROW(turned(leaf, {{.from = std::nan(""), .to = 1, .angle = 1}}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::bend_leaf_test

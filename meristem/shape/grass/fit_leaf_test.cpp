@@ -11,8 +11,7 @@
 #include "meristem/base/vec.h"
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::fit_leaf_test {
 
 MeasuredCurve curve(std::vector<glm::dvec2> points) { return {.points = std::move(points)}; }
 
@@ -245,5 +244,4 @@ TEST_F(FitLeafOfWheat, AllSurviveWithWidthsOfAnyClassAndKeepTheirAreaWithin2Perc
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::fit_leaf_test

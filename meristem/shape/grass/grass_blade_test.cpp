@@ -13,8 +13,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grass_blade_test {
 
 constexpr MeshPromises kOpen{.closed = false, .outward = false};
 
@@ -334,5 +333,4 @@ TEST(GrassSheath, ALigulesFootStandsOnItsRimAndItsMiddleIs1High) {
   EXPECT_NEAR(highest, 1, 1e-6);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grass_blade_test

@@ -11,8 +11,7 @@
 #include "meristem/base/vec.h"
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::grass_leaf_test {
 
 /// The rest of a division.
 double around(double angle) { return std::remainder(angle, 2 * kPi); }
@@ -124,5 +123,4 @@ TEST(GrassLeaf, RejectsWhatIsNoLeaf) {
   fault_of([](GrassLeaf& leaf) { leaf.y[2] = std::nan(""); });
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::grass_leaf_test

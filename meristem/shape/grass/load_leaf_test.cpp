@@ -14,8 +14,7 @@
 #include "meristem/shape/grass/bend_leaf.h"
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::load_leaf_test {
 
 using Vec = glm::dvec2;
 
@@ -302,5 +301,4 @@ TEST(LoadForTurn, AgreesWithLoadingWithinOnePercentOnWheat) {
   EXPECT_GT(solved, 0.9 * asked);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::load_leaf_test

@@ -9,8 +9,7 @@
 
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::measured_leaves_test {
 
 using Faults = std::vector<Diagnostic>;
 
@@ -235,5 +234,4 @@ TEST(MeasuredLeaves, ThoseOfWheatAllRead) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::measured_leaves_test

@@ -12,8 +12,7 @@
 
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::midrib_family_test {
 
 using AgedMidribs = std::vector<std::pair<double, GrassLeaf>>;
 
@@ -273,5 +272,4 @@ TEST(MidribFamily, EachLeafOfWheatIsItselfAtAge1) {
   for (const GrassLeaf& leaf : leaves) EXPECT_TRUE(are_alike(aged(leaf, MidribFamily(leaf), 1), leaf, 1e-9));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::midrib_family_test

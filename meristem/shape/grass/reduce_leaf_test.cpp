@@ -12,8 +12,7 @@
 
 #include "tests/support/grass_leaves.h"
 
-namespace meristem {
-namespace {
+namespace meristem::reduce_leaf_test {
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -193,5 +192,4 @@ TEST(ReduceLeaf, TenPiecesOfWheatAreWithinOnePercentOfAHundredInTheMedian) {
   EXPECT_LT(median(distances), 0.01);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::reduce_leaf_test

@@ -9,8 +9,7 @@
 
 #include "meristem/base/progress.h"
 
-namespace meristem {
-namespace {
+namespace meristem::body_points_test {
 
 const RandomKey kKey = RandomKey(7).child("places");
 
@@ -92,5 +91,4 @@ TEST(BodyPoints, StopOnePastTheMost) {
 
 TEST(BodyPoints, NothingHasNone) { EXPECT_TRUE(places(ImplicitBody(), {.spacing = 0.1}).empty()); }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::body_points_test

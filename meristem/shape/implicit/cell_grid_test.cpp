@@ -20,8 +20,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cell_grid_test {
 
 /// Values at n x n x n positions, x fastest.
 struct Grid {
@@ -217,5 +216,4 @@ TEST(CellGrid, KnownFieldsHaveThePublishedCountsAreasAndVolumes) {
   EXPECT_EQ(rows, 20);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cell_grid_test

@@ -20,8 +20,7 @@
 #include "meristem/shape/implicit/cell_geometry.h"
 #include "tests/support/shared_data.h"
 
-namespace meristem {
-namespace {
+namespace meristem::cell_surface_test {
 
 using Corners = std::array<float, 8>;
 
@@ -252,5 +251,4 @@ TEST(CellSurface, TakesInfiniteValuesForTheLargest) {
   EXPECT_EQ(&cell_surface(infinite), &cell_surface(largest));
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::cell_surface_test

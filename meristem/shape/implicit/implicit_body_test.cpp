@@ -10,8 +10,7 @@
 
 #include "meristem/base/random.h"
 
-namespace meristem {
-namespace {
+namespace meristem::implicit_body_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -376,5 +375,4 @@ TEST(ImplicitBody, RejectsSizesThatAreNone) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::implicit_body_test

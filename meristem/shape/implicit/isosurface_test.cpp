@@ -17,8 +17,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/sample_fields.h"
 
-namespace meristem {
-namespace {
+namespace meristem::isosurface_test {
 
 Mesh surface_of(const ImplicitBody& body, const IsosurfaceOptions& options = {}, const Limits& limits = {}) {
   Progress progress;
@@ -437,5 +436,4 @@ TEST(Isosurface, HasTheSameTopologyFarFromTheOrigin) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::isosurface_test

@@ -13,8 +13,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/check_skeleton.h"
 
-namespace meristem {
-namespace {
+namespace meristem::plant_body_test {
 
 std::vector<AxisIndex> all_axes(const Skeleton& skeleton) {
   std::vector<AxisIndex> axes(Axes(skeleton).count());
@@ -234,5 +233,4 @@ TEST(PlantBody, CrownsAreBallsAboveTheEnds) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::plant_body_test

@@ -13,8 +13,7 @@
 
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::leaf_blade_test {
 
 constexpr MeshPromises kOpen{.closed = false, .outward = false};
 
@@ -352,5 +351,4 @@ TEST(LeafBlade, RejectsWhatMakesNoBlade) {
   rejects([](LeafBlade& blade) { blade.across = 3; });
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::leaf_blade_test

@@ -10,8 +10,7 @@
 
 #include "meristem/shape/flat/cut_polygon.h"
 
-namespace meristem {
-namespace {
+namespace meristem::leaf_outline_test {
 
 using Points = std::vector<glm::dvec2>;
 
@@ -174,5 +173,4 @@ RC_GTEST_PROP(LeafOutline, NoOutlineCrossesItselfAndEveryHullHoldsItsOutline, ()
   for (const glm::dvec2 point : hull) RC_ASSERT(point.x <= std::max(1.0, widest(edge)) + 1e-9);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::leaf_outline_test

@@ -12,8 +12,7 @@
 
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::needles_test {
 
 constexpr MeshPromises kOpen{.closed = false, .outward = false};
 
@@ -142,5 +141,4 @@ TEST(Needles, RejectWhatMakesNone) {
   rejects([](NeedleShoot& shoot) { shoot.sides = 4; });
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::needles_test

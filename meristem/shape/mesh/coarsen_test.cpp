@@ -12,8 +12,7 @@
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::coarsen_test {
 
 bool is_vertex_of(const Mesh& mesh, Vec3 position, Vec2 uv) {
   for (std::size_t k = 0; k < mesh.vertex_count(); ++k) {
@@ -105,5 +104,4 @@ TEST(EvenOrder, HasAllOfAnyCount) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::coarsen_test

@@ -7,8 +7,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/sample_bodies.h"
 
-namespace meristem {
-namespace {
+namespace meristem::shading_test {
 
 TEST(Shading, FlatFacesHaveOneNormalEach) {
   const Mesh mesh = make_sphere(2, 12);
@@ -50,5 +49,4 @@ TEST(Shading, GivesVerticesWithoutAreaSomeNormal) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::shading_test

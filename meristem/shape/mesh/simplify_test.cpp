@@ -9,8 +9,7 @@
 #include "tests/support/field_mesh.h"
 #include "tests/support/sample_bodies.h"
 
-namespace meristem {
-namespace {
+namespace meristem::simplify_test {
 
 /// 32,768 triangles at 6 splits.
 Mesh sphere(int splits, Vec3 centre = Vec3(0)) {
@@ -263,5 +262,4 @@ TEST(Simplify, RejectsWhatItCannotKeep) {
   EXPECT_THROW(levels_of_detail(sphere(1), std::vector<std::size_t>{4, 5}, progress), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::simplify_test

@@ -8,8 +8,7 @@
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 
-namespace meristem {
-namespace {
+namespace meristem::tangents_test {
 
 /// A unit square in the plane of x and y, seen from z.
 Mesh square() {
@@ -136,5 +135,4 @@ TEST(Tangents, AreTheSameOnAnyNumberOfThreads) {
   for (const int threads : {2, 3, 8}) EXPECT_EQ(tangents(threads), expected) << threads << " threads";
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tangents_test

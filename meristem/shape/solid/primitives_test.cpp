@@ -8,8 +8,7 @@
 
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::primitives_test {
 
 /// The area of a regular polygon with `n` corners on a circle of radius `r`.
 double polygon_area(int n, double r) { return 0.5 * n * r * r * std::sin(2 * kPi / n); }
@@ -94,5 +93,4 @@ TEST(Primitives, RejectSizesAndSegmentsThatMakeNoBody) {
   EXPECT_THROW(make_torus(1, 1, 8), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::primitives_test

@@ -10,8 +10,7 @@
 #include "meristem/base/random.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::revolution_test {
 
 using Silhouette = std::vector<Vec2>;
 
@@ -215,5 +214,4 @@ TEST(Revolution, RejectsWhatMakesNoBody) {
   EXPECT_THROW(make_revolution({.sweep = 0}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::revolution_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::alpha_mask_test {
 
 TEST(AlphaMask, IsAHoleBelowOneHalf) {
   const AlphaMask mask({2, 2, {0, 0, 0, 255, 0, 0, 0, 128, 0, 0, 0, 127, 0, 0, 0, 0}});
@@ -31,5 +30,4 @@ TEST(AlphaMask, HolesNeedAMaskedTextureAndUvs) {
   EXPECT_EQ(texture_with_holes(material, mesh), nullptr);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::alpha_mask_test

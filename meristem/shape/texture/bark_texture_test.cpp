@@ -9,8 +9,7 @@
 #include "meristem/shape/texture/mean_light.h"
 #include "meristem/shape/texture/texture_recipe.h"
 
-namespace meristem {
-namespace {
+namespace meristem::bark_texture_test {
 
 constexpr int kPixels = 128;
 constexpr Vec3 kBrown{0.45F, 0.38F, 0.32F};
@@ -116,5 +115,4 @@ TEST(BarkTexture, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::bark_texture_test

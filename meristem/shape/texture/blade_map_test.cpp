@@ -9,8 +9,7 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 
-namespace meristem {
-namespace {
+namespace meristem::blade_map_test {
 
 constexpr int kPixels = 100;
 
@@ -82,5 +81,4 @@ TEST(BladeMap, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::blade_map_test

@@ -9,8 +9,7 @@
 #include "meristem/shape/texture/mean_light.h"
 #include "meristem/shape/texture/texture_recipe.h"
 
-namespace meristem {
-namespace {
+namespace meristem::leaf_texture_test {
 
 constexpr int kPixels = 128;
 constexpr Vec3 kGreen{0.33F, 0.46F, 0.2F};
@@ -156,5 +155,4 @@ TEST(LeafTexture, VeinsEndForEveryAspectAndWhereFannedOnesLieOutside) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::leaf_texture_test

@@ -8,8 +8,7 @@
 
 #include "meristem/base/parallel.h"
 
-namespace meristem {
-namespace {
+namespace meristem::noise_field_test {
 
 constexpr int kPixels = 128;
 
@@ -78,5 +77,4 @@ TEST(NoiseField, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::noise_field_test

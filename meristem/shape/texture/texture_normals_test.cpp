@@ -7,8 +7,7 @@
 
 #include "meristem/base/vec.h"
 
-namespace meristem {
-namespace {
+namespace meristem::texture_normals_test {
 
 constexpr int kPixels = 16;
 
@@ -56,5 +55,4 @@ TEST(TextureNormals, OfATileSeeTheOppositeEdge) {
   EXPECT_LT(normal_at(sheet, 0, 8).x, -0.3F);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::texture_normals_test

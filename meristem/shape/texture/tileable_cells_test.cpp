@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-namespace {
+namespace meristem::tileable_cells_test {
 
 TEST(TileableCells, OppositeEdgesBelongToTheSameCells) {
   const TileableCells cells(RandomKey(1), 7, 4, 0.38F);
@@ -65,5 +64,4 @@ TEST(TileableCells, EachHasItsOwnRandomNumbers) {
   EXPECT_EQ(numbers.size(), 80U);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tileable_cells_test

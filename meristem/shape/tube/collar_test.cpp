@@ -11,8 +11,7 @@
 #include "meristem/shape/tube/tube_plan.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::collar_test {
 
 // A stem of five nodes along y, 0.2 m thick in radius, with a branch of the next axis from its third node.
 Skeleton fork(double angle_deg, float branch_radius, float segment = 0.4F) {
@@ -170,5 +169,4 @@ TEST(SmoothRadii, SpreadAStepAndKeepTheEnds) {
   EXPECT_LT(steepest, 0.015F);  // 0.04 in the skeleton
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::collar_test

@@ -10,8 +10,7 @@
 #include "meristem/base/math.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::loft_test {
 
 // Counter-clockwise seen from above.
 LoftSection ring(int points, double radius, double height, bool is_round = true) {
@@ -206,5 +205,4 @@ TEST(Loft, FaultsNameTheirPoint) {
   EXPECT_THROW(make_loft(std::vector{LoftSection{}}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::loft_test

@@ -19,8 +19,7 @@
 #include "meristem/shape/tube/tube_plan.h"
 #include "tests/support/check_mesh.h"
 
-namespace meristem {
-namespace {
+namespace meristem::tubes_test {
 
 /// A skeleton written axis by axis.
 class Builder {
@@ -433,5 +432,4 @@ TEST(Tubes, RejectASurfaceWithoutATileSize) {
   EXPECT_THROW(make_tubes(fork(30, 0.1F, 0.1F), {.uv_scale = 0}, progress), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace meristem
+}  // namespace meristem::tubes_test

@@ -40,6 +40,18 @@ const kRecursion = {
   },
   links: [['A', 'B'], ['B', 'C'], ['C', 'D'], ['D', 'D'], { from: 'D', to: 'E', kind: 'leaf' }],
 };
+/// Components that nothing links to: the order of the document is that of the board.
+const kStones = `{\r
+\t"meristem": 1,\r
+\t"components": {\r
+\t\t// the first\r
+\t\t"stone": {"type": "simple", "shape": "cube"}, // square\r
+\t\t"ball": {"type": "simple", "shape": "sphere"},\r
+\t\t// small\r
+\t\t"pebble": {"type": "simple", "shape": "sphere", "size": [0.1, 0.1, 0.1]}\r
+\t}\r
+}\r
+`;
 /// Twenty balls in four rows, of one component.
 const kBalls = {
   meristem: 1,
@@ -47,12 +59,15 @@ const kBalls = {
   links: [['field', 'ball']],
 };
 
+const kPlot = { meristem: 1, components: { tree: { type: 'document', file: 'tulip' } }, links: [] };
+
 let place, server, browser, context, page;
 
 before(async () => {
   place = await temporary_folder();
   await write_document(place.folder, 'flower.json', kFlower);
-  for (const [name, document] of [['recursion', kRecursion], ['balls', kBalls]]) await write_document(place.folder, `${name}.json`, JSON.stringify(document));
+  await write_document(place.folder, 'stones.json', kStones);
+  for (const [name, document] of [['recursion', kRecursion], ['balls', kBalls], ['plot', kPlot]]) await write_document(place.folder, `${name}.json`, JSON.stringify(document));
   server = await start_server(place.folder, path.join(place.folder, 'flower.json'));
   browser = await start_browser();
   context = await browser.newContext({ viewport: { width: 1280, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] });
@@ -223,6 +238,45 @@ test('links change kind, order and ends; links and components go', async () => {
     await page.keyboard.press('Delete');
   });
   assert.ok(!(await text_of(page)).includes('leaf": {'));
+  await undo_all(page);
+  assert.equal(await text_of(page), kFlower);
+});
+
+test('components change places among themselves, and their comments go along', async () => {
+  await open_file(page, 'stones.json');
+  const ids = async () => Object.keys((await said()).components);
+  const beside = (await page.locator('.board-canvas').getAttribute('data-direction')) === 'down' ? ['ArrowLeft', 'ArrowRight'] : ['ArrowUp', 'ArrowDown'];
+  await click_node(page, 'stone');
+  await is_one_step(async () => {
+    await node(page, 'stone').focus();
+    await page.keyboard.press(`Alt+${beside[1]}`);
+  });
+  assert.deepEqual(await ids(), ['ball', 'stone', 'pebble']);
+  assert.ok((await text_of(page)).includes('// the first\r\n\t\t"stone": {"type": "simple", "shape": "cube"}, // square\r\n'), await text_of(page));
+  // By the mouse: the pebble before all.
+  const [x, y] = await middle(node(page, 'ball'));
+  const before_it = beside[0] === 'ArrowLeft' ? [x - 60, y + 34] : [x + 70, y - 24];
+  await is_one_step(async () => carry(page, await middle(node(page, 'pebble')), before_it));
+  assert.deepEqual(await ids(), ['pebble', 'ball', 'stone']);
+  assert.deepEqual((await nodes()).filter((one) => one !== 'camera'), ['pebble', 'ball', 'stone']);
+  // By the menu, and in the document where the links say the places on the board.
+  await click_node(page, 'stone');
+  await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
+  await changes(page, () => page.getByRole('menuitem', { name: 'Earlier in the document', exact: true }).click());
+  assert.deepEqual(await ids(), ['pebble', 'stone', 'ball']);
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), kStones);
+  await reopen();
+  await click_node(page, 'petal');
+  await is_one_step(async () => {
+    await node(page, 'petal').focus();
+    await page.keyboard.press('Alt+Shift+ArrowLeft');
+    if ((await ids()).at(-1) === 'petal') await page.keyboard.press('Alt+Shift+ArrowUp');
+  });
+  assert.deepEqual((await ids()).slice(-2), ['petal', 'ring']);
+  assert.deepEqual((await links()).length, 4);
+  await leave_fields(page);
   await undo_all(page);
   assert.equal(await text_of(page), kFlower);
 });
@@ -414,6 +468,27 @@ test('whole plants are put together, entered and left', async () => {
   // What had not been saved is there again.
   await page.waitForFunction(() => window.studio.document.state.get().text.includes('"tulip"'));
   assert.equal(await page.locator('.board-trail').count(), 0);
+});
+
+test('the plant of a component is chosen from the shipped ones with their pictures', async () => {
+  await open_file(page, 'plot.json');
+  const text = await text_of(page);
+  await click_node(page, 'tree');
+  const file = page.locator('.inspector [data-path="components.tree.file"]');
+  await file.locator('img.thumbnail').waitFor();
+  await file.getByRole('button', { name: 'Choose a plant for file' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.locator('[data-add="lilac"] img').waitFor();
+  assert.ok(await dialog.locator('.file', { hasText: 'flower.json' }).isVisible());
+  await dialog.getByRole('searchbox').fill('lilac');
+  await is_one_step(() => dialog.locator('[data-add="lilac"]').click());
+  assert.equal((await said()).components.tree.file, 'lilac');
+  await file.getByRole('button', { name: 'Choose a plant for file' }).click();
+  await changes(page, () => dialog.locator('.file', { hasText: 'flower.json' }).click());
+  assert.equal((await said()).components.tree.file, 'flower.json');
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), text);
 });
 
 test('a new plant begins with a camera', async () => {

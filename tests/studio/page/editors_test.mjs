@@ -28,6 +28,7 @@ before(async () => {
   place = await temporary_folder();
   await write_document(place.folder, 'shapes.json', kShapes);
   await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(place.folder, 'bark.png'));
+  await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(place.folder, 'wood.png'));
   server = await start_server(place.folder, path.join(place.folder, 'shapes.json'));
   browser = await start_browser();
   page = await open_page(await browser.newContext({ viewport: { width: 1280, height: 800 } }), server.address);
@@ -208,6 +209,60 @@ test('pictures that the document names are seen in their rows and in the list of
   await file.locator('img.thumbnail').waitFor();
   const { naturalWidth } = await file.locator('img.thumbnail').evaluate((image) => ({ naturalWidth: image.naturalWidth }));
   assert.ok(naturalWidth > 0 && naturalWidth <= 96);
+  await all_back();
+});
+
+test('a list of colours is had large: moved, added, taken out and picked by hand and by keys', async () => {
+  const text = kShapes.replace('"omit": [1]', '"omit": [1], "colours": ["#203010", "#557733", "#aabb66"], "colour_at": "i/n"');
+  await write_document(place.folder, 'colours.json', text);
+  await open_file(page, 'colours.json');
+  await enlarge('leaf', 'colours');
+  const band = drawer().locator('.band-colour');
+  const colours = async () => (await said('leaf')).colours;
+  assert.equal(await band.count(), 3);
+  const { width } = await band.first().boundingBox();
+  await one_step(() => drag(page, band.first(), [2 * width, 0], { steps: 12 }));
+  assert.deepEqual(await colours(), ['#557733', '#aabb66', '#203010']);
+  await band.nth(2).focus();
+  await one_step(() => page.keyboard.press('Alt+ArrowLeft'));
+  assert.deepEqual(await colours(), ['#557733', '#203010', '#aabb66']);
+  await one_step(() => page.keyboard.press('+'));
+  assert.deepEqual(await colours(), ['#557733', '#203010', '#203010', '#aabb66']);
+  await one_step(() => drag(page, drawer().locator('.colour-square'), [30, -10], { steps: 8 }));
+  assert.notEqual((await colours())[2], '#203010');
+  await one_step(() => type_into(page, drawer().getByRole('textbox', { name: 'colours 3' }), '#ff8800'));
+  assert.equal((await colours())[2], '#ff8800');
+  await band.nth(2).focus();
+  await one_step(() => page.keyboard.press('Delete'));
+  assert.deepEqual(await colours(), ['#557733', '#203010', '#aabb66']);
+  // Escape while the hand is down puts back.
+  const now = await text_of(page);
+  await drag(page, band.first(), [width, 0], { steps: 6, lets_go: false });
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await settled(page);
+  assert.equal(await text_of(page), now);
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), text);
+  await open_file(page, 'shapes.json');
+});
+
+test('a picture is had large, with the pictures of the folder beside it', async () => {
+  await choose(page, 'leaf');
+  for (const at of ['texture', 'texture.picture']) {
+    const fold = page.locator(`[data-path="components.leaf.${at}"] > .fold-head > .fold-title`);
+    if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.click();
+  }
+  const file = row(page, 'components.leaf.texture.picture.colour');
+  await one_step(() => type_into(page, file.getByRole('textbox').first(), 'bark.png'));
+  await file.hover();
+  await file.getByRole('button', { name: 'Enlarge colour' }).click();
+  await drawer().locator('.picture-preview img').waitFor();
+  assert.match(await drawer().locator('figcaption').innerText(), /\d+ × \d+ pixels/);
+  await drawer().locator('.file img.thumbnail').first().waitFor();
+  await one_step(() => drawer().locator('.file', { hasText: 'wood.png' }).click());
+  assert.equal((await said('leaf')).texture.picture.colour, 'wood.png');
   await all_back();
 });
 

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { choose, drag, field, leave_fields, open_model, row, step, type_into, undo_all } from './hands.mjs';
+import { choose, drag, field, leave_fields, open_file, open_model, row, step, type_into, undo_all } from './hands.mjs';
 import { kAxe, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kSmall = `{
@@ -78,6 +78,36 @@ test('a choice has a plant for each of its values, and one strip is open at a ti
   await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length > 1);
   await phyllotaxis.getByRole('button', { name: /^Plants over/ }).click();
   assert.equal(await page.locator('.strip').count(), 0);
+});
+
+test('of a range the middle moves and the width stays; an expression gives way to a number, as the tooltip says', async () => {
+  const text = kSmall.replace('"width": "size/2"', '"width": "size/2", "fold": [10, 20]');
+  await write_document(place.folder, 'ranged.json', text);
+  await open_file(page, 'ranged.json');
+  await choose(page, 'leaf');
+  const leaf = () => page.evaluate(() => window.studio.document.state.get().tree.value.components.leaf);
+  const fold = row(page, 'components.leaf.fold');
+  await fold.scrollIntoViewIfNeeded();
+  await fold.hover();
+  await fold.getByRole('button', { name: 'Plants over fold' }).click();
+  await pictures('.strip', 5);
+  await step(page, () => page.locator('.strip button').nth(3).click());
+  const [low, high] = (await leaf()).fold;
+  assert.ok(Math.abs(high - low - 10) < 1e-9 && low > 10, `${low} ${high}`);
+  assert.equal(await page.locator('.strip button[aria-pressed=true]').innerText(), `${low}…${high}`);
+  await fold.hover();
+  await fold.getByRole('button', { name: 'Plants over fold' }).click();
+  const curl = row(page, 'components.leaf.curl');
+  await curl.scrollIntoViewIfNeeded();
+  await curl.hover();
+  await curl.getByRole('button', { name: 'Plants over curl' }).click();
+  assert.match(await page.locator('.strip button').first().getAttribute('data-tip'), /a number in place of the expression bend \+ 5/);
+  await step(page, () => page.locator('.strip button').nth(1).click());
+  assert.equal(typeof (await leaf()).curl, 'number');
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), text);
+  await open_file(page, 'small.json');
 });
 
 test('a handle has a strip over its own range', async () => {

@@ -148,6 +148,42 @@ test('the module under the pointer is marked in word and picture', async () => {
   await page.waitForFunction(() => window.studio.bench.derivation.pointed.get() === null);
 });
 
+test('a click in the view chooses the instance whose word is told', async () => {
+  const three = JSON.stringify({
+    meristem: 1,
+    components: { ring: { type: 'hydra', number: 3, radius: 1 }, weed: { type: 'lsystem', steps: 4, length: 0.2, angle: 30, width: 0.05, grammar: ['F', '#rules', 'F : 1 -> F[+F]F', 'F : 1 -> F[-F]FF'] } },
+    links: [['ring', 'weed']],
+  });
+  await write_document(place.folder, 'three.json', three);
+  await open_file(page, 'three.json');
+  await derived(4);
+  const instance = async () => (await told()).instance;
+  assert.deepEqual([(await instance()).number, (await instance()).of], [0, 3]);
+  const words = new Set([(await told()).modules.join('')]);
+  // From above, the three stand apart; a click at a segment of each chooses it.
+  await page.getByRole('button', { name: 'Instance behind' }).click();
+  await page.waitForFunction(() => window.studio.bench.derivation.state.get().told?.instance?.number === 1);
+  words.add((await told()).modules.join(''));
+  await page.getByRole('button', { name: 'Instance behind' }).click();
+  await page.waitForFunction(() => window.studio.bench.derivation.state.get().told?.instance?.number === 2);
+  words.add((await told()).modules.join(''));
+  assert.equal(words.size, 3);
+  const [x, y] = await page.evaluate(() => {
+    const { places } = window.studio.bench.derivation.state.get().told;
+    const [left, top] = window.studio.view.project([1, 2, 3].map((k) => places[k] + 0.3 * (places[k + 3] - places[k])));
+    const box = document.querySelector('.centre .view canvas').getBoundingClientRect();
+    return [box.left + left, box.top + top];
+  });
+  const { key } = await instance();
+  await page.getByRole('button', { name: 'Instance before' }).click();
+  await page.waitForFunction(() => window.studio.bench.derivation.state.get().told?.instance?.number === 1);
+  await page.mouse.click(x, y);
+  await page.waitForFunction((wanted) => window.studio.bench.derivation.state.get().told?.instance?.key === wanted, key);
+  assert.match(await page.locator('.derivation-instance').innerText(), /Instance 3 of 3/);
+  await open_file(page, 'weed.json');
+  await derived(3);
+});
+
 test('typing in a grammar of 20 kB loses no key', async () => {
   const rules = Array.from({ length: 900 }, (_, k) => `B(x) : x == ${k} -> F(${k % 7 + 1})B(x+1)`);
   const long = [...kWeed, ...rules];

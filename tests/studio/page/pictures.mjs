@@ -104,6 +104,34 @@ export const kPictures = [
     },
   },
   {
+    name: 'time',
+    theme: 'light',
+    act: async (page) => {
+      await open_file(page, 'film-primrose.json');
+      await page.keyboard.press('k');
+      const slider = page.getByRole('slider', { name: 'Time that is shown' });
+      const box = await slider.boundingBox();
+      await page.mouse.click(box.x + 0.7 * box.width, box.y + 8);
+      await page.locator('[data-track="scape.length"] .lane-name').click();
+      await page.locator('.track-editor').waitFor();
+      await page.locator('.clock-block').first().waitFor({ state: 'attached' });
+      await page.waitForTimeout(1000);
+      await page.keyboard.press('f');
+      await page.waitForFunction(() => !window.studio.growth.get().working, null, { timeout: 60_000 });
+    },
+  },
+  {
+    name: 'measures',
+    theme: 'dark',
+    act: async (page) => {
+      await page.getByRole('button', { name: 'Measures', exact: true }).click();
+      await page.getByRole('combobox', { name: 'Handle over which is measured' }).selectOption('age');
+      await page.getByRole('button', { name: 'Measure', exact: true }).click();
+      await page.locator('.plot circle').nth(8).waitFor({ timeout: 120_000 });
+      await page.waitForFunction(() => window.studio.bench.measures.state.get().told && !window.studio.bench.measures.state.get().is_working, null, { timeout: 60_000 });
+    },
+  },
+  {
     name: 'models',
     theme: 'light',
     act: async (page) => {
@@ -174,7 +202,7 @@ async function draw(browser, address, out, { name, theme, act }) {
 
 export async function draw_all(browser, out, tell = () => undefined) {
   const place = await temporary_folder();
-  for (const name of ['sunflower-head', 'sunflower-stem']) await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
+  for (const name of ['sunflower-head', 'sunflower-stem', 'film-primrose']) await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
   const server = await start_server(place.folder);
   await mkdir(out, { recursive: true });
   try {

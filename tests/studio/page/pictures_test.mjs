@@ -9,9 +9,9 @@ import { after, before, test } from 'node:test';
 import { draw_all, kFolder, kMostBytes, kPictures } from './pictures.mjs';
 import { kSource, start_browser, temporary_folder } from './support.mjs';
 
-/// How far pictures may differ on average, out of 255, in squares of 16 pixels. Letters look otherwise on other machines,
-/// and times are other ones; pictures of another plant, panel or theme differ by more.
-const kNear = 6;
+/// How far pictures may differ on average, out of 255, in squares of 16 pixels. The same page drawn again differs by up to
+/// 0.3, because times are other ones; a strip of small plants over the view makes 4.
+const kNear = 2;
 
 let place, browser, out;
 

@@ -22,6 +22,7 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'R', text: 'Roll the seed' },
       { keys: 'T', text: 'Text or inspector' },
       { keys: 'G', text: 'Grammar or inspector' },
+      { keys: 'M', text: 'Measures or inspector' },
       { keys: 'N', text: 'Nine plants by chance' },
       { keys: 'P', text: 'Pin the state beside the view' },
     ],
@@ -32,7 +33,7 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'B', text: 'Board or outline' },
       { keys: 'A', text: 'Add a component below the chosen one' },
       { keys: 'Arrow keys', text: 'Go from component to component' },
-      { keys: 'Alt+arrow keys', text: 'Move the component among its siblings' },
+      { keys: 'Alt+arrow keys', text: 'Move the component among its siblings; with Shift, in the document' },
       { keys: 'L', text: 'Link from the component: choose the other end, Enter' },
       { keys: 'F2, N', text: 'Rename; note' },
       { keys: 'Ctrl+D, Ctrl+C, Ctrl+V', text: 'Duplicate, copy, paste below' },
@@ -52,6 +53,15 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'W', text: 'Shaded, wireframe, skeleton' },
       { keys: 'O', text: 'Steps of growth, and what the plant grew by' },
       { keys: 'Arrow keys, +, −', text: 'Turn and zoom, when the view has the keyboard' },
+    ],
+  },
+  {
+    title: 'Time',
+    keys: [
+      { keys: 'K', text: 'Timeline' },
+      { keys: 'Shift+K', text: 'Play, stop' },
+      { keys: 'Left, Right', text: 'A frame back, on; the time or the chosen key. Ten with Shift' },
+      { keys: 'Delete', text: 'Remove the chosen key' },
     ],
   },
   {
@@ -116,8 +126,11 @@ const kPlain: Record<string, (studio: Studio) => void> = {
   a: (studio) => studio.shell.merge({ dialog: 'palette' }),
   t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
   g: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
+  m: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'measures' ? 'inspector' : 'measures' }),
   n: (studio) => studio.shell.merge({ dialog: 'chance' }),
   p: (studio) => studio.bench.pins.add(studio.document.state.get()),
+  k: (studio) => studio.bench.time.toggle(),
+  K: (studio) => (studio.bench.time.state.get().is_playing ? studio.bench.time.stop() : studio.bench.time.play()),
   '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
 };
 

@@ -149,6 +149,7 @@ export class Studio {
     await this.keeper.flush();
     const { is_changed } = this.document;
     const left = this.document.state.get();
+    this.bench.time.leave();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
       this.take_opened(opened);
@@ -230,7 +231,7 @@ export class Studio {
   private tell_budgets(): void {
     if (!this.view || !this.connection.is_open) return;
     const skeleton = this.view_state.get().drawing === 'skeleton';
-    this.connection.tell('view', { ...budgets_of(this.view), skeleton });
+    this.connection.tell('view', { ...budgets_of(this.view), ...this.bench.time.wish, skeleton });
   }
 
   private show_packet(bytes: ArrayBuffer): void {

@@ -49,11 +49,11 @@ export interface ViewState {
 
 export type Theme = 'system' | 'light' | 'dark';
 
-export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | 'palette' | 'chance' | null;
+export type Dialog = 'open' | 'save' | 'record' | 'still' | 'models' | 'export' | 'shortcuts' | 'palette' | 'chance' | null;
 
 export interface ShellState {
   dialog: Dialog;
-  side: 'inspector' | 'text' | 'grammar';
+  side: 'inspector' | 'text' | 'grammar' | 'measures';
   left: 'outline' | 'board';
   theme: Theme;
   is_dark: boolean;

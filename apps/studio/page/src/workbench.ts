@@ -5,17 +5,28 @@ import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
 import { GrowthLook } from './growth/growth_look.ts';
+import { MeasureModel } from './measures/measure_model.ts';
 import type { Studio } from './studio.ts';
+import { Recording } from './time/recording.ts';
+import { TimeModel } from './time/time_model.ts';
 
 export class Workbench {
   readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
   readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
   readonly pins = new PinList();
   readonly derivation: DerivationModel;
+  readonly time: TimeModel;
+  readonly measures: MeasureModel;
+  readonly record: Recording;
+  readonly still: Recording;
   readonly growth: GrowthLook;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
+    this.time = new TimeModel(studio);
+    this.measures = new MeasureModel(studio);
+    this.record = new Recording(studio, true);
+    this.still = new Recording(studio, false);
     this.growth = new GrowthLook(studio);
   }
 
@@ -26,5 +37,8 @@ export class Workbench {
     this.pins.clear();
     this.derivation.forget();
     this.growth.clear();
+    this.measures.forget();
+    this.still.made.set(null);
+    this.record.made.set(null);
   }
 }

@@ -88,7 +88,7 @@ test('strips: five values over the usual range, ends included', () => {
   assert.deepEqual(values_over(1, 3, true), [1, 2, 3]);
   assert.deepEqual(values_over(1, 1, false), []);
   assert.deepEqual(strip_states(row({ usual: [0, 2], min: 0.5 }), 1).map((one) => one.value), [0.5, 1, 1.5, 2]);
-  assert.deepEqual(strip_states(row({ usual: [0, 2] }), 'age/2'), []);
+  assert.equal(strip_states(row({ usual: [0, 2] }), 'age/2').length, 5);
   assert.deepEqual(strip_states(row({ kind: 'choice', choices: ['a', 'b_c'] }), 'a').map((one) => one.text), ['a', 'b c']);
   assert.equal(strip_states(row({ kind: 'boolean' }), undefined).length, 2);
 });

@@ -4,7 +4,7 @@ import type { Json } from '../document/json.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { first_object } from '../tables/tables.ts';
-import { add_edits, component_of, component_path, free_name, hang_edits, kind_edits, link_edit, link_of, link_path, links_from, order_edits, place_of_link, remove_alone_edits, remove_edits } from './board_edits.ts';
+import { add_edits, component_of, component_order_edits, component_path, free_name, hang_edits, kind_edits, link_edit, link_of, link_path, links_from, order_edits, place_of_link, remove_alone_edits, remove_edits } from './board_edits.ts';
 import type { GraphLink, LinkKind, PlantGraph } from './plant_graph.ts';
 import { graph_of, held_by, refusal_of_link } from './plant_graph.ts';
 
@@ -103,6 +103,21 @@ export class BoardActions {
     const edits = own ? order_edits(graph, own, place) : [];
     const path = edits[0] && 'move' in edits[0] && link_of(this.studio_.chosen.get()) === link.index ? link_path(edits[0].index) : undefined;
     if (edits.length > 0) await this.make(edits, `Move ${link.to} among its siblings`, path);
+  }
+
+  /// Has a component stand at this place among others in the document's text, with its comments.
+  async put_component(id: string, among: readonly string[], place: number): Promise<void> {
+    await this.make(component_order_edits(this.document, among, id, place), `Move ${id} in the document`);
+  }
+
+  /// Earlier (-1) or later (1) among these; without any, among all components of the document.
+  async shift_component(id: string, by: number, among = this.written_components): Promise<void> {
+    await this.put_component(id, among, among.indexOf(id) + by);
+  }
+
+  /// The document's own components in their order.
+  get written_components(): string[] {
+    return [...this.graph.components.values()].filter((one) => one.is_written).map((one) => one.id);
   }
 
   /// Has a component stand on another one.

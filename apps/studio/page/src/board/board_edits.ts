@@ -128,6 +128,20 @@ export function order_edits(graph: PlantGraph, link: GraphLink, place: number): 
   return [{ move: link_path(link.index), index: target.index }];
 }
 
+/// Has a component stand at this place among these of the document, whose order stays otherwise.
+export function component_order_edits(document: Json | undefined, among: readonly string[], id: string, place: number): Edit[] {
+  const said = member_of(document, 'components');
+  const ids = is_object(said) ? Object.keys(said) : [];
+  const others = among.filter((one) => one !== id && ids.includes(one));
+  if (!ids.includes(id) || others.length === 0) return [];
+  const at = Math.min(others.length, Math.max(0, place));
+  if (at === among.filter((one) => one === id || others.includes(one)).indexOf(id)) return [];
+  const without = ids.filter((one) => one !== id);
+  const behind = others[at];
+  const index = behind === undefined ? without.indexOf(others.at(-1) ?? '') + 1 : without.indexOf(behind);
+  return index === ids.indexOf(id) ? [] : [{ move: component_path(id), index }];
+}
+
 /// Has a link begin at another component.
 export function hang_edits(document: Json | undefined, link: GraphLink, from: string): Edit[] {
   if (link.index === null) return [];

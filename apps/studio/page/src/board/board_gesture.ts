@@ -5,11 +5,11 @@ import type { PointerEvent, RefObject } from 'react';
 import { useEffect, useState } from 'react';
 
 import { use_studio } from '../studio_context.ts';
-import type { BoardLayout } from './board_layout.ts';
-import { edge_above, place_of } from './board_places.ts';
+import type { BoardLayout, BoardNode } from './board_layout.ts';
+import { edge_above, place_of, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';
 import { links_from } from './board_edits.ts';
-import type { PlantGraph } from './plant_graph.ts';
+import type { GraphLink, PlantGraph } from './plant_graph.ts';
 import { refusal_of_link } from './plant_graph.ts';
 
 export interface Held {
@@ -75,23 +75,30 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
       if (below !== null && below !== held.key) void studio.board.actions.connect(id_of(held.key), id_of(below), studio.board.actions.usual_kind(id_of(held.key), id_of(below)));
       return;
     }
-    const edge = edge_above(layout, held.key);
-    if (!edge || edge.link.index === null) return;
+    const { actions } = studio.board;
+    const link = edge_above(layout, held.key)?.link;
     if (below !== null && below !== held.key) {
-      if (id_of(below) !== edge.link.from) void studio.board.actions.hang(edge.link, id_of(below));
+      if (link?.index !== undefined && link.index !== null) {
+        if (id_of(below) !== link.from) void actions.hang(link, id_of(below));
+      } else if (stands_free(graph, layout, held.key)) {
+        void actions.connect(id_of(below), id_of(held.key), actions.usual_kind(id_of(below), id_of(held.key)));
+      }
       return;
     }
     // Among the siblings: behind all whose centre the hand has passed.
     const across = direction === 'down' ? on_sheet(event).x : on_sheet(event).y;
-    const siblings = links_from(graph, edge.link.from).filter((link) => link.index !== edge.link.index);
-    const before = siblings.filter((link) => {
-      const drawn = layout.edges.find((one) => one.link.index === link.index);
-      const node = layout.nodes.find((one) => one.key === drawn?.to);
-      if (!node) return false;
-      const place = place_of(node, direction);
-      return (direction === 'down' ? place.x : place.y) < across;
-    });
-    void studio.board.actions.put(edge.link, before.length);
+    const is_passed = (node: BoardNode | undefined): boolean => {
+      const place = node && place_of(node, direction);
+      return place !== undefined && (direction === 'down' ? place.x : place.y) < across;
+    };
+    if (link?.index !== undefined && link.index !== null) {
+      const others = links_from(graph, link.from).filter((one) => one.index !== link.index);
+      const node_of = (one: GraphLink): BoardNode | undefined => layout.nodes.find((node) => node.key === layout.edges.find((edge) => edge.link.index === one.index)?.to);
+      void actions.put(link, others.filter((one) => is_passed(node_of(one))).length);
+    } else if (stands_free(graph, layout, held.key)) {
+      const siblings = siblings_of(layout, held.key);
+      void actions.put_component(id_of(held.key), siblings.map((one) => one.id), siblings.filter((one) => one.key !== held.key && is_passed(one)).length);
+    }
   };
   const cancel = (): void => set_held(null);
   useEffect(() => {

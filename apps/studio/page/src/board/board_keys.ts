@@ -4,7 +4,7 @@ import type { KeyboardEvent } from 'react';
 
 import type { Studio } from '../studio.ts';
 import type { BoardLayout } from './board_layout.ts';
-import { edge_above, neighbour } from './board_places.ts';
+import { edge_above, neighbour, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';
 
 type Act = (studio: Studio, id: string, layout: BoardLayout) => void;
@@ -45,7 +45,7 @@ export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLay
   if (event.key === 'Escape' && connecting !== null) studio.board.state.merge({ connecting: null });
   else if (event.key === '+' || event.key === '=') zoom(1.2);
   else if (event.key === '-') zoom(1 / 1.2);
-  else if (way !== undefined && event.altKey) shift(studio, layout, key, way);
+  else if (way !== undefined && event.altKey) shift(studio, layout, key, way, event.shiftKey);
   else if (way !== undefined) go(event, studio, layout, key, way, connecting !== null);
   else if (event.key === 'Enter' && node) (event.target as HTMLElement).click();
   else if (act && node && !event.altKey) act(studio, node.id, layout);
@@ -54,9 +54,17 @@ export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLay
   event.stopPropagation();
 }
 
-function shift(studio: Studio, layout: BoardLayout, key: string, way: Way): void {
+/// Moves a component among its siblings: its link among theirs, or where it has none the component itself. With
+/// `in_text`, the component among all of the document.
+function shift(studio: Studio, layout: BoardLayout, key: string, way: Way, in_text: boolean): void {
+  const { actions } = studio.board;
+  const node = layout.nodes.find((one) => one.key === key);
+  if (!node || way === 'up' || way === 'down') return;
+  const by = way === 'before' ? -1 : 1;
   const edge = edge_above(layout, key);
-  if (edge && (way === 'before' || way === 'behind')) void studio.board.actions.shift(edge.link, way === 'before' ? -1 : 1);
+  if (in_text) void actions.shift_component(node.id, by);
+  else if (edge && edge.link.index !== null) void actions.shift(edge.link, by);
+  else if (stands_free(actions.graph, layout, key)) void actions.shift_component(node.id, by, siblings_of(layout, key).map((one) => one.id));
 }
 
 /// While a link waits for its other end, only the keyboard goes on; else the choice goes with it.

@@ -2,12 +2,13 @@
 // From levels and places of a layout to pixels of the board.
 import type { BoardEdge, BoardLayout, BoardNode } from './board_layout.ts';
 import type { Direction } from './board_state.ts';
+import type { PlantGraph } from './plant_graph.ts';
 
 export const kNode = { width: 108, height: 38 };
 const kMargin = 16;
 const kSteps: Record<Direction, { level: number; across: number }> = {
   down: { level: 68, across: 120 },
-  right: { level: 146, across: 52 },
+  right: { level: 146, across: 47 },
 };
 
 export interface Place {
@@ -62,6 +63,20 @@ export function neighbour(layout: BoardLayout, key: string, way: 'up' | 'down' |
 
 function nearest(nodes: BoardNode[], across: number): BoardNode | undefined {
   return nodes.reduce<BoardNode | undefined>((best, one) => (best && Math.abs(best.across - across) <= Math.abs(one.across - across) ? best : one), undefined);
+}
+
+/// The node with those that stand beside it under one parent, in their order.
+export function siblings_of(layout: BoardLayout, key: string): BoardNode[] {
+  const node = layout.nodes.find((one) => one.key === key);
+  return node ? layout.nodes.filter((one) => one.parent === node.parent && !one.is_end).sort((a, b) => a.across - b.across) : [];
+}
+
+/// Whether a component's place on the board follows from the order of the document's components: no link leads to it,
+/// but at most that of an added camera.
+export function stands_free(graph: PlantGraph, layout: BoardLayout, key: string): boolean {
+  const node = layout.nodes.find((one) => one.key === key);
+  if (!node || node.is_end || graph.components.get(node.id)?.is_written !== true) return false;
+  return node.parent === null || graph.components.get(node.parent)?.is_written === false;
 }
 
 /// The link from a node's parent to the node.

@@ -66,6 +66,8 @@ function menu_of(studio: Studio, id: string, graph: PlantGraph, layout: BoardLay
   const edge = edge_above(layout, id);
   const siblings = edge ? links_from(graph, edge.link.from) : [];
   const at = siblings.findIndex((link) => link.index === edge?.link.index);
+  const all = acts.written_components;
+  const place = all.indexOf(id);
   const items: (MenuItem | false)[] = [
     studio.board.gardens.document_of(id) !== null && { text: 'Open its document', act: () => void studio.board.gardens.enter(id) },
     { text: 'Rename…', act: () => studio.board.state.merge({ renaming: id, noting: null }) },
@@ -75,6 +77,8 @@ function menu_of(studio: Studio, id: string, graph: PlantGraph, layout: BoardLay
     { text: 'Paste below', act: () => void parts.paste_clip(id) },
     at > 0 && edge !== undefined && { text: 'Move earlier', act: () => void acts.shift(edge.link, -1) },
     at >= 0 && at + 1 < siblings.length && edge !== undefined && { text: 'Move later', act: () => void acts.shift(edge.link, 1) },
+    place > 0 && { text: 'Earlier in the document', act: () => void acts.shift_component(id, -1) },
+    place >= 0 && place + 1 < all.length && { text: 'Later in the document', act: () => void acts.shift_component(id, 1) },
     edge !== undefined && edge.link.index !== null && { text: 'Choose its link', act: () => studio.choose(`links[${edge.link.index}]`) },
     { text: 'Delete alone', act: () => void acts.remove_alone(id) },
     { text: 'Delete', act: () => void acts.remove(id) },

@@ -8,12 +8,11 @@ import { Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { use_models } from '../dialogs/models_dialog.tsx';
-import { Files } from '../dialogs/file_dialogs.tsx';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_studio } from '../studio_context.ts';
 import { graph_of } from './plant_graph.ts';
 import type { LinkKind } from './plant_graph.ts';
-import { folder_of, path_from } from '../rows/file_path.ts';
 import { icon_of } from './component_icon.ts';
+import { ChoiceCard, PlantChoices } from './plant_choices.tsx';
 import type { ReadParts } from '../server/protocol.ts';
 
 type Tab = 'types' | 'parts' | 'plants';
@@ -91,7 +90,7 @@ function Types({ words, is_wanted, kind_for, below, close, show_plants }: TabPro
   return (
     <div className="models palette">
       {types.map(([name, { doc }]) => (
-        <Card key={name} name={name} picture={`pictures/part-${name}.jpg`} title={name} text={doc} press={add(name)} />
+        <ChoiceCard key={name} name={name} picture={`pictures/part-${name}.jpg`} title={name} text={doc} press={add(name)} />
       ))}
       {types.length === 0 && <p className="empty">No component is called so.</p>}
     </div>
@@ -114,7 +113,7 @@ function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
         {models
           .filter((one) => is_wanted(`${one.name} ${one.title}`))
           .map((one) => (
-            <Card key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={open(one.name, one.title)} />
+            <ChoiceCard key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={open(one.name, one.title)} />
           ))}
       </div>
     );
@@ -152,50 +151,10 @@ function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
 
 function Plants({ is_wanted, kind, below, close }: Omit<TabProps, 'kind_for'> & { kind: LinkKind }): ReactElement {
   const studio = use_studio();
-  const models = use_models();
-  const { path } = use_document();
-  const [folder, set_folder] = useState('');
   const add = (file: string): void => {
     close();
     const id = file.replace(/^.*\//, '').replace(/\.json$/, '');
     void studio.board.actions.add_plant(id, file, below, kind);
   };
-  return (
-    <>
-      <div className="models palette">
-        {models
-          .filter((one) => is_wanted(`${one.name} ${one.title} ${one.description}`))
-          .map((one) => (
-            <Card key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={() => add(one.name)} />
-          ))}
-      </div>
-      <h3>Documents of this folder</h3>
-      <Files folder={folder} enter={set_folder} take={(file) => add(path_from(folder_of(path ?? ''), file))} endings={['.json']} empty="No plant documents in this folder." />
-    </>
-  );
-}
-
-interface CardProps {
-  name: string;
-  picture: string | null;
-  title: string;
-  text: string;
-  press: () => void;
-}
-
-function Card({ name, picture, title, text, press }: CardProps): ReactElement {
-  const [is_missing, set_missing] = useState(false);
-  return (
-    <button type="button" className="model" data-add={name} data-tip={text} onClick={press}>
-      {picture !== null && !is_missing ? (
-        <img src={picture} alt="" loading="lazy" onError={() => set_missing(true)} />
-      ) : (
-        <span className="no-picture">
-          <Icon name="leaf" />
-        </span>
-      )}
-      <span className="model-title">{title}</span>
-      <span className="model-description">{text}</span>
-    </button>
-  );
+  return <PlantChoices is_wanted={is_wanted} take={add} />;
 }

@@ -2,6 +2,7 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { StillDialog } from '../camera/still_dialog.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { kShortcuts } from '../shortcuts.ts';
 import { ChanceDialog } from '../find/chance_dialog.tsx';
@@ -10,6 +11,7 @@ import { ExportDialog } from './export_dialog.tsx';
 import { PaletteDialog } from '../board/palette_dialog.tsx';
 import { OpenDialog, SaveDialog } from './file_dialogs.tsx';
 import { ModelsDialog } from './models_dialog.tsx';
+import { RecordDialog } from './record_dialog.tsx';
 
 /// The window that is open, if there is one.
 export function Dialogs(): ReactElement | null {
@@ -21,6 +23,8 @@ export function Dialogs(): ReactElement | null {
   if (dialog === 'models') return <ModelsDialog close={close} />;
   if (dialog === 'palette') return <PaletteDialog close={close} />;
   if (dialog === 'export') return <ExportDialog close={close} />;
+  if (dialog === 'still') return <StillDialog close={close} />;
+  if (dialog === 'record') return <RecordDialog close={close} />;
   if (dialog === 'chance') return <ChanceDialog close={close} />;
   return dialog === 'shortcuts' ? <ShortcutsDialog close={close} /> : null;
 }

@@ -11,6 +11,7 @@ import { copy_command } from '../copy_command.ts';
 import { NumberField } from '../controls/number_field.tsx';
 import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
+import { take_file } from '../time/recording.ts';
 import { size_text } from './file_dialogs.tsx';
 
 const kInstances = [
@@ -52,9 +53,10 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   const { hello } = use_store(studio.server);
   const { working } = use_store(studio.growth);
   const { good } = use_document();
-  const formats = hello?.formats ?? [];
+  // Films are recorded from the timeline.
+  const formats = hello?.formats.filter((one) => !/\.(mp4|webm)$/.test(one.ending)) ?? [];
   const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
-  const [options, set_options] = useState<ExportOptions>({});
+  const [options, set_options] = useState<ExportOptions>(studio.bench.time.time > 0 ? { time: studio.bench.time.time } : {});
   const [made, set_made] = useState<MadeFile | null>(null);
   const [is_busy, set_busy] = useState(false);
   const format = formats.find((one) => one.ending === ending);
@@ -68,7 +70,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
       .request<{ file: MadeFile }>('export', wish)
       .then((answer) => {
         set_made(answer.file);
-        download(answer.file);
+        take_file(answer.file);
       })
       .catch((fault: Error) => studio.tell(fault.message, true))
       .finally(() => set_busy(false));
@@ -139,14 +141,7 @@ function OptionLine({ option, options, set }: { option: NumberOption; options: E
   );
 }
 
-function download(file: MadeFile): void {
-  const link = document.createElement('a');
-  link.href = file.address;
-  link.download = file.name;
-  link.click();
-}
-
-function Made({ file }: { file: MadeFile }): ReactElement {
+export function Made({ file }: { file: MadeFile }): ReactElement {
   return (
     <div className="made-file" role="status">
       <a href={file.address} download={file.name}>

@@ -8,6 +8,7 @@ import type { Json } from '../document/json.ts';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
 import { TextField } from '../rows/text_field.tsx';
 import { full_colour } from './colour.ts';
+import { ColourList } from './colour_list.tsx';
 import { ColourPicker } from './colour_picker.tsx';
 
 interface ColourFieldProps {
@@ -41,8 +42,9 @@ export function ColourRow({ label, value, row, actions, is_faulty, size }: RowEd
   return <ColourField label={label} value={typeof shown === 'string' ? shown : ''} is_faulty={is_faulty} is_dim={value === undefined} is_open={size === 'large'} {...actions} />;
 }
 
-export function ColoursRow({ label, value, actions, is_faulty }: RowEditorProps): ReactElement {
+export function ColoursRow({ label, value, actions, is_faulty, size = 'row' }: RowEditorProps): ReactElement {
   const colours = Array.isArray(value) ? value.map(String) : [];
+  if (size === 'large') return <ColourList label={label} colours={colours} is_faulty={is_faulty} {...actions} />;
   const with_one = (index: number, colour: string): Json => colours.map((old, k) => (k === index ? colour : old));
   return (
     <div className="stacked">

@@ -7,7 +7,7 @@ import { Icon } from '../controls/icon.tsx';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 
-interface MadeThumbnail {
+export interface MadeThumbnail {
   picture: string; // base 64 of a PNG
   width: number; // of the whole picture
   height: number;
@@ -17,12 +17,12 @@ const kMade = new Map<string, Promise<MadeThumbnail | null>>();
 const kMostKept = 500;
 
 /// Each picture is asked for once while the document is open.
-function thumbnail_of(studio: Studio, key: string, file: string): Promise<MadeThumbnail | null> {
+function thumbnail_of(studio: Studio, key: string, file: string, size: number): Promise<MadeThumbnail | null> {
   const known = kMade.get(key);
   if (known) return known;
   if (kMade.size >= kMostKept) kMade.clear();
   const made = studio.connection
-    .request<{ thumbnail: MadeThumbnail }>('picture', { file, size: 96 })
+    .request<{ thumbnail: MadeThumbnail }>('picture', { file, size })
     .then((answer) => answer.thumbnail)
     .catch(() => {
       kMade.delete(key); // it may be there the next time
@@ -32,19 +32,25 @@ function thumbnail_of(studio: Studio, key: string, file: string): Promise<MadeTh
   return made;
 }
 
-/// `file` as the document writes it. Where it is no picture there is an icon.
-export function Thumbnail({ file }: { file: string }): ReactElement {
+/// The picture that a document names, at most `size` pixels long; null until it is there, and where it is none.
+export function use_thumbnail(file: string, size: number): MadeThumbnail | null {
   const studio = use_studio();
   const { path, model } = use_document();
   const [shown, show] = useState<MadeThumbnail | null>(null);
   useEffect(() => {
     let is_wanted = true;
     show(null);
-    if (file !== '') void thumbnail_of(studio, `${model ?? ''}|${path ?? ''}|${file}`, file).then((made) => is_wanted && show(made));
+    if (file !== '') void thumbnail_of(studio, `${size}|${model ?? ''}|${path ?? ''}|${file}`, file, size).then((made) => is_wanted && show(made));
     return () => {
       is_wanted = false;
     };
-  }, [studio, path, model, file]);
+  }, [studio, path, model, file, size]);
+  return shown;
+}
+
+/// `file` as the document writes it. Where it is no picture there is an icon.
+export function Thumbnail({ file }: { file: string }): ReactElement {
+  const shown = use_thumbnail(file, 96);
   if (!shown)
     return (
       <span className="thumbnail none">

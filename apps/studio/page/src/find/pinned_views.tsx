@@ -6,6 +6,7 @@ import { useEffect, useRef, useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { Connection } from '../server/connection.ts';
+import { LatestSender } from '../server/latest_sender.ts';
 import { read_packet } from '../server/packet.ts';
 import type { Opened } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
@@ -71,7 +72,7 @@ function show_pin(studio: Studio, pin: Pin, canvas: HTMLCanvasElement, say: (not
     view.paint(studio.shell.get().is_dark, shows_ground);
   };
   const open = async (): Promise<void> => {
-    connection.tell('view', budgets_of(main));
+    connection.tell('view', { ...budgets_of(main), ...studio.bench.time.wish });
     const { text, path, model } = pin;
     const opened = await connection.request<Opened>('open', model !== null ? { text, model } : { text, path });
     if (!opened.good) say('This state has faults');
@@ -92,7 +93,15 @@ function show_pin(studio: Studio, pin: Pin, canvas: HTMLCanvasElement, say: (not
     },
     on_lost: () => say('The server is gone'),
   });
-  const stops = [studio.view_facts.subscribe(() => view.follow(main)), studio.view_state.subscribe(dress), studio.shell.subscribe(dress)];
+  // It is seen at the same time of its document.
+  const times = new LatestSender(() => connection.request('view', studio.bench.time.wish));
+  let time = studio.bench.time.time;
+  const follow_time = (): void => {
+    if (time === studio.bench.time.time) return;
+    time = studio.bench.time.time;
+    times.ask();
+  };
+  const stops = [studio.bench.time.state.subscribe(follow_time), studio.view_facts.subscribe(() => view.follow(main)), studio.view_state.subscribe(dress), studio.shell.subscribe(dress)];
   view.follow(main);
   connection.connect();
   return () => {

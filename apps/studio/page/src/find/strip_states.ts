@@ -2,6 +2,7 @@
 // The few values of a row that a strip shows plants for, and values by chance.
 import { fitting_step, rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
+import { is_object } from '../document/json.ts';
 import type { Variable } from '../server/protocol.ts';
 import type { Row } from '../tables/tables.ts';
 import { within_hard_range } from '../tables/tables.ts';
@@ -9,6 +10,7 @@ import { within_hard_range } from '../tables/tables.ts';
 export interface StripState {
   value: Json;
   text: string;
+  tip?: string; // what taking it means, where that is more than another number
 }
 
 const kCount = 5;
@@ -22,19 +24,59 @@ export function values_over(low: number, high: number, is_whole: boolean): numbe
   return [...new Set(values.map((one) => (is_whole ? Math.round(one) : rounded(one, step))))];
 }
 
-/// Nothing where the value is no plain one, or the row has no range.
+/// Nothing where the row is neither a number nor a choice, or has no usual range. The middle of a range moves and its
+/// width stays; an expression gives way to a number.
 export function strip_states(row: Row, value: Json | undefined): StripState[] {
-  const state = (one: Json): StripState => ({ value: one, text: typeof one === 'string' ? one.replaceAll('_', ' ') : String(one) });
   if (row.kind === 'boolean') return [false, true].map((one) => ({ value: one, text: one ? 'yes' : 'no' }));
-  if (row.kind === 'choice') return (row.choices ?? []).length <= kMostChoices ? (row.choices ?? []).map(state) : [];
+  if (row.kind === 'choice') return (row.choices ?? []).length <= kMostChoices ? (row.choices ?? []).map(plain_state) : [];
   if ((row.kind !== 'number' && row.kind !== 'integer') || !row.usual) return [];
-  if (value !== undefined && value !== null && typeof value !== 'number') return [];
-  return [...new Set(values_over(row.usual[0], row.usual[1], row.kind === 'integer').map((one) => within_hard_range(row, one)))].map(state);
+  const middles = values_over(row.usual[0], row.usual[1], row.kind === 'integer');
+  const ends = ends_of(value);
+  if (ends) return distinct(middles.map((middle) => moved_range(row, ends, middle, value)));
+  const states = distinct(middles.map((one) => plain_state(within_hard_range(row, one))));
+  const written = expression_in(value);
+  return written === null ? states : states.map((one) => ({ ...one, tip: `${one.text}, a number in place of ${written}` }));
+}
+
+function plain_state(one: Json): StripState {
+  return { value: one, text: typeof one === 'string' ? one.replaceAll('_', ' ') : String(one) };
+}
+
+function distinct(states: StripState[]): StripState[] {
+  return states.filter((one, k) => states.findIndex((other) => other.text === one.text) === k);
+}
+
+/// The two numbers of a range, also of one that an expression is applied to.
+function ends_of(value: Json | undefined): [number, number] | null {
+  const range = is_object(value) ? value['range'] : value;
+  if (!Array.isArray(range) || range.length !== 2) return null;
+  const [first, last] = range;
+  return typeof first === 'number' && typeof last === 'number' ? [first, last] : null;
+}
+
+/// What is written where no number is; null for plain numbers and what is not given.
+function expression_in(value: Json | undefined): string | null {
+  if (value === undefined || value === null || typeof value === 'number') return null;
+  return typeof value === 'string' ? `the expression ${value}` : 'the range with expressions';
+}
+
+/// The range about another middle, as far as the row allows.
+function moved_range(row: Row, [first, last]: [number, number], middle: number, value: Json | undefined): StripState {
+  const half = (last - first) / 2;
+  const [low, high] = [middle - Math.abs(half), middle + Math.abs(half)];
+  const shift = within_hard_range(row, low) - low || within_hard_range(row, high) - high;
+  const is_whole = row.kind === 'integer';
+  const step = Math.min(fitting_step(row.usual?.[0] ?? 0, row.usual?.[1] ?? 1, 100), half === 0 ? Infinity : fitting_step(0, 2 * Math.abs(half), 100));
+  const end = (one: number): number => within_hard_range(row, is_whole ? Math.round(one) : rounded(one, step));
+  const range = [end(middle + shift - half), end(middle + shift + half)];
+  const text = `${range[0]}…${range[1]}`;
+  return { value: is_object(value) ? { ...value, range } : range, text, tip: `${range[0]} to ${range[1]}: the middle moves, the width stays` };
 }
 
 /// The same for a variable, over the range that its author gave.
 export function variable_states(variable: Variable, step: number): StripState[] {
-  return values_over(variable.min, variable.max, step === 1).map((value) => ({ value, text: String(value) }));
+  const states = values_over(variable.min, variable.max, step === 1).map((value) => ({ value, text: String(value) }));
+  return variable.expression === null ? states : states.map((one) => ({ ...one, tip: `${one.text}, a number in place of the expression ${variable.expression}` }));
 }
 
 /// Random values for variables, each within its range. `random` gives numbers from 0 to 1.

@@ -10,6 +10,8 @@ import type { Tables } from '../tables/tables.ts';
 
 export interface DerivationState {
   component: string; // whose grammar is looked at; "" for none
+  instance: string | null; // key of the one that was chosen; null: by its number
+  number: number; // of the instance among all of the component
   step: number | null; // null: as many as the component says
   is_drawn: boolean; // rules of interpretation are applied
   first: number; // module
@@ -18,7 +20,7 @@ export interface DerivationState {
   fault: string;
 }
 
-const kNothing: DerivationState = { component: '', step: null, is_drawn: false, first: 0, told: null, is_working: false, fault: '' };
+const kNothing: DerivationState = { component: '', instance: null, number: 0, step: null, is_drawn: false, first: 0, told: null, is_working: false, fault: '' };
 const kModules = 4000; // that are told at a time
 const kPause = 120; // ms after the last change of the text
 
@@ -47,7 +49,9 @@ export class DerivationModel {
     this.seen_hash_ = '';
     const before = this.state.get();
     this.state.set(before.component === component ? { ...before, step: null } : { ...kNothing, component });
-    const stops = [this.studio_.document.state.subscribe(() => this.ask_later()), this.studio_.dragged.subscribe(() => this.follow_drags())];
+    const { document, dragged, instance } = this.studio_;
+    const stops = [document.state.subscribe(() => this.ask_later()), dragged.subscribe(() => this.follow_drags()), instance.found.subscribe(() => this.follow_choice())];
+    this.take_choice();
     const leave = (): void => {
       for (const stop of stops) stop();
       this.looks_.delete(leave);
@@ -78,6 +82,12 @@ export class DerivationModel {
     this.studio_.set_value(this.path_of_steps, step, 'Set steps');
   }
 
+  /// Another of the component's instances, by its number.
+  show_instance(number: number): void {
+    this.state.merge({ instance: null, number: Math.max(0, number), first: 0 });
+    this.ask();
+  }
+
   show_drawn(is_drawn: boolean): void {
     this.state.merge({ is_drawn, first: 0 });
     this.ask();
@@ -103,6 +113,19 @@ export class DerivationModel {
     this.ask();
   }
 
+  /// The instance that was clicked at in the view is the one whose word is told. Whether it is another one.
+  private take_choice(): boolean {
+    const found = this.studio_.instance.found.get();
+    const { component, instance } = this.state.get();
+    if (found === null || found.component !== component || found.key === instance) return false;
+    this.state.merge({ instance: found.key, first: 0 });
+    return true;
+  }
+
+  private follow_choice(): void {
+    if (this.take_choice()) this.ask();
+  }
+
   private ask_later(): void {
     const { hash, good } = this.studio_.document.state.get();
     if (!good || hash === this.seen_hash_) return;
@@ -114,14 +137,14 @@ export class DerivationModel {
   }
 
   private ask(): void {
-    const { component, step, is_drawn, first } = this.state.get();
+    const { component, instance, number: wanted, step, is_drawn, first } = this.state.get();
     if (component === '') return;
     this.asked_ += 1;
     const number = this.asked_;
     this.state.merge({ is_working: true });
     this.studio_.connection
-      .request<{ derivation: Derivation }>('grammar', { component, step, drawn: is_drawn, first, count: kModules })
-      .then(({ derivation }) => this.take(number, { told: derivation, fault: '' }))
+      .request<{ derivation: Derivation }>('grammar', { component, ...(instance === null ? { number: wanted } : { instance }), step, drawn: is_drawn, first, count: kModules })
+      .then(({ derivation }) => this.take(number, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }))
       .catch((fault: unknown) => this.take(number, { fault: fault instanceof Refusal ? fault.message : '' }));
   }
 

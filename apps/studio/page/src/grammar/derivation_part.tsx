@@ -42,6 +42,7 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
         )}
         {told?.interpreted && <Segments label="Which word" value={is_drawn ? 'drawn' : 'derived'} choices={[['derived', 'Derived'], ['drawn', 'As drawn']]} choose={(which) => model.show_drawn(which === 'drawn')} />}
       </div>
+      <InstanceLine />
       {fault !== '' ? (
         <p className="fault-line" role="status">
           {fault}
@@ -57,6 +58,23 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
         </p>
       )}
       <Word />
+    </div>
+  );
+}
+
+/// Which of several instances the word and the marks in the view are of.
+function InstanceLine(): ReactElement | null {
+  const model = use_studio().bench.derivation;
+  const { told } = use_store(model.state);
+  const { number = 0, of = 1 } = told?.instance ?? {};
+  if (of < 2) return null;
+  return (
+    <div className="derivation-instance">
+      <IconButton is_small icon="left" label="Instance before" is_off={number === 0} press={() => model.show_instance(number - 1)} />
+      <IconButton is_small icon="right" label="Instance behind" is_off={number + 1 >= of} press={() => model.show_instance(number + 1)} />
+      <span className="quiet">
+        Instance {kNumbers.format(number + 1)} of {kNumbers.format(of)}; a click in the view chooses another
+      </span>
     </div>
   );
 }

@@ -71,6 +71,7 @@ export class GrammarEditor {
     return [
       code_extensions(label),
       kGrammarLanguage,
+      EditorView.lineWrapping, // rules are long
       EditorView.updateListener.of((update) => {
         if (update.docChanged && !update.transactions.some((one) => one.annotation(kFromDocument))) this.take();
       }),

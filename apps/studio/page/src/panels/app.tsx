@@ -10,8 +10,10 @@ import { Dialogs } from '../dialogs/dialogs.tsx';
 import { Drawer } from '../editors/drawer.tsx';
 import { PinnedViews } from '../find/pinned_views.tsx';
 import { GrammarPanel } from '../grammar/grammar_panel.tsx';
+import { MeasuresPanel } from '../measures/measures_panel.tsx';
 import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
+import { TimelinePanel } from '../time/timeline_panel.tsx';
 import type { ShellState } from '../studio_state.ts';
 import { ConflictBanner, KeptBanner, LostBanner } from './banners.tsx';
 import { Handles } from './handles.tsx';
@@ -31,6 +33,7 @@ const kSides: Record<Side, { title: string; Content: () => ReactElement }> = {
   inspector: { title: 'Inspector', Content: InspectorWithHints },
   text: { title: 'Text', Content: TextPanel },
   grammar: { title: 'Grammar', Content: GrammarPanel },
+  measures: { title: 'Measures', Content: MeasuresPanel },
 };
 const kTabs = (Object.keys(kSides) as Side[]).map((name) => [name, kSides[name].title] as const);
 
@@ -51,6 +54,7 @@ export function App(): ReactElement {
             <ViewPanel />
           </div>
           <Drawer />
+          <TimelinePanel />
         </section>
         <SidePanel />
       </main>
@@ -87,11 +91,11 @@ function LeftPanel(): ReactElement {
 function SidePanel(): ReactElement {
   const studio = use_studio();
   const { side } = use_store(studio.shell);
-  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar') };
+  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), measures: use_width('measures') };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
-    <aside className={`right of-${side}`} aria-label="Inspector, text and grammar" style={{ width: width ?? undefined }}>
+    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar and measures" style={{ width: width ?? undefined }}>
       <div className="side-tabs">
         <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
       </div>

@@ -18,6 +18,11 @@ import { use_faults } from '../rows/row_actions.ts';
 import type { Variable } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
+import { KeyButton } from '../time/key_button.tsx';
+import { with_key } from '../time/keys.ts';
+import type { Key } from '../time/track.ts';
+import type { Keyed } from '../time/use_keyed.ts';
+import { commit_keys, drag_keys, use_keyed } from '../time/use_keyed.ts';
 import { step_of } from './handle_step.ts';
 
 export function Handles(): ReactElement {
@@ -78,7 +83,8 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
   const label = name.replaceAll('_', ' ');
   const is_locked = locks.has(name);
   const has_strip = use_store(studio.bench.strip) === name;
-  const states = expression === null ? variable_states(variable, step_of(variable)) : [];
+  const states = variable_states(variable, step_of(variable));
+  const keyed = use_keyed(`variables.${name}`);
   const now = expression ?? variable.value;
   const toggle_lock = (): void => {
     const next = new Set(locks);
@@ -88,31 +94,41 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
   return (
     <div className="handle" data-handle={name}>
       <div className="handle-head">
+        <KeyButton label={label} path={`variables.${name}`} keyed={keyed} value={() => keyed?.value ?? variable.value} />
         <span className="handle-name">{label}</span>
         <IconButton is_small icon="edit" label={`Edit the handle ${label}`} press={() => studio.choose(`variables.${name}`)} />
         {states.length > 1 && <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : name)} />}
         <IconButton is_small icon="reset" label={`Reset ${label}`} is_off={first === undefined || first === now} press={() => studio.set_value(name, first ?? 0, `Reset ${label}`)} />
         <IconButton is_small icon={is_locked ? 'lock' : 'unlock'} label={`Lock ${label}`} is_on={is_locked} press={toggle_lock} />
       </div>
-      {expression !== null && typeof dragged !== 'number' ? (
+      {expression !== null && keyed === null && typeof dragged !== 'number' ? (
         <TextField label={label} value={expression} is_code commit={(text) => studio.set_value(name, text, `Set ${label}`)} />
       ) : (
-        <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : variable.value} unit={unit} />
+        <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : typeof keyed?.value === 'number' ? keyed.value : variable.value} unit={unit} keyed={keyed} />
       )}
-      {has_strip && <Strip label={label} path={name} value={variable.value} states={states} take={(value) => studio.set_value(name, value, `Set ${label}`)} />}
+      {has_strip && <Strip label={label} path={name} value={expression === null ? variable.value : expression} states={states} keyed={keyed} take={(value) => (keyed ? commit_keys(studio, name, with_key(keyed.track.keys, studio.bench.time.time, value), `Key ${label}`) : studio.set_value(name, value, `Set ${label}`))} />}
       {doc && <p className="handle-doc">{doc}</p>}
       <Faults faults={faults} />
     </div>
   );
 }
 
-function HandleNumber({ variable, label, shown, unit }: { variable: Variable; label: string; shown: number; unit: string }): ReactElement {
+interface HandleNumberProps {
+  variable: Variable;
+  label: string;
+  shown: number;
+  unit: string;
+  keyed: Keyed | null; // then a hand sets its key at the view's time
+}
+
+function HandleNumber({ variable, label, shown, unit, keyed }: HandleNumberProps): ReactElement {
   const studio = use_studio();
   const { name, min, max, doc } = variable;
   const step = step_of(variable);
+  const keys = (value: number): Key[] => with_key(keyed?.track.keys ?? [], studio.bench.time.time, value);
   const acts = {
-    drag: (value: number) => studio.drag({ [name]: value }),
-    commit: (value: number) => studio.set_value(name, value, `Set ${label}`),
+    drag: (value: number) => (keyed ? drag_keys(studio, name, keys(value)) : studio.drag({ [name]: value })),
+    commit: (value: number) => (keyed ? commit_keys(studio, name, keys(value), `Key ${label}`) : studio.set_value(name, value, `Set ${label}`)),
     cancel: () => studio.stop_drag(),
   };
   return (

@@ -5,7 +5,7 @@ import { useState } from 'react';
 import { prefer, preference } from '../base/preferences.ts';
 
 /// The panel left of the view, and those at its right.
-export type Panel = 'left' | 'board' | 'inspector' | 'text' | 'grammar';
+export type Panel = 'left' | 'board' | 'inspector' | 'text' | 'grammar' | 'measures';
 
 /// Pixels that a panel may have.
 export const kWidths: Record<Panel, { low: number; high: number }> = {
@@ -13,6 +13,7 @@ export const kWidths: Record<Panel, { low: number; high: number }> = {
   board: { low: 320, high: 1600 },
   inspector: { low: 300, high: 640 },
   text: { low: 320, high: 1200 },
+  measures: { low: 300, high: 900 },
   grammar: { low: 320, high: 1200 },
 };
 

@@ -4,12 +4,14 @@ import type { ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { CameraMenu } from '../camera/camera_menu.tsx';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
 import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
+import { TimeButton } from '../time/timeline_panel.tsx';
 import { OverlayLabels } from '../view/overlay_labels.tsx';
 import { View } from '../view/view.ts';
 import { scale_bar } from '../view/scale_bar.ts';
@@ -39,6 +41,8 @@ export function ViewPanel(): ReactElement {
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
         <PinButton />
         <GrowthButton />
+        <TimeButton />
+        <CameraMenu />
       </div>
       <GrowthPanel />
       <div className="view-axes" role="toolbar" aria-label="Look from">

@@ -19,14 +19,18 @@ import type { EditorSize } from '../editors/sizes.ts';
 import { Strip } from '../find/strip.tsx';
 import { strip_states } from '../find/strip_states.ts';
 import { use_studio } from '../studio_context.ts';
+import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
+import { commit_keys, use_keyed } from '../time/use_keyed.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
 import { excluded_by } from './exclusion.ts';
+import { names_pictures } from './file_endings.ts';
 import { FileRow } from './file_row.tsx';
 import { NestedRow } from './nested_rows.tsx';
 import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
 import { NumberRow } from './number_row.tsx';
+import { names_plant, PlantRow } from './plant_row.tsx';
 import { BooleanRow, BoxRow, ChoiceRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
 import type { RowActions } from './row_actions.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
@@ -66,8 +70,8 @@ export const kEditors: Record<string, (props: RowEditorProps) => ReactElement> =
 /// Those that need the whole width of the panel.
 const kTall = new Set(['lines', 'curve', 'points', 'positions', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
 
-/// Those that can be had large.
-const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour']);
+/// Those that can be had large; files only where they are pictures.
+const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour', 'colours']);
 
 interface RowViewProps {
   table: ParameterTable; // the row's
@@ -86,15 +90,19 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
   const faults = use_faults(path, !is_nested);
   const studio = use_studio();
   const has_strip = use_store(studio.bench.strip) === path;
+  const keyed = use_keyed(path);
   const is_faulty = faults.some((fault) => fault.severity === 'error');
   if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
-  const Editor = kEditors[row.kind] ?? WrittenRow;
+  const Editor = names_plant(studio.tables, studio.document.state.get().tree, row, path) ? PlantRow : (kEditors[row.kind] ?? WrittenRow);
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
-  const enlarge = kCanBeLarge.has(row.kind) ? (): void => studio.bench.enlarged.set(path) : null;
+  const items = menu_of(row, value, actions, () => first_value(studio.tables, row));
+  if (keyed) items.push({ text: 'Remove its keys', act: () => commit_keys(studio, keyed.track.name, [], `Remove the keys of ${label}`) });
+  const enlarge = kCanBeLarge.has(row.kind) || names_pictures(row) ? (): void => studio.bench.enlarged.set(path) : null;
   return (
     <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
+      {can_have_keys(row, path) && <RowKeyButton row={row} path={path} value={shown} />}
       <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
         {label}
         {row.required && <span aria-hidden="true"> *</span>}
@@ -102,7 +110,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
       <div className="row-control">
         <Editor row={row} label={label} path={path} value={shown} actions={actions} is_faulty={is_faulty} />
       </div>
-      <Menu label={`More for ${label}`} items={menu_of(row, value, actions, () => first_value(studio.tables, row))} />
+      <Menu label={`More for ${label}`} items={items} />
       {states.length > 1 && (
         <span className="row-extra">
           <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : path)} />
@@ -114,7 +122,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
         </span>
       )}
       <Faults faults={faults} />
-      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />}
+      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} keyed={keyed} />}
     </div>
   );
 }

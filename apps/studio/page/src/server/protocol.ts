@@ -83,6 +83,7 @@ export interface ReadParts {
 /// An instance of a component, with the values that differ from instance to instance.
 export interface FoundInstance {
   component: string;
+  key: string; // tells it from all others
   i: number;
   n: number;
   u: number;
@@ -91,6 +92,13 @@ export interface FoundInstance {
   position: [number, number, number];
   values: { path: string; value: number }[];
   shoot: string | null; // label of the axis that was pointed at
+}
+
+/// Clocks that instances of a component have begun: when each starts, and how fast it runs.
+export interface BegunClocks {
+  component: string;
+  count: number;
+  blocks: [number, number][];
 }
 
 export interface ListedFile {
@@ -123,6 +131,7 @@ export interface ExportOptions {
   samples?: number;
   transparent?: boolean;
   camera?: { position: number[]; target: number[]; field_of_view: number };
+  frames?: { from: number; to: number; step: number }; // of a film, or of pictures of several times
 }
 
 /// A small picture of a state of the document; without one where the state has faults.
@@ -134,6 +143,7 @@ export interface Still {
 /// What a grammar has derived; `text` alone, and null, where the component has no instance.
 export interface Derivation {
   text: string | null;
+  instance?: { number: number; of: number; key: string }; // which of the component's instances it is
   steps: number; // of the component
   step: number; // that was asked for
   interpreted: boolean; // whether rules of interpretation are applied before drawing
@@ -194,7 +204,7 @@ export interface Hello {
 
 export interface Working {
   is: 'working';
-  job: 'grow' | 'export' | 'measure' | 'stills' | 'grammar' | 'picture';
+  job: 'grow' | 'export' | 'measure' | 'sweep' | 'stills' | 'grammar' | 'picture';
   re?: number;
   stage: string | null;
   share: number;

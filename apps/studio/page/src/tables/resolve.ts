@@ -5,7 +5,7 @@ import { member_of, path_below, path_of, steps_of, value_at } from '../document/
 import type { Row, RowGroup, Tables } from './tables.ts';
 import { component_groups, document_groups, link_groups, table_of } from './tables.ts';
 
-const kParts = ['scene', 'output', 'limits'];
+const kParts = ['scene', 'output', 'animation', 'limits'];
 
 /// The groups of rows of what can be chosen: a component, a link, a part of the document, "" for its top level.
 export function groups_at(tables: Tables, tree: JsonNode | null, path: string): RowGroup[] {

@@ -22,6 +22,7 @@ export interface Row {
   /// What points and positions are together: line, polygon, silhouette, or apart.
   together?: string;
   required?: boolean;
+  keyed?: boolean; // whether it can have keys
   default?: Json;
 }
 
@@ -49,6 +50,7 @@ export interface Tables {
   links: Record<string, string>;
   document: string;
   variable: string;
+  animation: string;
   limits: string;
   tables: Record<string, ParameterTable>;
 }
@@ -90,6 +92,7 @@ export function link_groups(tables: Tables, kind: string): RowGroup[] {
 export function document_groups(tables: Tables, part: string): RowGroup[] {
   const head = table_of(tables, tables.document);
   if (part === 'limits') return [group(tables, tables.limits, 'Limits')];
+  if (part === 'animation') return [group(tables, tables.animation, 'Animation')];
   const row = head.rows.find((one) => one.name === part);
   if (row?.table !== undefined) return [group(tables, row.table, part)];
   const plain = head.rows.filter((one) => one.table === undefined && one.kinds === undefined && one.name !== 'meristem');

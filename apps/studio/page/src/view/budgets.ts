@@ -14,8 +14,11 @@ export function budgets_of(view: { is_software: boolean } | null): Budgets {
 }
 
 /// Whether a processor draws in place of a graphics card.
-export function draws_by_software(context: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+export function draws_by_software(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (!context) return true;
   const facts = context.getExtension('WEBGL_debug_renderer_info');
   const name = String(context.getParameter(facts ? facts.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  context.getExtension('WEBGL_lose_context')?.loseContext();
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

@@ -6,17 +6,22 @@ import * as three from 'three';
 
 /// Vertices of a geometry that one instance of the card draws; a mesh that has more is there once.
 const kVerticesAtOnce = 4096;
-const kRow = 512; // instances per row of a texture of frames
+const kRowBits = 9;
+const kRow = 1 << kRowBits; // instances per row of a texture of frames or tints
 
 /// For vertex shaders: `instance()` is the number of the instance, `placed(local)` a point of it in the
-/// scene, `projected(place)` such a point in the picture.
+/// scene, `projected(place)` such a point in the picture, `tint()` the instance's tint. Rows are found by shifts: processors
+/// divide whole numbers one by one.
 export const kInstanceShader = /* glsl */ `
 uniform highp sampler2D frames;
+uniform lowp sampler2D tints;
+uniform int tinted;
 uniform int instances;
 uniform int copies;
 attribute float copy;
 int instance() { return gl_InstanceID * copies + int(copy); }
-vec4 frame_row(int row) { int at = instance(); return texelFetch(frames, ivec2(3 * (at % ${kRow}) + row, at / ${kRow}), 0); }
+vec4 frame_row(int row) { int at = instance(); return texelFetch(frames, ivec2(3 * (at & ${kRow - 1}) + row, at >> ${kRowBits}), 0); }
+vec3 tint() { int at = instance() * tinted; return texelFetch(tints, ivec2(at & ${kRow - 1}, at >> ${kRowBits}), 0).rgb; }
 vec3 placed(vec3 local) {
   vec4 at = vec4(local, 1.0);
   return vec3(dot(frame_row(0), at), dot(frame_row(1), at), dot(frame_row(2), at));
@@ -35,13 +40,13 @@ export interface Placing {
   copies: number;
 }
 
-type PlacingUniforms = { [key in keyof Placing]: three.IUniform<Placing[key] | null> };
+type PlacingUniforms = { [key in keyof Placing]: three.IUniform<Placing[key] | null> } & { tinted: three.IUniform<number> };
 
 export type PlacingMaterial = three.ShaderMaterial & { uniforms: PlacingUniforms };
 
 /// Uniforms that every material of batches has.
 export function placing_uniforms(): PlacingUniforms {
-  return { frames: { value: null }, tints: { value: null }, instances: { value: 0 }, copies: { value: 1 } };
+  return { frames: { value: null }, tints: { value: null }, instances: { value: 0 }, copies: { value: 1 }, tinted: { value: 0 } };
 }
 
 /// Copies of a mesh of this many vertices for this number of instances: a power of two.
@@ -57,6 +62,8 @@ export function place(mesh: three.Mesh, placing: Placing, more?: (uniforms: thre
   mesh.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) => {
     const shader = material as PlacingMaterial;
     for (const key of ['frames', 'tints', 'instances', 'copies'] as const) shader.uniforms[key].value = placing[key];
+    const { width, height } = placing.tints.image;
+    shader.uniforms.tinted.value = width * height > 1 ? 1 : 0; // one tint serves all
     more?.(shader.uniforms);
     shader.uniformsNeedUpdate = true;
   };

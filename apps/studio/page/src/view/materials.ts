@@ -38,6 +38,7 @@ export class Materials {
 
   constructor(
     private readonly light_: Light,
+    private readonly anisotropy_: number, // samples along where a picture is seen from the side
     private readonly changed_: () => void,
   ) {}
 
@@ -76,7 +77,7 @@ export class Materials {
     const texture = new three.Texture();
     texture.wrapS = texture.wrapT = three.RepeatWrapping;
     texture.flipY = false; // turned where it is decoded
-    texture.anisotropy = 4;
+    texture.anisotropy = this.anisotropy_;
     this.pictures_.set(picture.key, { texture, width: picture.width, height: picture.height });
     const blob = new Blob([bytes(packet, picture.bytes)], { type: picture.type });
     createImageBitmap(blob, { imageOrientation: 'flipY', premultiplyAlpha: 'none', colorSpaceConversion: 'none' })

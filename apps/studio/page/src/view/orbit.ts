@@ -47,6 +47,13 @@ export class Orbit {
     return true;
   }
 
+  /// Looks as it did in that state.
+  look(state: CameraState): void {
+    [this.azimuth_, this.altitude_, this.distance_] = [state.azimuth, Math.min(89.5, Math.max(-89.5, state.altitude)), state.distance];
+    this.target_.fromArray(state.target);
+    this.place();
+  }
+
   resize(width: number, height: number): void {
     this.camera.aspect = width / Math.max(1, height);
     this.place();

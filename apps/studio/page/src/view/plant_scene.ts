@@ -39,8 +39,8 @@ export class PlantScene {
   private hidden_: ReadonlySet<string> = new Set();
   private emphasised_ = '';
 
-  constructor(light: Light, changed: () => void) {
-    this.materials = new Materials(light, changed);
+  constructor(light: Light, anisotropy: number, changed: () => void) {
+    this.materials = new Materials(light, anisotropy, changed);
   }
 
   /// Component by component, what is in the scene.

@@ -6,7 +6,6 @@ import { kInstanceShader } from './instances.ts';
 
 export const kPlantVertex = /* glsl */ `
 ${kInstanceShader}
-uniform lowp sampler2D tints;
 #ifdef HAS_NORMALS
 attribute vec4 tangent;
 varying vec4 v_tangent;
@@ -31,8 +30,7 @@ void main() {
   float side = dot(frame_0.xyz, a) < 0.0 ? -1.0 : 1.0;
   v_normal = side * vec3(dot(a, normal), dot(b, normal), dot(c, normal));
   v_position = place;
-  ivec2 tints_size = textureSize(tints, 0);
-  v_tint = texelFetch(tints, ivec2(instance() % tints_size.x, min(instance() / tints_size.x, tints_size.y - 1)), 0).rgb * tint_scale;
+  v_tint = tint() * tint_scale;
 #ifdef HAS_PICTURE
   v_uv = uv;
 #endif

@@ -6,6 +6,7 @@ import type { Packet } from '../server/packet.ts';
 import { draws_by_software } from './budgets.ts';
 import { Ground } from './ground.ts';
 import type { Light } from './materials.ts';
+import type { CameraState } from './orbit.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
 import { Overlays } from './overlays.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
@@ -17,8 +18,12 @@ import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
 export type { SeenInstance, ViewEvents, ViewFacts };
 
-// A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time.
+// A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time. At rest it
+// draws four for each, as long as they are not too many: several samples per pixel, which cards have, would make each
+// triangle three times as dear while hands move too.
 const kCoarse = 0.5;
+const kFine = 2;
+const kFinePixels = 4e6;
 const kAfterMove = 200; // ms without a move of the camera until all pixels are drawn
 
 export class View {
@@ -42,6 +47,8 @@ export class View {
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
   private readonly picker_: Picker;
   private readonly queue_: PictureQueue;
+  private size_: [number, number] = [1, 1]; // of the frame, pixels
+  private sized_: [number, number] = [0, 0]; // that the canvas was made for
   private is_draft_ = false;
   private moves_until_ = 0; // a timer; 0: the camera rests
 
@@ -49,12 +56,12 @@ export class View {
     private readonly canvas_: HTMLCanvasElement,
     private readonly events_: ViewEvents,
   ) {
-    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: true, alpha: true, powerPreference: 'high-performance' });
-    this.is_software = draws_by_software(this.renderer_.getContext());
+    this.is_software = draws_by_software();
+    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: !this.is_software, alpha: true, powerPreference: 'high-performance' });
     this.renderer_.setPixelRatio(this.is_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer_.setClearColor(0, 0);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
-    this.plant = new PlantScene(this.light_, () => this.ask());
+    this.plant = new PlantScene(this.light_, this.is_software ? 1 : 4, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
     this.scene_.matrixWorldAutoUpdate = false;
     this.picker_ = new Picker(this.renderer_);
@@ -129,6 +136,13 @@ export class View {
     this.ask();
   }
 
+  /// Looks as a camera did before.
+  look(state: CameraState): void {
+    this.fitted_.makeEmpty();
+    this.orbit.look(state);
+    this.ask();
+  }
+
   /// A picture at the next chance; asked often, drawn once.
   ask(): void {
     this.queue_.ask();
@@ -191,10 +205,17 @@ export class View {
     this.ask();
   }
 
-  /// Just before a picture is drawn, since it clears the last one.
+  /// Just before a picture is drawn, since it clears the last one, and since a canvas whose size changes waits for the
+  /// card: up to seconds where a processor draws. Until then the last picture is stretched.
   private suit_pixels(): void {
+    const [width, height] = this.size_;
+    if (width !== this.sized_[0] || height !== this.sized_[1]) {
+      this.sized_ = this.size_;
+      this.renderer_.setSize(width, height, false);
+    }
     if (!this.is_software) return;
-    const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : 1;
+    const fine = Math.sqrt(kFinePixels / Math.max(1, this.canvas_.clientWidth * this.canvas_.clientHeight));
+    const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : Math.min(kFine, fine);
     if (ratio !== this.renderer_.getPixelRatio()) this.renderer_.setPixelRatio(ratio);
   }
 
@@ -215,7 +236,7 @@ export class View {
     const frame = this.canvas_.parentElement ?? this.canvas_;
     const [width, height] = [frame.clientWidth, frame.clientHeight];
     if (width === 0 || height === 0) return;
-    this.renderer_.setSize(width, height, false);
+    this.size_ = [width, height];
     this.orbit.resize(width, height);
     this.orbit.fit(this.fitted_);
     this.ask();

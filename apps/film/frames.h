@@ -2,13 +2,10 @@
 // Pictures that belong together: their names and the times that they show.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
-namespace meristem::cli {
+namespace meristem::film {
 
 /// The most pictures that one call writes.
 inline constexpr int kMostFrames = 10'000;
@@ -24,9 +21,4 @@ std::vector<double> frame_times(const std::string& text);
 /// The time of `--time T`. Throws InputError for numbers that are not finite.
 double checked_time(double time);
 
-/// Adds `--step K`, the step of growth that is shown.
-void add_step_option(CLI::App& command, std::optional<int>& step);
-/// The step, as it was given. Throws InputError below 0.
-std::optional<int> checked_step(std::optional<int> step);
-
-}  // namespace meristem::cli
+}  // namespace meristem::film

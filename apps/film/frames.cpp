@@ -6,12 +6,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include <CLI/Option.hpp>
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
 
-namespace meristem::cli {
+namespace meristem::film {
 
 namespace {
 
@@ -73,17 +72,4 @@ double checked_time(double time) {
   return time;
 }
 
-void add_step_option(CLI::App& command, std::optional<int>& step) {
-  command
-      .add_option("--step", step,
-                  "Show plants that grow by a model as after this step: a step or iteration of growth, or of an "
-                  "L-system's derivation. By default, after the last one")
-      ->type_name("K");
-}
-
-std::optional<int> checked_step(std::optional<int> step) {
-  if (!step || *step >= 0) return step;
-  throw InputError(Diagnostic{.message = fmt::format("--step cannot be {}", *step), .expected = "0 or more steps"});
-}
-
-}  // namespace meristem::cli
+}  // namespace meristem::film

@@ -20,7 +20,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): not every system's header has it
 
-namespace meristem::cli {
+namespace meristem::film {
 
 namespace {
 
@@ -70,6 +70,8 @@ int run(const std::vector<std::string>& words, const std::string& log) {
 
 bool is_film(const std::string& path) { return path.ends_with(".mp4") || path.ends_with(".webm"); }
 
+bool can_make_films() { return !maker().empty(); }
+
 void check_film(const std::string& path, int width, int height) {
   if (maker().empty()) {
     throw InputError(Diagnostic{.message = fmt::format("'{}' needs the program ffmpeg, which is not installed", path),
@@ -113,4 +115,4 @@ void make_film(const std::string& folder, std::size_t frames, double fps, const 
   fs::remove_all(folder, error);
 }
 
-}  // namespace meristem::cli
+}  // namespace meristem::film

@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <string>
 
-namespace meristem::cli {
+namespace meristem::film {
 
 /// Whether a file of that name is a film: it ends in .mp4 or .webm.
 bool is_film(const std::string& path);
+
+/// Whether the program that makes films is installed.
+bool can_make_films();
 
 /// Throws InputError where a film cannot be made: ffmpeg is not installed, or the picture's width or height is odd.
 void check_film(const std::string& path, int width, int height);
@@ -25,4 +28,4 @@ std::string frame_path(const std::string& folder, std::size_t frame);
 /// removes the folder. Throws MachineError with what ffmpeg says.
 void make_film(const std::string& folder, std::size_t frames, double fps, const std::string& path);
 
-}  // namespace meristem::cli
+}  // namespace meristem::film

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data sets of many plants: made, gone on with, checked. All threads take ranges of plants from the folder, as the
+// workers of Python do, so the bytes are the same.
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "documents.h"
+#include "meristem/base/parallel.h"
+#include "meristem/dataset/dataset_folder.h"
+#include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/dataset_plan.h"
+#include "meristem/dataset/plant_maker.h"
+#include "meristem/dataset/plant_range.h"
+#include "meristem/dataset/verify_dataset.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFaultsPrinted = 100;
+
+struct DatasetCommand {
+  std::string plan;    // a file, or the folder of a data set
+  std::string output;  // the folder
+  bool fresh = false;
+  bool repair = false;
+  bool verify = false;
+  int threads = 0;
+  bool quiet = false;
+};
+
+bool is_dataset(const std::string& path) {
+  std::error_code error;
+  return fs::is_regular_file(fs::path(path) / "dataset.json", error);
+}
+
+std::string plural(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void verify(const DatasetCommand& command) {
+  const std::string& folder = command.output.empty() ? command.plan : command.output;
+  const ThreadLimit threads = limited_threads(command.threads, command.quiet);
+  DatasetCheck check;
+  {
+    TerminalProgress terminal(command.quiet);
+    check = verify_dataset(folder, terminal.progress());
+  }
+  for (std::size_t k = 0; k < check.faults.size() && k < kFaultsPrinted; ++k) print_status(check.faults[k]);
+  if (check.faults.size() > kFaultsPrinted) {
+    print_status(fmt::format("and {} more", check.faults.size() - kFaultsPrinted));
+  }
+  if (!command.quiet) {
+    print_status(fmt::format("{}: {} of {} plants, {} failed, {}, {:.1f} MB, {}", folder, check.rows, check.plants,
+                             check.failed, plural(check.files, "file"), static_cast<double>(check.bytes) / 1e6,
+                             check.faults.empty() ? "all as written" : plural(check.faults.size(), "fault")));
+  }
+  if (!check.faults.empty()) {
+    throw MachineError(fmt::format("'{}' is not what its manifest says; --repair makes again what is wrong", folder));
+  }
+}
+
+/// The plan of a file, or of a data set that was begun.
+DatasetPlan plan_of(const DatasetCommand& command) {
+  const std::string file = is_dataset(command.plan) ? (fs::path(command.plan) / "plan.json").string() : command.plan;
+  return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder()});
+}
+
+/// Takes ranges until there are none, on as many threads as there may be.
+void make_all(DatasetFolder& folder, const DatasetPlan& plan, TerminalProgress& terminal) {
+  Progress& progress = terminal.progress();
+  const DocumentFolders folders{.documents = (fs::path(folder.path()) / "documents").string(),
+                                .models = models_folder()};
+  std::mutex mutex;
+  std::atomic<bool> has_failed{false};
+  terminal.tell_parts("plant", folder.done(), folder.found(), folder.total());
+  progress.begin("growing", folder.total() - folder.found());
+  parallel_for(static_cast<std::size_t>(thread_count()), 1, [&](std::size_t, std::size_t) {
+    const ThreadLimit alone(1);
+    Progress own(&progress);
+    PlantMaker maker(plan, components(), folders);
+    try {
+      while (!has_failed) {
+        std::optional<PlantRange> range;
+        {
+          const std::scoped_lock lock(mutex);
+          range = folder.next();
+        }
+        if (!range) return;
+        const auto begin = std::chrono::steady_clock::now();
+        make_range(maker, plan, *range, folder.path(), own);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        const std::scoped_lock lock(mutex);
+        folder.add(*range, seconds);
+        terminal.tell_parts("plant", folder.done(), folder.found(), folder.total());
+        progress.advance(range->count());
+      }
+    } catch (...) {
+      has_failed = true;
+      throw;
+    }
+  });
+}
+
+void make(const DatasetCommand& command) {
+  const DatasetPlan plan = plan_of(command);
+  if (!command.quiet) print_diagnostics(plan.warnings);
+  const std::string path = command.output.empty() && is_dataset(command.plan) ? command.plan : command.output;
+  if (path.empty()) {
+    throw InputError(Diagnostic{.message = "no folder for the data set is given", .expected = "-o DIR"});
+  }
+  const ThreadLimit threads = limited_threads(command.threads, command.quiet);
+  std::vector<std::string> faults;
+  std::uint64_t fault_count = 0;
+  std::uint64_t found = 0;
+  {
+    TerminalProgress terminal(command.quiet);
+    const DatasetOpening opening = command.fresh    ? DatasetOpening::fresh
+                                   : command.repair ? DatasetOpening::repair
+                                                    : DatasetOpening::resume;
+    DatasetFolder folder(plan, path, opening, terminal.progress());
+    faults = folder.faults();
+    fault_count = folder.fault_count();
+    found = folder.found();
+    make_all(folder, plan, terminal);
+    folder.finish(terminal.progress());
+  }
+  if (command.quiet) return;
+  for (const std::string& fault : faults) print_status(fault);
+  if (fault_count > faults.size()) print_status(fmt::format("and {} more", fault_count - faults.size()));
+  if (fault_count > 0) print_status(fmt::format("{}: what was not right was made again", path));
+  print_status(fmt::format("{}: {}{}", path, plural(plan.count(), "plant"),
+                           found > 0 ? fmt::format(", {} of them were there", found) : ""));
+}
+
+}  // namespace
+
+void add_dataset(CLI::App& app, Run& run) {
+  CLI::App* command =
+      app.add_subcommand("dataset", "Make a data set of many plants from a plan, go on with one, or check one");
+  auto options = std::make_shared<DatasetCommand>();
+  command->add_option("plan", options->plan, "A plan in JSON, or the folder of a data set that was begun")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Folder of the data set; one that holds a part of this data set is gone on with")
+      ->type_name("DIR");
+  CLI::Option* const fresh = command->add_flag("--fresh", options->fresh,
+                                               "Refuse a folder that holds a data set, instead of going on with it");
+  CLI::Option* const repair = command->add_flag(
+      "--repair", options->repair, "Read all files that are there, and make again the plants whose files have changed");
+  CLI::Option* const verify_flag =
+      command->add_flag("--verify", options->verify, "Make nothing; read all files and compare them with the manifest");
+  fresh->excludes(repair)->excludes(verify_flag);
+  repair->excludes(verify_flag);
+  add_plugin_option(*command);
+  add_run_options(*command, options->threads, options->quiet);
+  command->footer(
+      "Example: meristem dataset oaks.json -o oaks\n"
+      "         meristem dataset oaks --verify");
+  command->callback([options, &run] { run = [options] { options->verify ? verify(*options) : make(*options); }; });
+}
+
+}  // namespace meristem::cli

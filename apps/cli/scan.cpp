@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "documents.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/limits.h"
+#include "meristem/base/parallel.h"
+#include "meristem/base/read_file.h"
+#include "meristem/document/grow.h"
+#include "meristem/document/json.h"
+#include "meristem/document/locate.h"
+#include "meristem/measure/foliage.h"
+#include "meristem/output/formats.h"
+#include "meristem/output/output_files.h"
+#include "meristem/output/scan/scan_files.h"
+#include "meristem/output/scan/scan_request.h"
+#include "meristem/output/write/names.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+constexpr std::string_view kInstrumentPath = "instrument.";
+
+struct ScanCommand {
+  DocumentOptions document;
+  std::string instrument;
+  std::vector<std::string> stations;
+  std::optional<int> around;
+  std::string target;
+  bool ground = false;
+  bool no_obstacles = false;
+  double time = 0;
+  std::vector<std::string> outputs;
+};
+
+/// "x,y,z" as a list of numbers, or the text where it is none, which the table then reports.
+Value position_of(const std::string& text) {
+  const Value list = parse_override("x=[" + text + "]").value;
+  return list.list() != nullptr ? list : Value(text);
+}
+
+/// The file of an instrument, where one is named.
+struct InstrumentFile {
+  std::string path;
+  std::string text;
+};
+
+/// A class by its name, JSON, or what a file of JSON holds.
+Value instrument_value(const std::string& given, std::optional<InstrumentFile>& file) {
+  if (!lower_case(given).ends_with(".json")) return parse_override("x=" + given).value;
+  file = InstrumentFile{given, read_file(given, Limits().file_bytes)};
+  try {
+    return parse_json(file->text);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> faults = error.diagnostics();
+    for (Diagnostic& fault : faults) fault.file = given;
+    throw InputError(std::move(faults));
+  }
+}
+
+void set_member(Value& object, const std::string& name, Value value) {
+  if (Value* const known = object.find(name)) {
+    *known = std::move(value);
+  } else {
+    object.object()->emplace_back(name, std::move(value));
+  }
+}
+
+/// What the options ask for. Values set for the instrument are taken out of those for the document.
+Value request_of(ScanCommand& command, std::optional<InstrumentFile>& file) {
+  Value instrument = command.instrument.empty() ? Value("terrestrial") : instrument_value(command.instrument, file);
+  std::vector<std::string> of_document;
+  for (const std::string& set : command.document.sets) {
+    if (!set.starts_with(kInstrumentPath)) {
+      of_document.push_back(set);
+      continue;
+    }
+    const Override given = parse_override(set);
+    if (instrument.object() == nullptr) instrument = Value::Object{{"kind", instrument}};
+    set_member(instrument, given.path.substr(kInstrumentPath.size()), given.value);
+  }
+  command.document.sets = of_document;
+  Value request = Value::Object{{"instrument", instrument}};
+  if (!command.stations.empty()) {
+    Value::List stations;
+    for (const std::string& station : command.stations) stations.push_back(position_of(station));
+    set_member(request, "stations", stations);
+  }
+  if (command.around) set_member(request, "around", *command.around);
+  if (!command.target.empty()) set_member(request, "target", position_of(command.target));
+  if (command.ground) set_member(request, "ground", true);
+  if (command.no_obstacles) set_member(request, "obstacles", false);
+  return request;
+}
+
+/// A plan, or faults with their places in the instrument's file.
+ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<InstrumentFile>& file) {
+  try {
+    return plan_scan(request, seed);
+  } catch (const InputError& error) {
+    if (!file) throw;
+    std::vector<Diagnostic> faults = error.diagnostics();
+    for (Diagnostic& fault : faults) {
+      if (!fault.path.starts_with(kInstrumentPath)) continue;
+      const std::string whole = fault.path;
+      fault.path = fault.path.substr(kInstrumentPath.size());
+      locate_diagnostics(file->text, std::span(&fault, 1));
+      if (fault.line > 0) fault.file = file->path;
+      fault.path = whole;
+    }
+    throw InputError(std::move(faults));
+  }
+}
+
+void scan(ScanCommand command) {
+  // Everything that can be wrong with the command line and the document comes before any work.
+  for (const std::string& path : command.outputs) scan_format_of(path);
+  const double time = checked_time(command.time);
+  std::optional<InstrumentFile> file;
+  const Value request = request_of(command, file);
+  const Document document = open_document(command.document, time);
+  const ScanPlan plan = plan_of(request, document.graph.seed, file);
+  std::vector<std::string> inputs = input_files(document);
+  if (file) inputs.push_back(file->path);
+  for (const std::string& path : command.outputs) check_output(path, inputs);
+
+  const ThreadLimit threads = limited_threads(command.document.threads, command.document.quiet);
+  std::vector<Diagnostic> warnings;
+  std::string summary;
+  {
+    TerminalProgress terminal(command.document.quiet);
+    Progress& progress = terminal.progress();
+    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::meshes});
+    // Pulses pass through the holes of textures.
+    if (has_holes(grown.plant)) complete_growth(document, grown, progress, {.time = time});
+    warnings = grown.warnings;
+    const MeshScene meshes = scanned_meshes(grown.meshes, document.scene.obstacles, plan);
+    const Scanner scanner(grown.plant, meshes, plan.options, progress);
+    const std::uint64_t points = write_scan(scanner, command.outputs, provenance_of(document), progress);
+    summary = fmt::format("{}: {} points of {} pulses from {} {}", fmt::join(command.outputs, ", "), points,
+                          scanner.pulse_count(), scanner.stations().size(),
+                          plan.options.instrument.kind == ScannerClass::drone ? "lines" : "stations");
+  }
+  if (command.document.quiet) return;
+  print_diagnostics(warnings);
+  print_status(summary);
+}
+
+}  // namespace
+
+void add_scan(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("scan", "Grow a document and scan it, as an instrument would see it");
+  auto options = std::make_shared<ScanCommand>();
+  options->document.add_to(*command);
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "File to write, in the format of its ending (see below); - for standard output; may be repeated")
+      ->required()
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--instrument", options->instrument,
+                   "Instrument: terrestrial, phase, drone or depth_camera; JSON such as {\"kind\": \"phase\", "
+                   "\"step\": 0.1}; or a .json file; by default, terrestrial. --set instrument.step=0.1 sets a number")
+      ->type_name("NAME|JSON|FILE");
+  CLI::Option* const station =
+      command
+          ->add_option("--station", options->stations,
+                       "Position of the scanner, y up; may be repeated; by default, 4 positions all around the plants")
+          ->type_name("X,Y,Z")
+          ->allow_extra_args(false);
+  command->add_option("--around", options->around, "Number of stations all around the plants")
+      ->type_name("N")
+      ->excludes(station);
+  command
+      ->add_option("--target", options->target,
+                   "Point that depth cameras look at; by default, the middle of the plants")
+      ->type_name("X,Y,Z");
+  command->add_flag("--ground", options->ground, "Also see a flat ground at y = 0");
+  command->add_flag("--no-obstacles", options->no_obstacles, "Do not see the scene's obstacles");
+  command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
+      ->type_name("T");
+  std::string endings;
+  for (const ScanFormat& format : scan_formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
+  command->footer("Files end in:\n" + endings +
+                  "Example: meristem scan oak -o oak.ply --set instrument.step=0.1\n"
+                  "         meristem scan oak -o oak.las --instrument phase --station 8,1.6,0 --station -4,1.6,7 "
+                  "--ground");
+  command->callback([options, &run] { run = [options] { scan(*options); }; });
+}
+
+}  // namespace meristem::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera of a document: what it says of the view, and edits that have it look as the page does.
+import { component_path, link_path, written_link } from '../board/board_edits.ts';
+import type { PlantGraph } from '../board/plant_graph.ts';
+import type { Json } from '../document/json.ts';
+import { member_of, path_below } from '../document/path.ts';
+import type { Edit } from '../server/protocol.ts';
+import type { CameraState } from '../view/orbit.ts';
+
+export interface WrittenCamera {
+  position: number[];
+  target: number[];
+  field_of_view: number;
+}
+
+const kDigits = 3; // of metres
+
+function rounded(numbers: readonly number[]): number[] {
+  return numbers.map((one) => Number(one.toFixed(kDigits)));
+}
+
+/// Has the document's camera stand where the view's does. A document without one gets it, above all that it links to.
+export function camera_edits(document: Json | undefined, graph: PlantGraph, camera: WrittenCamera): Edit[] {
+  const said = { position: rounded(camera.position), target: rounded(camera.target), field_of_view: camera.field_of_view };
+  const found = [...graph.components.values()].find((one) => one.is_camera);
+  if (!found) return [];
+  const path = component_path(found.id);
+  if (!found.is_written) {
+    const roots = graph.links.filter((link) => link.from === found.id).map((link) => link.to);
+    const links = roots.map((to, k): Edit => ({ insert: link_path(k), value: written_link(found.id, to, 'child') }));
+    const first: Edit[] = member_of(document, 'links') === undefined ? [{ set: 'links', value: [] }] : [];
+    return [{ insert: path, value: { type: 'camera', ...said }, index: 0 }, ...first, ...links];
+  }
+  const own = member_of(member_of(document, 'components'), found.id);
+  const gone = ['azimuth', 'altitude'].filter((name) => member_of(own, name) !== undefined);
+  return [...gone.map((name): Edit => ({ unset: path_below(path, name) })), ...Object.entries(said).map(([name, value]): Edit => ({ set: path_below(path, name), value }))];
+}
+
+/// From where the document's camera looks; without a position, only from which side. Null where it says neither, or by
+/// expressions.
+export function camera_of_document(document: Json | undefined, graph: PlantGraph): { state: CameraState } | { azimuth: number; altitude: number } | null {
+  const found = [...graph.components.values()].find((one) => one.is_camera && one.is_written);
+  const said = found ? member_of(member_of(document, 'components'), found.id) : undefined;
+  const [position, target] = [point_of(member_of(said, 'position')), point_of(member_of(said, 'target'))];
+  if (position && target) return { state: state_between(position, target) };
+  const [azimuth, altitude] = [member_of(said, 'azimuth'), member_of(said, 'altitude')];
+  if (typeof azimuth !== 'number' && typeof altitude !== 'number') return null;
+  return { azimuth: typeof azimuth === 'number' ? azimuth : 150, altitude: typeof altitude === 'number' ? altitude : 6 };
+}
+
+function point_of(value: Json | undefined): [number, number, number] | null {
+  const numbers = Array.isArray(value) ? value.filter((one) => typeof one === 'number') : [];
+  return numbers.length === 3 ? (numbers as [number, number, number]) : null;
+}
+
+/// Azimuth from north over east: north is -z, east +x.
+export function state_between(position: readonly [number, number, number], target: [number, number, number]): CameraState {
+  const [x, y, z] = [position[0] - target[0], position[1] - target[1], position[2] - target[2]];
+  const distance = Math.hypot(x, y, z);
+  const degrees = 180 / Math.PI;
+  return { azimuth: (degrees * Math.atan2(x, -z) + 360) % 360, altitude: degrees * Math.atan2(y, Math.hypot(x, z)), distance, target };
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be done with the camera of the view: put into the document, kept as a bookmark, used for a still.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import type { MenuItem } from '../controls/menu.tsx';
+import { Menu } from '../controls/menu.tsx';
+import type { Studio } from '../studio.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import { bookmarks_of, keep_bookmarks, next_name } from './bookmarks.ts';
+import { camera_edits, camera_of_document } from './camera_document.ts';
+
+export function CameraMenu(): ReactElement {
+  const studio = use_studio();
+  const document = use_document();
+  const [, redraw] = useState(0);
+  const { graph } = studio.board.actions;
+  const bookmarks = bookmarks_of(document);
+  const written = camera_of_document(document.tree?.value, graph);
+  const keep = (all: typeof bookmarks): void => {
+    keep_bookmarks(document, all);
+    redraw((count) => count + 1);
+  };
+  const add = (): void => {
+    const { view } = studio;
+    if (!view) return;
+    const name = next_name(bookmarks);
+    keep([...bookmarks, { name, camera: view.orbit.state }]);
+    studio.tell(`${name} is kept in this browser`);
+  };
+  const items: MenuItem[] = [
+    { text: 'Set the document’s camera', act: () => set_camera(studio) },
+    ...(written ? [{ text: 'Look as the document’s camera', act: () => look_as_document(studio) }] : []),
+    { text: 'Still…', act: () => studio.shell.merge({ dialog: 'still' }) },
+    { text: 'Keep this view', act: add },
+    ...bookmarks.map((one) => ({ text: one.name, act: () => studio.view?.look(one.camera) })),
+    ...bookmarks.slice(-1).map((one) => ({ text: `Forget ${one.name}`, act: () => keep(bookmarks.slice(0, -1)) })),
+  ];
+  return <Menu icon="camera" label="Camera" items={items} />;
+}
+
+/// Writes the view's camera into the document, as one step.
+function set_camera(studio: Studio): void {
+  const { view } = studio;
+  const { graph, document } = studio.board.actions;
+  if (!view) return;
+  const edits = camera_edits(document, graph, view.orbit.as_document);
+  if (edits.length === 0) return studio.tell('A document without components has no camera', true);
+  void studio.edit(edits, 'Set the camera').then((faults) => faults === null && studio.tell('The document’s camera looks as the view does'));
+}
+
+function look_as_document(studio: Studio): void {
+  const { graph, document } = studio.board.actions;
+  const written = camera_of_document(document, graph);
+  if (!written || !studio.view) return;
+  if ('state' in written) return studio.view.look(written.state);
+  studio.view.look_from(written.azimuth, written.altitude);
+  studio.view.fit();
+}

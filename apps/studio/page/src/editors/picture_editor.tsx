@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture that a row names, large: as it is, with its size, and beside it the pictures below the server's folder.
+import type { ReactElement } from 'react';
+
+import { Icon } from '../controls/icon.tsx';
+import { FileChooser, ShippedFiles } from '../rows/file_chooser.tsx';
+import type { RowEditorProps } from '../rows/row_editor.tsx';
+import { TextField } from '../rows/text_field.tsx';
+import { Button } from '../controls/button.tsx';
+import { use_document } from '../studio_context.ts';
+import { use_thumbnail } from './thumbnail.tsx';
+
+const kPixels = 512; // along the longer side of what is shown
+
+export function PictureEditor({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
+  const { model } = use_document();
+  const file = typeof value === 'string' ? value : '';
+  return (
+    <div className="picture-editor">
+      <Preview file={file} />
+      <div className="picture-choice">
+        <div className="picture-line">
+          <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={is_faulty} description={row.doc} placeholder="path of a picture" />
+          {value !== undefined && !row.required && (
+            <Button kind="quiet" press={actions.unset}>
+              Remove
+            </Button>
+          )}
+        </div>
+        {model === null ? <FileChooser row={row} file={file} take={actions.commit} /> : <ShippedFiles close={() => undefined} />}
+      </div>
+    </div>
+  );
+}
+
+function Preview({ file }: { file: string }): ReactElement {
+  const shown = use_thumbnail(file, kPixels);
+  if (!shown) {
+    return (
+      <div className="picture-preview none">
+        <Icon name="document" />
+        <p className="quiet">{file === '' ? 'No picture is named.' : 'Here is no picture that can be read.'}</p>
+      </div>
+    );
+  }
+  return (
+    <figure className="picture-preview">
+      <img src={`data:image/png;base64,${shown.picture}`} alt={`${file}, as it is`} />
+      <figcaption className="quiet">
+        {shown.width} × {shown.height} pixels
+      </figcaption>
+    </figure>
+  );
+}

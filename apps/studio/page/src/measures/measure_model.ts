@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures of the plant, asked of the server while somebody looks and made anew after each change; and measures over the
+// values of a handle.
+import { Store } from '../base/store.ts';
+import type { Json } from '../document/json.ts';
+import type { Fault } from '../server/protocol.ts';
+import { Refusal } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+
+export interface MeasureRow {
+  name: string;
+  unit: string;
+  doc: string;
+}
+
+export type Measured = Record<string, Json>;
+
+export interface SweepPoint {
+  value: number;
+  measures?: Measured;
+  faults?: Fault[];
+}
+
+export interface MeasureState {
+  rows: readonly MeasureRow[];
+  told: Measured | null; // the last that came
+  with_light: boolean;
+  is_working: boolean;
+  fault: string;
+}
+
+export interface SweepState {
+  variable: string; // whose values these are; "" for none
+  points: readonly SweepPoint[];
+  is_working: boolean;
+  fault: string;
+}
+
+const kNothing: MeasureState = { rows: [], told: null, with_light: false, is_working: false, fault: '' };
+const kNoSweep: SweepState = { variable: '', points: [], is_working: false, fault: '' };
+const kPause = 400; // ms after the last change
+const kLayers = 10; // about as many over the height of a plant
+
+export class MeasureModel {
+  readonly state = new Store<MeasureState>(kNothing);
+  readonly sweep = new Store<SweepState>(kNoSweep);
+  private looks_ = 0;
+  private timer_ = 0;
+  private asked_ = 0;
+  private swept_ = 0;
+  private seen_ = ''; // what was measured last
+
+  constructor(private readonly studio_: Studio) {}
+
+  /// Another document is opened.
+  forget(): void {
+    this.asked_ += 1;
+    this.swept_ += 1;
+    this.seen_ = '';
+    this.sweep.set(kNoSweep);
+    this.state.merge({ told: null, fault: '', is_working: false });
+  }
+
+  /// Keeps the measures up to date while somebody looks. Gives what ends that.
+  look(): () => void {
+    this.looks_ += 1;
+    if (this.state.get().rows.length === 0) void this.fetch_rows();
+    const stop = this.studio_.growth.subscribe(() => this.ask_later());
+    this.ask_later();
+    return () => {
+      stop();
+      this.looks_ -= 1;
+      clearTimeout(this.timer_);
+    };
+  }
+
+  set_light(with_light: boolean): void {
+    this.state.merge({ with_light });
+    this.ask_later();
+  }
+
+  /// Measures the plant at each of these values of a handle, with the present values of all others.
+  async measure_over(variable: string, values: readonly number[]): Promise<void> {
+    this.swept_ += 1;
+    const number = this.swept_;
+    this.sweep.set({ variable, points: [], is_working: true, fault: '' });
+    try {
+      const { sweep } = await this.studio_.connection.request<{ sweep: SweepPoint[] }>('sweep', { path: variable, values, light: this.state.get().with_light });
+      if (number === this.swept_) this.sweep.merge({ points: sweep, is_working: false });
+    } catch (fault) {
+      if (number === this.swept_) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
+    }
+  }
+
+  private async fetch_rows(): Promise<void> {
+    const answer = await this.studio_.connection.request<{ rows: MeasureRow[] }>('measure_rows').catch(() => null);
+    if (answer) this.state.merge({ rows: answer.rows });
+  }
+
+  private ask_later(): void {
+    const { grown } = this.studio_.growth.get();
+    const { with_light } = this.state.get();
+    const wanted = `${grown?.hash ?? ''} ${this.studio_.bench.time.time} ${with_light}`;
+    if (this.looks_ === 0 || !grown || grown.dragged || wanted === this.seen_) return;
+    clearTimeout(this.timer_);
+    this.timer_ = window.setTimeout(() => {
+      this.seen_ = wanted;
+      void this.ask();
+    }, kPause);
+  }
+
+  private async ask(): Promise<void> {
+    this.asked_ += 1;
+    const number = this.asked_;
+    this.state.merge({ is_working: true });
+    const { with_light, told } = this.state.get();
+    const height = typeof told?.['height'] === 'number' ? told['height'] : 0;
+    const layers = with_light && height > 0 ? { layer_height: Number((height / kLayers).toPrecision(1)) } : {};
+    try {
+      const { measures } = await this.studio_.connection.request<{ measures: Measured }>('measures', { light: with_light, ...layers });
+      if (number === this.asked_) this.state.merge({ told: measures, is_working: false, fault: '' });
+    } catch (fault) {
+      const is_fault = fault instanceof Refusal && !fault.facts.cancelled;
+      if (number === this.asked_) this.state.merge({ is_working: false, fault: is_fault ? fault.message : '' });
+    }
+  }
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The row that says which whole plant a component places: a shipped one, or a document below the server's folder.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { PlantChoices } from '../board/plant_choices.tsx';
+import { IconButton } from '../controls/button.tsx';
+import { Dialog } from '../controls/dialog.tsx';
+import { Icon } from '../controls/icon.tsx';
+import type { JsonNode } from '../document/json.ts';
+import { path_below, steps_of, value_at } from '../document/path.ts';
+import type { Row, Tables } from '../tables/tables.ts';
+import type { RowEditorProps } from './row_editor.tsx';
+import { TextField } from './text_field.tsx';
+
+/// Whether the row at a path names a whole plant.
+export function names_plant(tables: Tables, tree: JsonNode | null, row: Row, path: string): boolean {
+  const [head, id, name, ...rest] = steps_of(path);
+  if (row.name !== 'file' || head !== 'components' || id === undefined || name !== 'file' || rest.length > 0) return false;
+  const type = value_at(tree, path_below(path_below('components', id), 'type'));
+  return typeof type === 'string' && tables.components[type]?.is_whole_plant === true;
+}
+
+export function PlantRow(props: RowEditorProps): ReactElement {
+  const { label, value, row, actions } = props;
+  const [is_open, set_open] = useState(false);
+  const file = typeof value === 'string' ? value : '';
+  return (
+    <div className="file-row of-pictures">
+      <PlantPicture key={file} file={file} />
+      <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="a shipped plant or a path" />
+      <IconButton is_small icon="folder" label={`Choose a plant for ${label}`} press={() => set_open(true)} />
+      {is_open && <PlantDialog {...props} close={() => set_open(false)} />}
+    </div>
+  );
+}
+
+function PlantDialog({ label, row, actions, close }: RowEditorProps & { close: () => void }): ReactElement {
+  const [words, set_words] = useState('');
+  const take = (file: string): void => {
+    close();
+    actions.commit(file);
+  };
+  return (
+    <Dialog title={`A plant for ${label}`} width="wide" close={close}>
+      <label className="search">
+        <Icon name="search" />
+        <input type="search" autoFocus aria-label="Find a plant" placeholder="Find a plant" value={words} onChange={(event) => set_words(event.target.value)} />
+      </label>
+      <p className="quiet">{row.doc}</p>
+      <PlantChoices is_wanted={(text) => text.toLowerCase().includes(words.toLowerCase())} take={take} />
+    </Dialog>
+  );
+}
+
+/// The picture of a shipped plant; an icon for documents of the user's own.
+function PlantPicture({ file }: { file: string }): ReactElement {
+  const [is_missing, set_missing] = useState(false);
+  const model = file.replace(/\.json$/i, '');
+  if (/^[\w-]+$/.test(model) && !is_missing) return <img className="thumbnail" src={`pictures/${model}.jpg`} alt="" onError={() => set_missing(true)} />;
+  return (
+    <span className="thumbnail none">
+      <Icon name="document" />
+    </span>
+  );
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diamond before a row: full where a key stands at the time that the view shows, half where the row has others.
+import type { ReactElement } from 'react';
+
+import { shown_number } from '../controls/number_field.tsx';
+import type { Json } from '../document/json.ts';
+import { is_object } from '../document/json.ts';
+import { steps_of } from '../document/path.ts';
+import { use_studio } from '../studio_context.ts';
+import type { Row } from '../tables/tables.ts';
+import { first_value } from '../tables/tables.ts';
+import type { Keyed } from './use_keyed.ts';
+import { toggle_key, use_keyed } from './use_keyed.ts';
+
+const kHeads = new Set(['components', 'links', 'scene']);
+
+/// Whether what stands at a path can have keys.
+export function can_have_keys(row: Row, path: string): boolean {
+  return row.keyed === true && kHeads.has(String(steps_of(path)[0]));
+}
+
+export function RowKeyButton({ row, path, value }: { row: Row; path: string; value: Json | undefined }): ReactElement {
+  const studio = use_studio();
+  const keyed = use_keyed(path);
+  const label = row.name.replaceAll('_', ' ');
+  const { time: model } = studio.bench;
+  const element = keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined;
+  // Keys of a vector as a whole cannot stand beside those of its elements.
+  if (element) {
+    const show = (): void => {
+      if (!model.state.get().is_open) model.toggle();
+      model.choose(element.name);
+    };
+    return <Diamond label={label} state="others" tip={`${element.name} has keys of its own; shows them`} press={show} />;
+  }
+  return <KeyButton label={label} path={path} keyed={keyed} value={() => keyed?.value ?? first_key_value(value, row, first_value(studio.tables, row))} />;
+}
+
+interface KeyButtonProps {
+  label: string;
+  path: string;
+  keyed: Keyed | null;
+  value: () => Json; // that a new key has
+}
+
+export function KeyButton({ label, path, keyed, value }: KeyButtonProps): ReactElement {
+  const studio = use_studio();
+  const state = keyed === null ? 'none' : keyed.index >= 0 ? 'here' : 'others';
+  const at = `${shown_number(studio.bench.time.time)} s`;
+  const text = state === 'here' ? `Remove the key of ${label} at ${at}` : `Key ${label} at ${at}`;
+  return <Diamond label={label} state={state} tip={text} press={() => toggle_key(studio, path, keyed, value())} />;
+}
+
+function Diamond({ label, state, tip, press }: { label: string; state: 'none' | 'others' | 'here'; tip: string; press: () => void }): ReactElement {
+  return (
+    <button type="button" className={`key-button ${state}`} aria-label={`Key of ${label}`} aria-pressed={state === 'here'} data-tip={tip} onClick={press}>
+      <svg viewBox="0 0 10 10" aria-hidden="true">
+        <path d="M5 1L9 5 5 9 1 5z" />
+      </svg>
+    </button>
+  );
+}
+
+/// The value that a first key takes over: of an expression the number that a row begins with, of a range that is
+/// applied to something the range alone.
+function first_key_value(value: Json | undefined, row: Row, first: Json): Json {
+  const plain = value ?? row.default;
+  if (plain === undefined || plain === null) return first;
+  if (is_object(plain)) return plain['range'] ?? first;
+  const is_number = row.kind === 'number' || row.kind === 'integer';
+  const has_expression = (one: Json): boolean => (Array.isArray(one) ? one.some(has_expression) : typeof one === 'string');
+  return (is_number || Array.isArray(plain)) && has_expression(plain) ? first : plain;
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// The keys of a document's animation: which parameters have some, and edits of them. The text says them by short names,
+// "stem.length", as --set does; rows have the paths of the text, "components.stem.length".
+import type { Json } from '../document/json.ts';
+import { is_object } from '../document/json.ts';
+import { member_of, path_below, path_of, steps_of } from '../document/path.ts';
+import type { Edit } from '../server/protocol.ts';
+import type { Key, Way } from './track.ts';
+import { kWays } from './track.ts';
+
+export interface Track {
+  name: string; // as the animation says it
+  path: string; // of the value in the text
+  keys: Key[];
+}
+
+export interface AnimationFacts {
+  length: number; // seconds
+  fps: number;
+}
+
+export const kKeysPath = 'animation.keys';
+const kUsual: AnimationFacts = { length: 10, fps: 25 };
+const kNear = 1e-4; // seconds within which two times are one
+const kBetween = 0.01; // seconds that keys stay apart when a hand moves them
+
+export function animation_of(document: Json | undefined): AnimationFacts | null {
+  const said = member_of(document, 'animation');
+  if (!is_object(said)) return null;
+  const number = (name: keyof AnimationFacts): number => (typeof said[name] === 'number' && said[name] > 0 ? said[name] : kUsual[name]);
+  return { length: number('length'), fps: number('fps') };
+}
+
+/// The path in the text of what an animation, or --set, calls by a name.
+export function path_of_name(document: Json | undefined, tops: ReadonlySet<string>, name: string): string {
+  const steps = steps_of(name);
+  const is_key = tops.has(String(steps[0]));
+  if (steps.length > 1) return is_key ? name : `components.${name}`;
+  const variables = member_of(document, 'variables');
+  return is_object(variables) && name in variables ? path_below('variables', name) : name;
+}
+
+/// How an animation names what stands at a path of the text.
+export function name_of_path(tops: ReadonlySet<string>, path: string): string {
+  const [head, second, ...rest] = steps_of(path);
+  if (head === 'variables' && second !== undefined) return String(second);
+  if (head === 'components' && second !== undefined && !tops.has(String(second))) return path_of([second, ...rest]);
+  return path;
+}
+
+/// All parameters with keys, in the order of the text. What is not well written is left out.
+export function tracks_of(document: Json | undefined, tops: ReadonlySet<string>, keys = member_of(member_of(document, 'animation'), 'keys')): Track[] {
+  if (!is_object(keys)) return [];
+  return Object.entries(keys).flatMap(([name, said]) => {
+    const read = Array.isArray(said) ? said.map(key_of) : [];
+    const good = read.filter((one): one is Key => one !== null);
+    return good.length === 0 || good.length < read.length ? [] : [{ name, path: path_of_name(document, tops, name), keys: good }];
+  });
+}
+
+function key_of(said: Json): Key | null {
+  if (!Array.isArray(said) || said.length < 2 || typeof said[0] !== 'number') return null;
+  const way = said[2];
+  return { time: said[0], value: said[1] ?? null, way: kWays.find((one) => one === way) ?? null };
+}
+
+/// The keys as the text says them.
+export function written_keys(keys: readonly Key[]): Json {
+  return keys.map(({ time, value, way }) => (way === null ? [time, value] : [time, value, way]));
+}
+
+export function track_path(name: string): string {
+  return path_below(kKeysPath, name);
+}
+
+/// The key at a time; -1 where there is none.
+export function key_at(keys: readonly Key[], time: number): number {
+  return keys.findIndex((one) => Math.abs(one.time - time) < kNear);
+}
+
+/// With this value at a time: the key there has it, or a new one does, which is come to as the one before it.
+export function with_key(keys: readonly Key[], time: number, value: Json): Key[] {
+  const at = key_at(keys, time);
+  if (at >= 0) return keys.map((one, k) => (k === at ? { ...one, value } : one));
+  const behind = keys.findIndex((one) => one.time > time);
+  const index = behind < 0 ? keys.length : behind;
+  const way = (keys[behind] ?? keys.at(-1))?.way ?? null;
+  return [...keys.slice(0, index), { time: tidy_time(time), value, way }, ...keys.slice(index)];
+}
+
+/// With a key at another time, between its neighbours and within `end`.
+export function with_time(keys: readonly Key[], index: number, time: number, end: number): Key[] {
+  const low = (keys[index - 1]?.time ?? -kBetween) + kBetween;
+  const high = (keys[index + 1]?.time ?? end + kBetween) - kBetween;
+  const at = tidy_time(Math.max(low, Math.min(high, time)));
+  return keys.map((one, k) => (k === index ? { ...one, time: at } : one));
+}
+
+export function with_way(keys: readonly Key[], index: number, way: Way): Key[] {
+  return keys.map((one, k) => (k === index ? { ...one, way } : one));
+}
+
+export function without_key(keys: readonly Key[], index: number): Key[] {
+  return keys.filter((_, k) => k !== index);
+}
+
+/// Has a parameter have these keys; none: no keys any more. A document without an animation gets one.
+export function keys_edits(document: Json | undefined, name: string, keys: readonly Key[]): Edit[] {
+  const animation = member_of(document, 'animation');
+  const all = member_of(animation, 'keys');
+  if (keys.length === 0) {
+    const is_last = is_object(all) && Object.keys(all).length === 1 && name in all;
+    return [{ unset: is_last ? kKeysPath : track_path(name) }];
+  }
+  const written = written_keys(keys);
+  const end = Math.max(...keys.map((one) => one.time));
+  if (!is_object(animation)) return [{ set: 'animation', value: { length: Math.max(kUsual.length, end), keys: { [name]: written } } }];
+  const set: Edit = is_object(all) ? { set: track_path(name), value: written } : { set: kKeysPath, value: { [name]: written } };
+  return [set];
+}
+
+/// All keys of a document with those of one parameter in place of its own, as a drag shows them.
+export function dragged_keys(document: Json | undefined, name: string, keys: readonly Key[]): Record<string, Json> {
+  const animation = member_of(document, 'animation');
+  const all = member_of(animation, 'keys');
+  const made = { ...(is_object(all) ? all : {}), [name]: written_keys(keys) };
+  return is_object(animation) ? { [kKeysPath]: made } : { animation: { length: kUsual.length, keys: made } };
+}
+
+export function tidy_time(time: number): number {
+  return Math.max(0, Number(time.toFixed(3)));
+}

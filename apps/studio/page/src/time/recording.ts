@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// A film or a still that the server makes, whether its window is open or not.
+import { Store } from '../base/store.ts';
+import type { ExportWish } from '../copy_command.ts';
+import type { MadeFile } from '../server/protocol.ts';
+import { Refusal } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+
+export class Recording {
+  readonly made = new Store<MadeFile | null>(null);
+  readonly is_busy = new Store(false);
+
+  /// `takes`: the browser stores what is made at once.
+  constructor(
+    private readonly studio_: Studio,
+    private readonly takes_: boolean,
+  ) {}
+
+  make(wish: ExportWish): void {
+    if (this.is_busy.get()) return;
+    this.is_busy.set(true);
+    this.made.set(null);
+    this.studio_.connection
+      .request<{ file: MadeFile }>('export', wish)
+      .then(({ file }) => {
+        this.made.set(file);
+        if (!this.takes_) return;
+        this.studio_.tell(`Recorded ${file.name}`);
+        take_file(file);
+      })
+      .catch((fault: Error) => {
+        const is_cancelled = fault instanceof Refusal && fault.facts.cancelled === true;
+        this.studio_.tell(is_cancelled ? 'Cancelled' : fault.message, !is_cancelled);
+      })
+      .finally(() => this.is_busy.set(false));
+  }
+}
+
+/// Has the browser store a file that the server has made.
+export function take_file(file: MadeFile): void {
+  const link = document.createElement('a');
+  link.href = file.address;
+  link.download = file.name;
+  link.click();
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// The time that the view shows: scrubbed by hand and played. While it moves, the server is asked for few triangles, and
+// for the newest time only; at rest for as many as ever.
+import { Store } from '../base/store.ts';
+import type { Json } from '../document/json.ts';
+import { LatestSender } from '../server/latest_sender.ts';
+import type { Studio } from '../studio.ts';
+import { budgets_of } from '../view/budgets.ts';
+import type { AnimationFacts, Track } from './keys.ts';
+import { animation_of, tidy_time, tracks_of } from './keys.ts';
+
+export interface TimeState {
+  time: number; // seconds of the document
+  is_playing: boolean;
+  is_open: boolean; // the timeline is seen
+  track: string | null; // name of the one whose keys are edited
+  key: number; // of the chosen one
+}
+
+const kAtStart: TimeState = { time: 0, is_playing: false, is_open: false, track: null, key: 0 };
+const kHeads = ['variables', 'components', 'links', 'animation', 'limits']; // further names at the top of documents
+const kStill = 150; // ms after the last move until all detail is asked for
+const kLongestWait = 400; // ms for a picture, while playing
+
+export class TimeModel {
+  readonly state = new Store<TimeState>(kAtStart);
+  readonly clocks = new Store<readonly string[]>([]); // components that begin clocks
+  private readonly sender_ = new LatestSender(() => this.send());
+  private moves_until_ = 0; // a timer; 0: the time rests
+  private known_: { document: Json | undefined; tracks: Track[] } = { document: undefined, tracks: [] };
+
+  constructor(private readonly studio_: Studio) {}
+
+  get time(): number {
+    return this.state.get().time;
+  }
+
+  get document(): Json | undefined {
+    return this.studio_.document.state.get().tree?.value;
+  }
+
+  /// The document's animation; a usual one where it has none.
+  get animation(): AnimationFacts {
+    return animation_of(this.document) ?? { length: 10, fps: 25 };
+  }
+
+  /// Names at the top of documents, which components' names must not be taken for.
+  get tops(): ReadonlySet<string> {
+    const { tables } = this.studio_;
+    return new Set([...(tables.tables[tables.document]?.rows.map((row) => row.name) ?? []), ...kHeads]);
+  }
+
+  /// Worked out once per text.
+  get tracks(): Track[] {
+    const { document } = this;
+    if (this.known_.document !== document) this.known_ = { document, tracks: tracks_of(document, this.tops) };
+    return this.known_.tracks;
+  }
+
+  /// What the server is told of the view besides its budgets.
+  get wish(): { time: number } {
+    return { time: this.time };
+  }
+
+  toggle(): void {
+    const { is_open } = this.state.get();
+    if (is_open) this.stop();
+    this.state.merge({ is_open: !is_open });
+  }
+
+  scrub(time: number): void {
+    const { length } = this.animation;
+    const next = tidy_time(Math.min(length, time));
+    if (next === this.time) return;
+    this.state.merge({ time: next });
+    this.move();
+  }
+
+  choose(track: string | null, key = 0): void {
+    this.state.merge({ track, key });
+  }
+
+  play(): void {
+    if (this.state.get().is_playing) return;
+    const begin = this.time >= this.animation.length - 1e-3 ? 0 : this.time;
+    this.state.merge({ is_playing: true });
+    void this.run(begin);
+  }
+
+  stop(): void {
+    if (this.state.get().is_playing) this.state.merge({ is_playing: false });
+  }
+
+  /// Another document will be opened: its time begins anew.
+  leave(): void {
+    clearTimeout(this.moves_until_);
+    this.moves_until_ = 0;
+    const { time, is_open } = this.state.get();
+    this.state.set({ ...kAtStart, is_open });
+    if (time !== 0) this.studio_.connection.tell('view', { time: 0 });
+  }
+
+  /// Shows the time that it is, as soon as each picture is there, round and round.
+  private async run(begin: number): Promise<void> {
+    const start = performance.now();
+    while (this.state.get().is_playing) {
+      const { length } = this.animation;
+      const shown = this.next_picture();
+      this.scrub((begin + (performance.now() - start) / 1000) % length);
+      await shown;
+    }
+  }
+
+  /// When the next packet is shown, or none has come for a while.
+  private next_picture(): Promise<void> {
+    return new Promise((done) => {
+      const known = this.studio_.growth.get().shown;
+      const end = (): void => {
+        stop();
+        clearTimeout(timer);
+        requestAnimationFrame(() => done());
+      };
+      const stop = this.studio_.growth.subscribe(() => {
+        if (this.studio_.growth.get().shown !== known) end();
+      });
+      const timer = setTimeout(end, kLongestWait);
+    });
+  }
+
+  private move(): void {
+    clearTimeout(this.moves_until_);
+    this.moves_until_ = window.setTimeout(() => {
+      this.moves_until_ = 0;
+      this.sender_.ask();
+    }, kStill);
+    this.sender_.ask();
+  }
+
+  private send(): Promise<unknown> {
+    const { view, connection } = this.studio_;
+    const budgets = view ? budgets_of(view) : null;
+    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 ? budgets.drag_triangles : budgets.rest_triangles };
+    return connection.request('view', { time: this.time, ...rest });
+  }
+}

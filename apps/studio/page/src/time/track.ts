@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// A value over time, given by keys, as the library works it out: the server alone grows by it, this draws it.
+//
+// Based on: F. N. Fritsch, J. Butland: A method for constructing local monotone piecewise cubic interpolants (1984),
+// for smooth keys.
+import type { Json } from '../document/json.ts';
+import { full_colour } from '../editors/colour.ts';
+
+export type Way = 'linear' | 'smooth' | 'step';
+export const kWays: readonly Way[] = ['linear', 'smooth', 'step'];
+
+export interface Key {
+  time: number; // seconds
+  value: Json;
+  way: Way | null; // how the value comes to it from the key before; null: the text does not say
+}
+
+interface NumberKey {
+  time: number;
+  value: number;
+  way: Way;
+}
+
+/// The keys as numbers by `part`; null where a value is no number there.
+function numbers_of(keys: readonly Key[], part: (value: Json) => number | null): NumberKey[] | null {
+  const made = keys.map(({ time, value, way }) => ({ time, value: part(value), way: way ?? 'linear' }));
+  return made.every((one): one is NumberKey => one.value !== null) ? made : null;
+}
+
+/// The slope at a key between two segments: the harmonic mean of theirs, by their lengths, and 0 where the values turn.
+function middle_slope(before: number, after: number, length_before: number, length_after: number): number {
+  if (before * after <= 0) return 0;
+  const [one, other] = [2 * length_after + length_before, length_after + 2 * length_before];
+  return (one + other) / (one / before + other / after);
+}
+
+function slope_at(keys: readonly NumberKey[], k: number): number {
+  const [before, at, after] = [keys[k - 1], keys[k], keys[k + 1]];
+  if (!before || !at || !after || at.way === 'step' || after.way === 'step') return 0;
+  const [first, second] = [at.time - before.time, after.time - at.time];
+  return middle_slope((at.value - before.value) / first, (after.value - at.value) / second, first, second);
+}
+
+/// The number at a time: the first key's before it, the last key's after it.
+export function number_at(keys: readonly NumberKey[], time: number): number {
+  const [first, last] = [keys[0], keys.at(-1)];
+  if (!first || !last) return 0;
+  if (time >= last.time) return last.value;
+  if (!(time > first.time)) return first.value;
+  const next = keys.findIndex((one) => one.time > time);
+  const [from, to] = [keys[next - 1] ?? first, keys[next] ?? last];
+  if (to.way === 'step') return from.value;
+  const length = to.time - from.time;
+  const u = (time - from.time) / length;
+  const rise = to.value - from.value;
+  if (to.way === 'linear') return from.value + u * rise;
+  const bent = u * (1 - u) * ((1 - u) * slope_at(keys, next - 1) - u * slope_at(keys, next)) * length;
+  const value = from.value + u * u * (3 - 2 * u) * rise + bent;
+  return Math.min(Math.max(from.value, to.value), Math.max(Math.min(from.value, to.value), value));
+}
+
+const as_number = (value: Json): number | null => (typeof value === 'number' ? value : null);
+const element = (k: number) => (value: Json): number | null => (Array.isArray(value) ? as_number(value[k] ?? null) : null);
+const channel = (k: number) => (value: Json): number | null => {
+  const colour = typeof value === 'string' ? full_colour(value) : null;
+  return colour === null ? null : parseInt(colour.slice(1 + 2 * k, 3 + 2 * k), 16);
+};
+
+/// The value at a time. What has no values between its keys is that of the last key so far.
+export function value_at_time(keys: readonly Key[], time: number): Json {
+  const plain = numbers_of(keys, as_number);
+  if (plain) return tidy(number_at(plain, time));
+  const first = keys[0]?.value ?? null;
+  if (Array.isArray(first)) {
+    const parts = first.map((_, k) => numbers_of(keys, element(k)));
+    if (parts.every((one) => one !== null)) return parts.map((one) => tidy(number_at(one, time)));
+  }
+  const channels = [0, 1, 2].map((k) => numbers_of(keys, channel(k)));
+  if (channels.every((one) => one !== null)) {
+    return `#${channels.map((one) => Math.floor(number_at(one, time) + 0.5).toString(16).padStart(2, '0')).join('')}`;
+  }
+  return keys.reduce<Json>((last, one) => (one.time <= time ? one.value : last), first);
+}
+
+/// Whether there are values between keys: numbers, lists of them, colours.
+export function has_values_between(keys: readonly Key[]): boolean {
+  return keys.every(({ value }) => typeof value === 'number' || Array.isArray(value) || (typeof value === 'string' && full_colour(value) !== null));
+}
+
+/// Points of the curve that the numbers of keys make up to `end`; null where they are no plain numbers.
+export function curve_of(keys: readonly Key[], end: number, count = 160): [number, number][] | null {
+  const plain = numbers_of(keys, as_number);
+  if (!plain) return null;
+  const times = Array.from({ length: count + 1 }, (_, k) => (end * k) / count);
+  // Jumps stand where they are, on both sides.
+  for (const { time } of plain) times.push(time - 1e-9, time);
+  return times.filter((one) => one >= 0).sort((a, b) => a - b).map((time) => [time, number_at(plain, time)]);
+}
+
+function tidy(value: number): number {
+  return Number(value.toPrecision(6));
+}

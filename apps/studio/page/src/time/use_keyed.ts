@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A row that has keys: the value that they give now, and edits that are made at the time that the view shows.
+import { useSyncExternalStore } from 'react';
+
+import { use_store } from '../base/store.ts';
+import type { Json } from '../document/json.ts';
+import { member_of } from '../document/path.ts';
+import type { Studio } from '../studio.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import type { Track } from './keys.ts';
+import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key, without_key } from './keys.ts';
+import type { Key } from './track.ts';
+import { value_at_time } from './track.ts';
+
+export interface Keyed {
+  track: Track; // as a hand has it now
+  value: Json;
+  index: number; // of the key at this time; -1: there is none
+}
+
+/// Variables have keys as a whole.
+function keyed_path(path: string): string {
+  return path.startsWith('variables.') ? path.replace(/\.value$/, '') : path;
+}
+
+/// Null where nothing at the path has keys.
+export function use_keyed(path: string): Keyed | null {
+  const studio = use_studio();
+  use_document();
+  const { time: model } = studio.bench;
+  const wanted = keyed_path(path);
+  const written = model.tracks.find((one) => one.path === wanted) ?? null;
+  const time = useSyncExternalStore(model.state.subscribe, () => (written ? model.time : 0));
+  const dragged = use_store(studio.dragged);
+  const track = written && with_dragged(written, dragged, model.document, model.tops);
+  if (!track) return null;
+  return { track, value: value_at_time(track.keys, time), index: key_at(track.keys, time) };
+}
+
+/// The same track with the keys that a hand gives it for a while.
+export function with_dragged(track: Track, dragged: Record<string, Json>, document: Json | undefined, tops: ReadonlySet<string>): Track {
+  const own = dragged[track_path(track.name)];
+  const all = dragged[kKeysPath] ?? member_of(dragged['animation'], 'keys');
+  const keys = own !== undefined ? { [track.name]: own } : all;
+  if (keys === undefined) return track;
+  return tracks_of(document, tops, keys).find((one) => one.name === track.name) ?? track;
+}
+
+export function commit_keys(studio: Studio, name: string, keys: readonly Key[], label: string): void {
+  void studio.edit(keys_edits(studio.bench.time.document, name, keys), label);
+}
+
+export function drag_keys(studio: Studio, name: string, keys: readonly Key[]): void {
+  studio.drag(dragged_keys(studio.bench.time.document, name, keys));
+}
+
+/// Puts a key where the view's time is, or takes the one there away.
+export function toggle_key(studio: Studio, path: string, keyed: Keyed | null, value: Json): void {
+  const { time: model } = studio.bench;
+  const name = keyed?.track.name ?? name_of_path(model.tops, keyed_path(path));
+  const label = name.replaceAll('_', ' ');
+  if (!model.state.get().is_open) model.toggle();
+  if (keyed && keyed.index >= 0) commit_keys(studio, name, without_key(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
+  else commit_keys(studio, name, with_key(keyed?.track.keys ?? [], model.time, value), `Key ${label}`);
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values over time as the library has them, and the keys that hands write.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import type { Json } from '../src/document/json.ts';
+import { moved_delay } from '../src/time/clock_rows.tsx';
+import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time, without_key } from '../src/time/keys.ts';
+import type { Key } from '../src/time/track.ts';
+import { curve_of, has_values_between, value_at_time } from '../src/time/track.ts';
+
+const kTops = new Set(['meristem', 'seed', 'components', 'links', 'scene', 'output', 'animation', 'variables']);
+const keys = (...all: [number, Json, Key['way']?][]): Key[] => all.map(([time, value, way = null]) => ({ time, value, way }));
+
+test('numbers pass evenly, smoothly and in jumps, and stay before and behind', () => {
+  const track = keys([1, 0], [3, 4], [5, 4, 'step'], [6, 1, 'step']);
+  assert.deepEqual([0, 1, 2, 3, 4.9, 5, 5.9, 6, 99].map((time) => value_at_time(track, time)), [0, 0, 2, 4, 4, 4, 4, 1, 1]);
+  // Fritsch and Butland: monotone, at rest where the values turn and at both ends.
+  const smooth = keys([0, 0], [1, 1, 'smooth'], [3, 2, 'smooth'], [4, 0, 'smooth']);
+  const values = Array.from({ length: 401 }, (_, k) => value_at_time(smooth, k / 100) as number);
+  assert.ok(values.slice(1, 301).every((one, k) => one >= (values[k] ?? 0) - 1e-9));
+  assert.ok(values.every((one) => one <= 2));
+  assert.ok(Math.abs((values[1] ?? 0) - 0.0003) < 2e-4);
+  assert.equal(value_at_time(smooth, 0.5), Number((0.5 - (0.125 * 9) / 13).toFixed(6)));
+});
+
+test('vectors and colours pass part by part, all else jumps', () => {
+  assert.deepEqual(value_at_time(keys([0, [0, 1, 2]], [2, [2, 1, 0]]), 1), [1, 1, 1]);
+  assert.equal(value_at_time(keys([0, '#000000'], [2, '#ff8000']), 1), '#804000');
+  const choice = keys([0, 'open'], [2, 'closed']);
+  assert.equal(value_at_time(choice, 1.9), 'open');
+  assert.equal(value_at_time(choice, 2), 'closed');
+  assert.equal(has_values_between(choice), false);
+  assert.equal(has_values_between(keys([0, '#123456'])), true);
+  assert.equal(curve_of(choice, 3), null);
+});
+
+test('names of parameters are those of --set, and paths those of the text', () => {
+  const document = { variables: { opening: 1 }, components: { stem: {}, scene: {} } };
+  for (const [name, path] of [['stem.length', 'components.stem.length'], ['links[1].angle', 'links[1].angle'], ['scene.sun.hour', 'scene.sun.hour'], ['opening', 'variables.opening'], ['components.scene.length', 'components.scene.length']] as const) {
+    assert.equal(path_of_name(document, kTops, name), path);
+    assert.equal(name_of_path(kTops, path), name);
+  }
+});
+
+test('keys are put in by their time, moved between their neighbours and taken away', () => {
+  const three = keys([0, 1], [2, 5, 'smooth'], [4, 3]);
+  assert.deepEqual(with_key(three, 2, 7)[1], { time: 2, value: 7, way: 'smooth' });
+  assert.deepEqual(with_key(three, 1, 2).map((one) => [one.time, one.way]), [[0, null], [1, 'smooth'], [2, 'smooth'], [4, null]]);
+  assert.deepEqual(with_key([], 1.5, 2), keys([1.5, 2]));
+  assert.equal(key_at(three, 4.00001), 2);
+  assert.deepEqual(with_time(three, 1, 99, 10).map((one) => one.time), [0, 3.99, 4]);
+  assert.deepEqual(with_time(three, 2, 99, 10).map((one) => one.time), [0, 2, 10]);
+  assert.equal(without_key(three, 0).length, 2);
+});
+
+test('a document gets an animation with its first key, and loses the keys with the last', () => {
+  assert.deepEqual(keys_edits({}, 'stem.length', keys([1, 2])), [{ set: 'animation', value: { length: 10, keys: { 'stem.length': [[1, 2]] } } }]);
+  const film = { animation: { length: 4, keys: { 'stem.length': [[0, 1], [4, 2, 'smooth']] } }, components: { stem: {} } };
+  const [track] = tracks_of(film, kTops);
+  assert.deepEqual(track, { name: 'stem.length', path: 'components.stem.length', keys: keys([0, 1], [4, 2, 'smooth']) });
+  assert.deepEqual(keys_edits(film, 'stem.length', keys([0, 1])), [{ set: 'animation.keys["stem.length"]', value: [[0, 1]] }]);
+  assert.deepEqual(keys_edits(film, 'stem.length', []), [{ unset: 'animation.keys' }]);
+  assert.deepEqual(dragged_keys(film, 'stem.radius', keys([0, 1])), { 'animation.keys': { 'stem.length': [[0, 1], [4, 2, 'smooth']], 'stem.radius': [[0, 1]] } });
+  assert.deepEqual(animation_of(film), { length: 4, fps: 25 });
+  assert.equal(animation_of({}), null);
+  // What is not well written has no track, and hinders none.
+  assert.deepEqual(tracks_of({ animation: { keys: { a: [[0]], b: 3, 'c.d': [[0, 1]] } } }, kTops).map((one) => one.name), ['c.d']);
+});
+
+test('a delay moves as a number and as a range, and not as an expression', () => {
+  assert.equal(moved_delay(2, 0.5), 2.5);
+  assert.equal(moved_delay(undefined, 0.5), 0.5);
+  assert.deepEqual(moved_delay([1, 3], -1), [0, 2]);
+  assert.deepEqual(moved_delay({ range: [1, 3], apply: 'v*2' }, 1), { range: [2, 4], apply: 'v*2' });
+  assert.equal(moved_delay('3*rand()', 1), null);
+});

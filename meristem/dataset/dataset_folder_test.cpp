@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/dataset/dataset_folder.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "meristem/dataset/dataset_in_a_test.h"
+#include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/verify_dataset.h"
+#include "tests/support/file_size_limit.h"
+#include "tests/support/temporary_folder.h"
+
+namespace meristem::dataset_folder_test {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRods = R"({"meristem_dataset": 1, "name": "Rods", "licence": "CC0-1.0", "seeds": 25, "rows": 10,
+  "files": [".ply"], "measures": ["height"], "vary": {"tall": {"uniform": [0.5, 2]}}})";
+
+std::string fault_of(const DatasetPlan& plan, const std::string& path,
+                     DatasetOpening opening = DatasetOpening::resume) {
+  try {
+    Progress progress;
+    const DatasetFolder folder(plan, path, opening, progress);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::vector<std::string> verified(const std::string& path) {
+  Progress progress;
+  return verify_dataset(path, progress).faults;
+}
+
+TEST(DatasetFolder, IsTheSameInOneGoAndInPieces) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  EXPECT_EQ(make_plants(plan, folder / "whole"), 25U);
+  EXPECT_GE(make_plants(plan, folder / "pieces", 4), 4U);
+  make_plants(plan, folder / "pieces", 9);
+  make_plants(plan, folder / "pieces");
+  EXPECT_EQ(make_plants(plan, folder / "pieces"), 0U);
+  const auto whole = files_below(folder / "whole");
+  EXPECT_EQ(files_below(folder / "pieces"), whole);
+  EXPECT_EQ(whole.size(), 25 + 3 + 4U) << "plants, tables, dataset.json, plan.json, document, README.md";
+  EXPECT_TRUE(verified(folder / "whole").empty());
+  EXPECT_FALSE(fs::exists(folder / "whole/partial/rows"));
+}
+
+TEST(DatasetFolder, IsTheSameFromPlantsThatWereMadeApart) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "whole");
+  Progress progress;
+  DatasetFolder apart(plan, folder / "apart", DatasetOpening::fresh, progress);
+  unpack_documents(plan, folder / "worker");
+  PlantMaker maker(plan, builtin_components(), {.documents = folder / "worker"});
+  while (const auto range = apart.next()) {
+    put_range(make_range_apart(maker, plan, *range, folder / "scratch", progress), plan, folder / "apart");
+    apart.add(*range, 0.1);
+  }
+  apart.finish(progress);
+  EXPECT_EQ(files_below(folder / "apart"), files_below(folder / "whole"));
+}
+
+TEST(DatasetFolder, IsAPlanOfItsOwn) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods", 5);
+  const std::string file = folder / "rods/plan.json";
+  const DatasetPlan again = read_dataset_plan(file_content(file), file, builtin_components());
+  EXPECT_EQ(again.hash(), plan.hash());
+  make_plants(again, folder / "rods");
+  make_plants(plan, folder / "whole");
+  EXPECT_EQ(files_below(folder / "rods"), files_below(folder / "whole"));
+}
+
+TEST(DatasetFolder, MakesAgainWhatIsMissingOrHasAnotherSize) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  const auto whole = files_below(folder / "rods");
+  fs::remove(folder / "rods/plants/0000/000003.ply");
+  write_content(folder / "rods/plants/0000/000017.ply", "short");
+  EXPECT_EQ(verified(folder / "rods").size(), 2U);
+  EXPECT_EQ(make_plants(plan, folder / "rods"), 2U);
+  EXPECT_EQ(files_below(folder / "rods"), whole);
+}
+
+TEST(DatasetFolder, RepairsABitThatHasTurned) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  const auto whole = files_below(folder / "rods");
+  std::string bytes = file_content(folder / "rods/plants/0000/000020.ply");
+  bytes.back() = static_cast<char>(bytes.back() ^ 1);
+  write_content(folder / "rods/plants/0000/000020.ply", bytes);
+  const auto faults = verified(folder / "rods");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].find("000020.ply has other bytes"), std::string::npos);
+  EXPECT_EQ(make_plants(plan, folder / "rods"), 0U) << "sizes are right";
+  EXPECT_EQ(make_plants(plan, folder / "rods", kMostPlants, DatasetOpening::repair), 1U);
+  EXPECT_EQ(files_below(folder / "rods"), whole);
+}
+
+TEST(DatasetFolder, RepairsTablesOfTheManifest) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  const auto whole = files_below(folder / "rods");
+  std::string table = whole.at("manifest/00001.csv");
+  table.resize(table.size() - 40);
+  write_content(folder / "rods/manifest/00001.csv", table);
+  fs::remove(folder / "rods/manifest/00002.csv");
+  EXPECT_FALSE(verified(folder / "rods").empty());
+  EXPECT_EQ(make_plants(plan, folder / "rods"), 6U) << "one row and a table of five";
+  EXPECT_EQ(files_below(folder / "rods"), whole);
+}
+
+TEST(DatasetFolder, FindsStrangeFilesAndChangedDocuments) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  write_content(folder / "rods/plants/0000/stranger.ply", "");
+  write_content(folder / "rods/documents/rod/rod.json", "{}");
+  const auto faults = verified(folder / "rods");
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_NE(faults[0].find("documents/rod has changed"), std::string::npos);
+  EXPECT_NE(faults[1].find("stranger.ply belongs to no row"), std::string::npos);
+}
+
+TEST(DatasetFolder, RefusesWhatIsNotItsOwnAndChangesNothing) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods", 5);
+  const auto before = files_below(folder / "rods");
+  const DatasetPlan other = rod_plan(R"({"meristem_dataset": 1, "seeds": 3, "files": [".ply"]})");
+  EXPECT_NE(fault_of(other, folder / "rods").find("another plan: 'Rods', 25 plants"), std::string::npos);
+  const DatasetPlan edited = rod_plan(kRods, std::string(kRod) + " ");
+  EXPECT_NE(fault_of(edited, folder / "rods").find("the document 'rod' or a file that it names has changed"),
+            std::string::npos);
+  EXPECT_NE(fault_of(plan, folder / "rods", DatasetOpening::fresh).find("holds a data set already"), std::string::npos);
+  EXPECT_EQ(files_below(folder / "rods"), before);
+
+  fs::create_directory(folder / "mine");
+  write_content(folder / "mine/letters.txt", "dear");
+  EXPECT_NE(fault_of(plan, folder / "mine").find("holds 'letters.txt' and no data set"), std::string::npos);
+  EXPECT_EQ(files_below(folder / "mine").size(), 1U);
+  EXPECT_NE(fault_of(plan, folder / "mine/letters.txt").find("this is a file"), std::string::npos);
+}
+
+TEST(DatasetFolder, GoesOnAfterAFullDisk) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "whole");
+  make_plants(plan, folder / "rods", 3);
+  {
+    const FileSizeLimit full(100);
+    EXPECT_THROW(make_plants(plan, folder / "rods"), MachineError);
+  }
+  make_plants(plan, folder / "rods");
+  EXPECT_EQ(files_below(folder / "rods"), files_below(folder / "whole"));
+}
+
+TEST(DatasetFolder, SizesRangesByTimeWithinATable) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  Progress progress;
+  DatasetFolder dataset(plan, folder / "rods", DatasetOpening::fresh, progress);
+  EXPECT_EQ(dataset.next(), (PlantRange{0, 1}));
+  PlantMaker maker(plan, builtin_components(), {.documents = folder / "rods/documents"});
+  make_range(maker, plan, {0, 1}, folder / "rods", progress);
+  dataset.add({0, 1}, 0.1);
+  EXPECT_NEAR(dataset.seconds_per_plant(), 0.1, 1e-12);
+  EXPECT_EQ(dataset.next(100), (PlantRange{1, 3})) << "twice the largest so far";
+  make_range(maker, plan, {1, 3}, folder / "rods", progress);
+  dataset.add({1, 3}, 0.2);
+  EXPECT_EQ(dataset.next(0.35), (PlantRange{3, 6}));
+  make_range(maker, plan, {3, 6}, folder / "rods", progress);
+  dataset.add({3, 6}, 0.3);
+  EXPECT_EQ(dataset.next(100), (PlantRange{6, 10})) << "no range crosses the end of a table";
+}
+
+TEST(DatasetFolder, HasACardWithCountsAndHistograms) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "name": "Rods | long", "licence": "CC0-1.0", "seeds": 5,
+    "files": [".ply"], "measures": ["triangles"], "grid": {"limits.triangles": [1000, 2]}})");
+  make_plants(plan, folder / "rods");
+  const std::string card = file_content(folder / "rods/README.md");
+  EXPECT_TRUE(card.starts_with("# Rods | long\n"));
+  EXPECT_NE(card.find("| Plants | 10 |\n| of them failed | 5 |"), std::string::npos) << card;
+  EXPECT_NE(card.find("| `.ply` | 5 | "), std::string::npos);
+  EXPECT_NE(card.find("CC0-1.0"), std::string::npos);
+  EXPECT_NE(card.find("### triangles\n\n5 numbers from 12 to 12"), std::string::npos) << card;
+  EXPECT_NE(card.find("- 000005: "), std::string::npos);
+}
+
+}  // namespace meristem::dataset_folder_test

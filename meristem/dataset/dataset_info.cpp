@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/dataset/dataset_info.h"
+
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "meristem/base/version.h"
+#include "meristem/document/json.h"
+
+namespace meristem {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDatasetFormat = 1;
+
+const std::string& text_member(const Value& object, const char* name) {
+  static const std::string none;
+  const Value* const member = object.find(name);
+  return member != nullptr && member->text() != nullptr ? *member->text() : none;
+}
+
+std::uint64_t count_member(const Value& object, const char* name) {
+  const Value* const member = object.find(name);
+  const double* const number = member != nullptr ? member->number() : nullptr;
+  const bool is_count = number != nullptr && *number >= 0 && *number <= 1e15 && *number == std::floor(*number);
+  return is_count ? static_cast<std::uint64_t>(*number) : 0;
+}
+
+}  // namespace
+
+DatasetInfo info_of(const DatasetPlan& plan) {
+  DatasetInfo info{.version = std::string(version()),
+                   .name = plan.name,
+                   .plan = plan.hash(),
+                   .plants = plan.count(),
+                   .rows = static_cast<std::uint64_t>(plan.rows),
+                   .documents = {}};
+  for (const PlannedDocument& document : plan.documents) {
+    info.documents.push_back({document.name, document.bundle.document, document.bundle.hash()});
+  }
+  return info;
+}
+
+std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
+  const std::string path = (fs::path(folder) / "dataset.json").string();
+  std::error_code error;
+  if (!fs::exists(path, error)) return std::nullopt;
+  const auto wrong = [&path](std::string what) {
+    return InputError(
+        Diagnostic{.message = std::move(what), .expected = "the dataset.json of a data set", .file = path});
+  };
+  Value value;
+  try {
+    value = parse_json(read_text_file(path));
+  } catch (const InputError& fault) {
+    throw wrong(fault.diagnostics().front().message);
+  }
+  const std::uint64_t format = count_member(value, "meristem_dataset_folder");
+  if (format < 1) throw wrong("this is not what a data set says of itself");
+  if (format > kDatasetFormat) throw wrong(fmt::format("its format {} is newer than this program", format));
+  DatasetInfo info{.version = text_member(value, "version"),
+                   .name = text_member(value, "name"),
+                   .plan = text_member(value, "plan"),
+                   .plants = count_member(value, "plants"),
+                   .rows = count_member(value, "rows"),
+                   .documents = {}};
+  if (info.plants < 1 || info.rows < 1 || info.plants > kMostPlants)
+    throw wrong("it says no number of plants and rows");
+  if (const Value* documents = value.find("documents"); documents != nullptr && documents->list() != nullptr) {
+    for (const Value& document : *documents->list()) {
+      info.documents.push_back(
+          {text_member(document, "name"), text_member(document, "document"), text_member(document, "hash")});
+    }
+  }
+  return info;
+}
+
+std::string dataset_info_text(const DatasetInfo& info) {
+  Value::List documents;
+  for (const DatasetDocument& document : info.documents) {
+    documents.emplace_back(
+        Value::Object{{"name", document.name}, {"document", document.document}, {"hash", document.hash}});
+  }
+  return write_json(Value(Value::Object{{"meristem_dataset_folder", kDatasetFormat},
+                                        {"version", info.version},
+                                        {"name", info.name},
+                                        {"plan", info.plan},
+                                        {"plants", static_cast<double>(info.plants)},
+                                        {"rows", static_cast<double>(info.rows)},
+                                        {"documents", std::move(documents)}}));
+}
+
+std::string folder_plan_text(const DatasetPlan& plan) {
+  Value tree = plan.tree;
+  Value* const documents = tree.find("documents");
+  for (std::size_t k = 0; k < plan.documents.size(); ++k) {
+    const PlannedDocument& document = plan.documents[k];
+    const std::string file = fmt::format("documents/{}/{}", document.name, document.bundle.document);
+    Value::Object& told = *(*documents->list())[k].object();
+    told.insert(told.begin(), {"file", file});
+  }
+  return write_json(tree);
+}
+
+std::string manifest_path(const std::string& folder, std::uint64_t table) {
+  return (fs::path(folder) / "manifest" / fmt::format("{:05}.csv", table)).string();
+}
+
+}  // namespace meristem

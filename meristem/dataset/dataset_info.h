@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a folder says of the data set in it, and the names of its parts:
+//
+//   dataset.json        what this data set is, written before anything else
+//   plan.json           the plan, with the documents below
+//   documents/NAME/     each document, and the files that it names
+//   plants/0000/        the files of a thousand plants
+//   manifest/00000.csv  a table of the manifest, once all of its plants are made
+//   partial/            rows of other tables, and files of plants that are being made
+//   README.md           the data card, once all plants are made
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meristem/dataset/dataset_plan.h"
+
+namespace meristem {
+
+/// A document of a data set.
+struct DatasetDocument {
+  std::string name;
+  std::string document;  ///< path of its file below documents/NAME
+  std::string hash;      ///< of the file and all that it names
+
+  bool operator==(const DatasetDocument&) const = default;
+};
+
+/// What dataset.json says.
+struct DatasetInfo {
+  std::string version;  ///< of the program that began it
+  std::string name;
+  std::string plan;  ///< hash of the plan
+  std::uint64_t plants = 0;
+  std::uint64_t rows = 0;  ///< of a table of the manifest
+  std::vector<DatasetDocument> documents;
+
+  std::uint64_t table_count() const { return (plants + rows - 1) / rows; }
+};
+
+/// What the data set of a plan says of itself.
+DatasetInfo info_of(const DatasetPlan& plan);
+
+/// dataset.json of a folder; nothing where there is none. Throws InputError where it cannot be read as one.
+std::optional<DatasetInfo> read_dataset_info(const std::string& folder);
+
+/// The text of dataset.json.
+std::string dataset_info_text(const DatasetInfo& info);
+
+/// The text of plan.json: a plan that reads as the same data set from the folder, with its own documents.
+std::string folder_plan_text(const DatasetPlan& plan);
+
+/// The path of a table of the manifest, in the folder.
+std::string manifest_path(const std::string& folder, std::uint64_t table);
+
+}  // namespace meristem

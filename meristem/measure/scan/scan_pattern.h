@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "meristem/base/vec.h"
+#include "meristem/measure/scan/instrument.h"
+
+namespace meristem {
+
+/// One pulse: the axis of its beam.
+struct Pulse {
+  DVec3 origin{0};           ///< metres
+  DVec3 direction{0, 0, 1};  ///< unit
+  std::uint32_t station = 0;
+};
+
+/// `count` positions around a box from which an instrument sees it, evenly about its middle, the first in the north.
+/// Scanners on tripods stand 1.6 m above y = 0, as far from the box as it is wide or half as far as it is high; depth
+/// cameras stand where the box fills their picture, as far as their range lets them.
+std::vector<Vec3> stations_around(const Box& box, int count, const Instrument& instrument);
+
+/// All pulses of a scan, numbered station by station in the order of time.
+class ScanPattern {
+ public:
+  /// A drone flies over `box`, and its stations are its lines; `stations` are those of the others. Depth cameras look
+  /// at `target`.
+  ScanPattern(const Instrument& instrument, std::vector<Vec3> stations, Vec3 target, const Box& box);
+
+  std::uint64_t pulse_count() const { return station_count() * per_station_; }
+  std::uint64_t pulses_per_station() const { return per_station_; }
+  std::uint64_t station_count() const { return stations_.size(); }
+  /// Positions of the stations; of a drone, where each line begins.
+  const std::vector<Vec3>& stations() const { return stations_; }
+  Pulse pulse(std::uint64_t number) const;
+
+ private:
+  struct Turn {
+    double cosine, sine;
+  };
+  static std::vector<Turn> turns(double first, double step, std::uint64_t count);
+  void plan_sweeps(const Instrument& instrument);
+  void plan_lines(const Instrument& instrument, const Box& box);
+  void plan_pixels(const Instrument& instrument, Vec3 target);
+
+  ScannerClass kind_;
+  std::vector<Vec3> stations_;
+  std::uint64_t per_station_ = 0;
+  std::uint64_t per_row_ = 1;  // pulses of a sweep, a line's profile, or a row of pixels
+  std::vector<Turn> slow_;     // azimuths of sweeps
+  std::vector<Turn> fast_;     // altitudes within a sweep; angles across a line
+  DVec3 along_{0};             // a drone's flight from one profile to the next
+  DVec3 across_{0};            // to the right of it
+  std::vector<DMat3> views_;   // of each camera: right, down and forward, scaled to pixels
+};
+
+}  // namespace meristem

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facts of each plant are found once, with numbers of its own: of the plant itself, and of each variant that stands in
+// several places. A place then adds what comes before it in the order in which the plant would be copied out
+// (plant_variant.h), so that nothing is copied.
+#include "meristem/measure/surface_labels.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/matrix.hpp>
+
+#include "meristem/base/parallel.h"
+#include "meristem/plant/axis_labels.h"
+#include "meristem/plant/plant_variant.h"
+#include "meristem/plant/segment_tree.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kOrgansPerSearch = 512;
+
+/// A shoot in the numbers of its plant.
+struct ShootFacts {
+  std::uint32_t tree = 0;
+  std::uint32_t instance = 0;
+  std::uint32_t component = 0;  // index into PlantFacts::components
+  std::uint16_t order = 0;
+};
+
+struct OrganFacts {
+  std::uint32_t instance = 0;
+  std::uint32_t shoot = kNoShoot;
+};
+
+/// What is known of one plant without its plantings.
+struct PlantFacts {
+  const Plant* plant = nullptr;
+  std::vector<std::uint32_t> first_shoot{};  // of each stem, and the end
+  std::vector<ShootFacts> shoots{};
+  std::uint32_t trees = 0;
+  std::vector<std::string> components{};                // ids of its stems' parts and prototypes
+  std::vector<std::uint32_t> prototype_component{};     // of each prototype
+  std::vector<std::vector<OrganFacts>> of_prototype{};  // its organs
+  std::vector<std::uint32_t> stem_instances{};          // of each component: one more than the highest number
+  std::vector<std::uint32_t> organ_instances{};         // of each component
+  std::optional<SegmentTree> segments{};
+  std::vector<std::string> labels{};  // of each shoot
+
+  std::uint32_t number_of(const std::string& component) {
+    const auto found = std::find(components.begin(), components.end(), component);
+    if (found != components.end()) return static_cast<std::uint32_t>(found - components.begin());
+    components.push_back(component);
+    stem_instances.push_back(0);
+    organ_instances.push_back(0);
+    return static_cast<std::uint32_t>(components.size() - 1);
+  }
+};
+
+void add_shoots(const Stem& stem, PlantFacts& facts) {
+  const Skeleton& skeleton = stem.skeleton;
+  const auto first = static_cast<std::uint32_t>(facts.shoots.size());
+  std::vector<std::uint32_t> component_of_part;
+  for (const StemPart& part : stem.parts) {
+    const std::uint32_t component = facts.number_of(part.component);
+    component_of_part.push_back(component);
+    facts.stem_instances[component] = std::max(facts.stem_instances[component], part.instance + 1);
+  }
+  std::uint32_t next_tree = facts.trees;
+  std::vector<bool> is_known;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const AxisIndex axis = skeleton.axis[node];
+    const NodeIndex parent = skeleton.parent[node];
+    const std::uint32_t own_tree = parent == kNoNode ? next_tree++ : 0;
+    if (axis >= is_known.size()) {
+      is_known.resize(std::size_t{axis} + 1);
+      facts.shoots.resize(std::size_t{first} + axis + 1);
+    }
+    if (is_known[axis]) continue;
+    is_known[axis] = true;
+    const std::size_t part = stem.part_index(axis);
+    facts.shoots[first + axis] = {parent == kNoNode ? own_tree : facts.shoots[first + skeleton.axis[parent]].tree,
+                                  stem.parts[part].instance, component_of_part[part], skeleton.order[node]};
+  }
+  facts.trees = next_tree;
+}
+
+PlantFacts facts_of(const Plant& plant, const Progress& progress) {
+  PlantFacts facts{.plant = &plant};
+  std::vector<RoundSegment> segments;
+  for (const Stem& stem : plant.stems) {
+    progress.check();
+    facts.first_shoot.push_back(static_cast<std::uint32_t>(facts.shoots.size()));
+    append_segments(stem.skeleton, facts.first_shoot.back(), segments);
+    add_shoots(stem, facts);
+    std::vector<std::string> labels = axis_labels(stem.skeleton);
+    labels.resize(facts.shoots.size() - facts.first_shoot.back());
+    std::move(labels.begin(), labels.end(), std::back_inserter(facts.labels));
+  }
+  facts.first_shoot.push_back(static_cast<std::uint32_t>(facts.shoots.size()));
+  facts.segments.emplace(std::move(segments), progress);
+  for (const OrganPrototype& prototype : plant.prototypes) {
+    facts.prototype_component.push_back(facts.number_of(prototype.component));
+  }
+  return facts;
+}
+
+/// The shoots of a plant's organs, which are told by prototype.
+void find_shoots_of_organs(PlantFacts& facts, Progress& progress) {
+  const Plant& plant = *facts.plant;
+  std::vector<std::uint32_t> shoots(plant.organs.size(), kNoShoot);
+  parallel_for(shoots.size(), kOrgansPerSearch, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t nearest = facts.segments->nearest(plant.organs[k].frame.origin);
+      if (nearest != kNoSegment) shoots[k] = nearest;
+    }
+    progress.advance(end - begin);
+  });
+  facts.of_prototype.resize(plant.prototypes.size());
+  for (std::size_t k = 0; k < shoots.size(); ++k) {
+    const std::uint32_t prototype = plant.organs[k].prototype;
+    std::uint32_t& next = facts.organ_instances[facts.prototype_component[prototype]];
+    facts.of_prototype[prototype].push_back({next++, shoots[k]});
+  }
+}
+
+/// What stands on one site, by what comes before it.
+struct PlaceFacts {
+  std::uint32_t shoots = 0;
+  std::uint32_t trees = 0;
+  std::vector<std::uint32_t> stem_instances{};   // of each component of the variant
+  std::vector<std::uint32_t> organ_instances{};  // of each component of the variant
+  std::vector<std::vector<PlaceFacts>> inner{};  // places of each planting of the variant
+};
+
+}  // namespace
+
+struct SurfaceLabels::Facts {
+  std::shared_ptr<const Plant> copied;  // with the copies that deformed plantings need
+  const Plant* plant = nullptr;
+  const MeshScene* scene = nullptr;
+  std::unordered_map<const Plant*, PlantFacts> of_plant;
+  PlaceFacts root;
+  std::uint32_t shoots = 0;
+  std::vector<std::string> components;
+  std::vector<std::uint32_t> component_of_part;
+
+  /// From this shoot on, the shoots are those of one plant on one of its places.
+  struct Owner {
+    std::uint32_t first = 0;
+    const PlantFacts* facts = nullptr;
+  };
+  std::vector<Owner> owners;
+
+  /// Counts what has been copied out so far.
+  struct Counts {
+    std::uint32_t shoots = 0;
+    std::uint32_t trees = 0;
+    std::map<std::string, std::uint32_t, std::less<>> stem_instances;
+    std::map<std::string, std::uint32_t, std::less<>> organ_instances;
+  };
+
+  void gather(const Plant& own, const Progress& progress) {
+    if (of_plant.contains(&own)) return;
+    of_plant.emplace(&own, facts_of(own, progress));
+    for (const Planting& planting : own.plantings) gather(*planting.variant->plant, progress);
+  }
+
+  /// The depth of plantings in plantings is bounded where documents are read.
+  PlaceFacts place(const Plant& own, const std::string& prefix, Counts& counts, const Progress& progress) {
+    progress.check();
+    const PlantFacts& facts = of_plant.at(&own);
+    if (!facts.shoots.empty()) owners.push_back({counts.shoots, &facts});
+    PlaceFacts made{.shoots = counts.shoots, .trees = counts.trees};
+    counts.shoots += static_cast<std::uint32_t>(facts.shoots.size());
+    counts.trees += facts.trees;
+    for (std::size_t k = 0; k < facts.components.size(); ++k) {
+      const std::string name = prefix + facts.components[k];
+      std::uint32_t& stems = counts.stem_instances[name];
+      std::uint32_t& organs = counts.organ_instances[name];
+      made.stem_instances.push_back(stems);
+      made.organ_instances.push_back(organs);
+      stems += facts.stem_instances[k];
+      organs += facts.organ_instances[k];
+    }
+    for (const Planting& planting : own.plantings) {
+      std::vector<PlaceFacts>& places = made.inner.emplace_back();
+      for (std::size_t k = 0; k < planting.places.size(); ++k) {
+        places.push_back(place(*planting.variant->plant, prefix + planting.component + ".", counts, progress));
+      }
+    }
+    return made;
+  }
+
+  void name_components() {
+    std::unordered_map<std::string_view, std::uint32_t> known;
+    for (const MeshInstances& part : scene->meshes) {
+      const auto [found, is_new] = known.try_emplace(part.component, static_cast<std::uint32_t>(components.size()));
+      if (is_new) components.push_back(part.component);
+      component_of_part.push_back(found->second);
+    }
+    components.emplace_back("ground");
+  }
+};
+
+SurfaceLabels::SurfaceLabels(const Plant& plant, const MeshScene& scene, Progress& progress) {
+  auto facts = std::make_unique<Facts>();
+  facts->plant = &plant;
+  facts->scene = &scene;
+  if (has_deformed_plantings(plant)) {
+    // The meshes have been made of this plant as well.
+    facts->copied = std::make_shared<const Plant>(with_deformed_copies(plant, {}, progress));
+    facts->plant = facts->copied.get();
+  }
+  facts->gather(*facts->plant, progress);
+  std::uint64_t organs = 0;
+  for (const auto& [own, of] : facts->of_plant) organs += own->organs.size();
+  progress.begin("labelling", organs);
+  for (auto& [own, of] : facts->of_plant) find_shoots_of_organs(of, progress);
+  Facts::Counts counts;
+  facts->root = facts->place(*facts->plant, "", counts, progress);
+  facts->shoots = counts.shoots;
+  facts->name_components();
+  facts_ = std::move(facts);
+}
+
+SurfaceLabels::~SurfaceLabels() = default;
+
+SurfaceLabel SurfaceLabels::of(std::uint32_t part, std::uint32_t instance, std::uint32_t triangle,
+                               Vec3 position) const {
+  const MeshInstances& mesh = facts_->scene->meshes[part];
+  SurfaceLabel label{.kind = SurfaceKind::obstacle, .component = facts_->component_of_part[part]};
+  const MeshOrigin* origin = mesh.origin.get();
+  if (origin == nullptr) return label;
+
+  // Go down to the plant that has the mesh, and to its place.
+  const auto frames = static_cast<std::uint32_t>(mesh.frames.size());
+  const std::uint32_t frame = instance % frames;
+  std::size_t place_number = instance / frames;
+  std::size_t deeper = mesh.place_count();
+  const Plant* plant = facts_->plant;
+  const PlaceFacts* place = &facts_->root;
+  if (mesh.places != nullptr && origin->inner != nullptr) {
+    const Frame& to_world = (*mesh.places)[place_number];
+    position = glm::inverse(to_world.axes) * (position - to_world.origin);
+  }
+  while (origin->planting != kNoNumber) {
+    const Planting& planting = plant->plantings[origin->planting];
+    deeper /= planting.places.size();
+    place = &place->inner[origin->planting][place_number / deeper];
+    place_number %= deeper;
+    plant = planting.variant->plant.get();
+    origin = origin->inner.get();
+  }
+  const PlantFacts& facts = facts_->of_plant.at(plant);
+  const auto set_shoot = [&](std::uint32_t shoot) {
+    label.tree = place->trees + facts.shoots[shoot].tree;
+    label.shoot = place->shoots + shoot;
+    label.order = facts.shoots[shoot].order;
+  };
+
+  if (origin->prototype != kNoNumber) {
+    const OrganFacts& organ = facts.of_prototype[origin->prototype][frame];
+    label.kind = SurfaceKind::organ;
+    label.instance = place->organ_instances[facts.prototype_component[origin->prototype]] + organ.instance;
+    if (organ.shoot != kNoShoot) set_shoot(organ.shoot);
+    return label;
+  }
+  label.kind = SurfaceKind::wood;
+  std::uint32_t shoot = kNoShoot;
+  if (origin->tubes != nullptr) {
+    const auto after =
+        std::upper_bound(origin->tubes->begin(), origin->tubes->end(), triangle,
+                         [](std::uint32_t wanted, const AxisTriangles& of) { return wanted < of.first; });
+    shoot = facts.first_shoot[origin->stem] + (after - 1)->axis;
+  } else {
+    shoot = facts.segments->nearest(position);
+    if (shoot == kNoSegment) shoot = facts.first_shoot[origin->stem];
+  }
+  set_shoot(shoot);
+  label.instance = place->stem_instances[facts.shoots[shoot].component] + facts.shoots[shoot].instance;
+  return label;
+}
+
+const std::vector<std::string>& SurfaceLabels::components() const { return facts_->components; }
+
+std::uint32_t SurfaceLabels::shoot_count() const { return facts_->shoots; }
+
+const std::string& SurfaceLabels::shoot_label(std::uint32_t shoot) const {
+  const auto after = std::upper_bound(facts_->owners.begin(), facts_->owners.end(), shoot,
+                                      [](std::uint32_t wanted, const Facts::Owner& of) { return wanted < of.first; });
+  return (after - 1)->facts->labels[shoot - (after - 1)->first];
+}
+
+}  // namespace meristem

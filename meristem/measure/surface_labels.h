@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which tree, component, instance and shoot a position on a plant's surface belongs to.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/measure/measures.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// What kind of thing a surface belongs to.
+enum class SurfaceKind : std::uint8_t {
+  ground,
+  wood,      ///< the surface of a stem, or of a body or crown about it
+  organ,     ///< a leaf, a flower, a fruit or other geometry that stands on stems
+  obstacle,  ///< a body of the scene
+};
+
+/// In place of the number of a shoot.
+inline constexpr std::uint32_t kNoShoot = 0xffffffffU;
+
+struct SurfaceLabel {
+  SurfaceKind kind = SurfaceKind::ground;
+  std::uint32_t component = 0;  ///< index into SurfaceLabels::components
+  std::uint32_t instance = 0;   ///< number of the stem or organ among those of its component, from 0
+  std::uint32_t tree = kNoTree;
+  std::uint32_t shoot = kNoShoot;
+  std::uint16_t order = 0;  ///< branching order of the shoot
+
+  bool operator==(const SurfaceLabel&) const = default;
+};
+
+/// The labels of all surfaces of a mesh scene.
+///
+/// Numbers are those of the tables of skeletons and organs: a shoot is an `axis` of SkeletonTable, a tree a root of a
+/// stem as measure_plant counts them, an instance that of a stem's part or of organ_instances. A triangle of a tube is
+/// its axis's. A triangle of a blended body or crown is that of the axis whose surface is nearest (segment_tree.h). An
+/// organ belongs to the shoot whose surface is nearest to where the organ is attached.
+class SurfaceLabels {
+ public:
+  /// `scene` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles (with_obstacles). Both
+  /// outlive it. Begins a stage of `progress`, which counts organs. Throws Cancelled.
+  SurfaceLabels(const Plant& plant, const MeshScene& scene, Progress& progress);
+  ~SurfaceLabels();
+  SurfaceLabels(const SurfaceLabels&) = delete;
+  SurfaceLabels& operator=(const SurfaceLabels&) = delete;
+
+  /// The label of a triangle of an instance of a part (MeshScene::meshes) near a world position on it. May be called
+  /// from many threads.
+  SurfaceLabel of(std::uint32_t part, std::uint32_t instance, std::uint32_t triangle, Vec3 position) const;
+
+  /// Ids of the components in the order in which the scene has their meshes, and last "ground".
+  const std::vector<std::string>& components() const;
+  std::uint32_t ground() const { return static_cast<std::uint32_t>(components().size()) - 1; }
+  /// Number of all shoots of the plant.
+  std::uint32_t shoot_count() const;
+  /// The label (axis_labels.h) of a shoot. May be called from many threads.
+  const std::string& shoot_label(std::uint32_t shoot) const;
+
+ private:
+  struct Facts;
+  std::unique_ptr<const Facts> facts_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/skeleton/cylinders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meristem {
+
+float radius_of_equal_volume(float begin, float end) {
+  const double a = begin;
+  const double b = end;
+  return static_cast<float>(std::sqrt((a * a + a * b + b * b) / 3));
+}
+
+std::vector<Cylinder> cylinders_of(const Plant& plant) {
+  std::vector<Cylinder> cylinders;
+  cylinders.reserve(plant.node_count());
+  std::uint32_t first_axis = 0;
+  std::vector<std::uint32_t> number;  // of the cylinder that ends in each node of a stem
+  for (const Stem& stem : plant.stems) {
+    const Skeleton& skeleton = stem.skeleton;
+    number.assign(skeleton.node_count(), kNoCylinder);
+    std::uint32_t axes = 0;
+    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+      const AxisIndex axis = skeleton.axis[node];
+      axes = std::max(axes, axis + 1);
+      const NodeIndex parent = skeleton.parent[node];
+      if (parent == kNoNode) continue;
+      const bool begins = skeleton.axis[parent] != axis;
+      Cylinder made{.begin = z_up(skeleton.position[parent]),
+                    .end = z_up(skeleton.position[node]),
+                    .radius = begins ? skeleton.radius[node]
+                                     : radius_of_equal_volume(skeleton.radius[parent], skeleton.radius[node]),
+                    .parent = number[parent],
+                    .axis = first_axis + axis,
+                    .order = skeleton.order[node]};
+      number[node] = static_cast<std::uint32_t>(cylinders.size());
+      if (!begins && made.parent != kNoCylinder) {
+        made.position = cylinders[made.parent].position + 1;
+        cylinders[made.parent].extension = number[node];
+      }
+      cylinders.push_back(made);
+    }
+    first_axis += axes;
+  }
+  return cylinders;
+}
+
+}  // namespace meristem

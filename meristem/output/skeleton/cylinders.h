@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The skeletons of a plant as cylinders, as programs that reconstruct trees from scans describe them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meristem/base/vec.h"
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+
+/// In place of the number of a cylinder.
+inline constexpr std::uint32_t kNoCylinder = 0xffffffffU;
+
+/// The segment that ends in a node. Metres, in the coordinates of such programs: x east, y north, z up.
+struct Cylinder {
+  Vec3 begin{0};
+  Vec3 end{0};
+  float radius = 0;                    ///< that which gives the cylinder the volume of the cone between its two nodes
+  std::uint32_t parent = kNoCylinder;  ///< the cylinder that it begins on; none at a root
+  std::uint32_t extension = kNoCylinder;  ///< the next one of its axis
+  std::uint32_t axis = 0;                 ///< number of its axis, as in SkeletonTable
+  std::uint32_t position = 0;             ///< number of the cylinder on its axis, from 0
+  std::uint16_t order = 0;                ///< branching order of its axis
+};
+
+/// Where the axes of others point: x east, y north, z up.
+inline Vec3 z_up(Vec3 position) { return {position.x, 0 - position.z, position.y}; }
+
+/// The radius that gives a cylinder the volume of a cone of the same length.
+float radius_of_equal_volume(float begin, float end);
+
+/// A cylinder for each node that has a parent, in the order of SkeletonTable. The first cylinder of a lateral axis is
+/// as thick as the axis's first node.
+std::vector<Cylinder> cylinders_of(const Plant& plant);
+
+}  // namespace meristem

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data sets: the plan by content, as workers get it, and the folder in which plants appear. What grows them where, the
+// written half of the module decides (_dataset.py).
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "call.h"
+#include "document.h"
+#include "errors.h"
+#include "meristem/base/parallel.h"
+#include "meristem/dataset/dataset_folder.h"
+#include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/dataset_plan.h"
+#include "meristem/dataset/manifest.h"
+#include "meristem/dataset/plant_maker.h"
+#include "meristem/dataset/plant_range.h"
+#include "meristem/dataset/verify_dataset.h"
+#include "meristem/document/json.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes with its owner.
+class TemporaryDocuments {
+ public:
+  explicit TemporaryDocuments(const std::string& parent) {
+    std::string name = (fs::path(parent) / "meristem-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw MachineError(fmt::format("cannot make a folder in '{}'", parent));
+    path_ = name;
+  }
+  ~TemporaryDocuments() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryDocuments(const TemporaryDocuments&) = delete;
+  TemporaryDocuments& operator=(const TemporaryDocuments&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// A plan with its documents by content, and the makers of its plants, one for each thread that makes some.
+class PlanInPython {
+ public:
+  PlanInPython(const std::string& text, const std::string& file, std::vector<GivenDocument> documents,
+               const std::string& scratch)
+      : models_(models_folder()), scratch_(scratch) {
+    const ThreadLimit alone(1);  // so that a process that is forked later finds no threads of ours missing
+    plan = read_dataset_plan(text, file, component_types(), {.models = models_, .documents = std::move(documents)});
+  }
+
+  DatasetPlan plan;
+
+  /// Seconds, and what put_range takes, where this process does not see the folder.
+  std::pair<double, std::optional<MadeRange>> make(PlantRange range, const std::string& folder, Progress& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    std::unique_ptr<PlantMaker> maker = borrow();
+    std::optional<MadeRange> apart;
+    if (sees_dataset(plan, folder)) {
+      make_range(*maker, plan, range, folder, progress);
+    } else {
+      apart = make_range_apart(*maker, plan, range, (documents_->path() / "plants").string(), progress);
+    }
+    give_back(std::move(maker));
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), std::move(apart)};
+  }
+
+ private:
+  std::unique_ptr<PlantMaker> borrow() {
+    const std::scoped_lock lock(mutex_);
+    if (documents_ == nullptr) {
+      auto folder = std::make_unique<TemporaryDocuments>(scratch_);
+      unpack_documents(plan, (folder->path() / "documents").string());
+      documents_ = std::move(folder);
+    }
+    if (makers_.empty()) {
+      return std::make_unique<PlantMaker>(
+          plan, component_types(),
+          DocumentFolders{.documents = (documents_->path() / "documents").string(), .models = models_});
+    }
+    std::unique_ptr<PlantMaker> maker = std::move(makers_.back());
+    makers_.pop_back();
+    return maker;
+  }
+  void give_back(std::unique_ptr<PlantMaker> maker) {
+    const std::scoped_lock lock(mutex_);
+    makers_.push_back(std::move(maker));
+  }
+
+  std::string models_;
+  std::string scratch_;
+  std::mutex mutex_;
+  std::unique_ptr<TemporaryDocuments> documents_;
+  std::vector<std::unique_ptr<PlantMaker>> makers_;
+};
+
+using PlanPointer = std::shared_ptr<PlanInPython>;
+
+std::string scratch_folder() { return py::module_::import("tempfile").attr("gettempdir")().cast<std::string>(); }
+
+PathValues path_values(const std::vector<Override>& overrides) {
+  PathValues values;
+  for (const Override& override : overrides) values.emplace_back(override.path, override.value);
+  return values;
+}
+
+PlanPointer plan_of(const py::object& content, const std::string& file, const py::dict& documents) {
+  const Value value = to_value(content);
+  const std::string text = value.text() != nullptr ? *value.text() : write_json(value);
+  std::vector<GivenDocument> given;
+  for (const auto& [name, document] : documents) {
+    const auto& one = *document.cast<std::shared_ptr<DocumentInPython>>();
+    given.push_back({name.cast<std::string>(), one.text, one.file, path_values(one.overrides)});
+  }
+  return std::make_shared<PlanInPython>(text, file, std::move(given), scratch_folder());
+}
+
+py::dict values_of(const PathValues& values) {
+  py::dict dict;
+  for (const auto& [path, value] : values) dict[py::str(path)] = to_python(value);
+  return dict;
+}
+
+py::tuple state_of(const PlanPointer& plan) {
+  py::list documents;
+  for (const PlannedDocument& document : plan->plan.documents) {
+    py::list files;
+    for (const auto& [path, content] : document.bundle.files) files.append(py::make_tuple(path, py::bytes(content)));
+    documents.append(py::make_tuple(document.name, document.bundle.document, files, values_of(document.set)));
+  }
+  return py::make_tuple(folder_plan_text(plan->plan), documents);
+}
+
+PlanPointer from_state(const py::tuple& state) {
+  if (state.size() != 2) throw py::value_error("the state of a DatasetPlan has two parts");
+  const std::string scratch = scratch_folder();
+  const TemporaryDocuments folder(scratch);  // until the documents are read
+  std::vector<GivenDocument> given;
+  for (const py::handle& one : state[1]) {
+    const auto document = one.cast<py::tuple>();
+    DocumentBundle bundle{.document = document[1].cast<std::string>(), .files = {}};
+    std::string text;
+    for (const py::handle& file : document[2]) {
+      const auto pair = file.cast<py::tuple>();
+      bundle.files.emplace_back(pair[0].cast<std::string>(), pair[1].cast<std::string>());
+      if (bundle.files.back().first == bundle.document) text = bundle.files.back().second;
+    }
+    const auto name = document[0].cast<std::string>();
+    const fs::path own = folder.path() / name;
+    unpack(bundle, own.string());
+    given.push_back({name, text, (own / bundle.document).string(), path_values(to_overrides(document[3]))});
+  }
+  return std::make_shared<PlanInPython>(state[0].cast<std::string>(), "plan.json", std::move(given), scratch);
+}
+
+py::dict plant_of(const PlanPointer& plan, std::uint64_t number) {
+  if (number >= plan->plan.count()) throw py::index_error(fmt::format("the plan has {} plants", plan->plan.count()));
+  const PlannedPlant plant = plan->plan.plant(number);
+  py::dict made;
+  made["key"] = plant.key;
+  made["document"] = plan->plan.documents[plant.document].name;
+  made["seed"] = plant.seed;
+  made["values"] = values_of(plant.values);
+  return made;
+}
+
+py::object make_in(const PlanPointer& plan, const std::string& folder, std::uint64_t begin, std::uint64_t end,
+                   const py::object& progress) {
+  auto [seconds, apart] = run_call(progress, 1, [&](Progress& inner) {
+    return plan->make({begin, end}, folder, inner);
+  });
+  if (!apart) return py::make_tuple(seconds, py::none());
+  py::list files;
+  for (const auto& [path, content] : apart->files) files.append(py::make_tuple(path, py::bytes(content)));
+  return py::make_tuple(seconds, py::make_tuple(py::bytes(apart->rows), files));
+}
+
+/// The folder of a data set and the plan that it is of.
+struct FolderInPython {
+  FolderInPython(PlanPointer the_plan, const std::string& path, DatasetOpening opening, Progress& progress)
+      : plan(std::move(the_plan)), folder(plan->plan, path, opening, progress) {}
+
+  PlanPointer plan;
+  DatasetFolder folder;
+};
+
+using FolderPointer = std::shared_ptr<FolderInPython>;
+
+FolderPointer open_folder(const PlanPointer& plan, const py::object& path, const std::string& opening,
+                          const py::object& progress) {
+  const DatasetOpening how = opening == "repair"  ? DatasetOpening::repair
+                             : opening == "fresh" ? DatasetOpening::fresh
+                                                  : DatasetOpening::resume;
+  const std::string folder = path_of(path);
+  return run_call(progress, 1,
+                  [&](Progress& inner) { return std::make_shared<FolderInPython>(plan, folder, how, inner); });
+}
+
+void add_range(const FolderPointer& folder, std::uint64_t begin, std::uint64_t end, double seconds,
+               const py::object& apart) {
+  const PlantRange range{begin, end};
+  if (!apart.is_none()) {
+    const auto pair = apart.cast<py::tuple>();
+    MadeRange made{.range = range, .rows = pair[0].cast<std::string>(), .files = {}};
+    for (const py::handle& file : pair[1]) {
+      const auto one = file.cast<py::tuple>();
+      made.files.emplace_back(one[0].cast<std::string>(), one[1].cast<std::string>());
+    }
+    const py::gil_scoped_release released;
+    put_range(made, folder->plan->plan, folder->folder.path());
+  }
+  const py::gil_scoped_release released;
+  folder->folder.add(range, seconds);
+}
+
+py::object next_range(const FolderPointer& folder, double seconds) {
+  const auto range = folder->folder.next(seconds);
+  return range ? py::object(py::make_tuple(range->begin, range->end)) : py::none();
+}
+
+py::dict check_of(const py::object& path, int threads, const py::object& progress) {
+  const std::string folder = path_of(path);
+  const DatasetCheck check =
+      run_call(progress, threads, [&](Progress& inner) { return verify_dataset(folder, inner); });
+  py::dict made;
+  made["plants"] = check.plants;
+  made["rows"] = check.rows;
+  made["failed"] = check.failed;
+  made["files"] = check.files;
+  made["bytes"] = check.bytes;
+  made["faults"] = check.faults;
+  return made;
+}
+
+}  // namespace
+
+void bind_dataset(py::module_& module) {
+  py::class_<PlanInPython, PlanPointer>(module, "DatasetPlan",
+                                        R"(A plan of a data set with its documents, by content.
+
+`content` is a dict such as a plan's JSON would be read into, or the JSON text itself. `file` names the plan in messages,
+and documents are sought from its folder; `documents`, Document objects by their names, take the place of those that
+the plan names. Raises InputError with all that is wrong.)")
+      .def(py::init(&plan_of), py::arg("content"), py::kw_only(), py::arg("file") = "<python>",
+           py::arg("documents") = py::dict())
+      .def("__len__", [](const PlanPointer& plan) { return plan->plan.count(); })
+      .def("plant", &plant_of, py::arg("number"),
+           "What the plan says of the plant of a number: a dict of key, document, seed and values.")
+      .def("make", &make_in, py::arg("folder"), py::arg("begin"), py::arg("end"), py::kw_only(),
+           py::arg("progress") = py::none(),
+           R"(Makes the plants from `begin` to before `end`, on one thread, and gives (seconds, None).
+
+Where this process does not see the folder of the data set, gives (seconds, what DatasetFolder.add() takes).)")
+      .def_property_readonly(
+          "hash", [](const PlanPointer& plan) { return plan->plan.hash(); }, "What two plans are compared by.")
+      .def_property_readonly(
+          "name", [](const PlanPointer& plan) { return plan->plan.name; }, "Its name.")
+      .def_property_readonly(
+          "columns", [](const PlanPointer& plan) { return manifest_columns(plan->plan); },
+          "The columns of its manifest.")
+      .def_property_readonly(
+          "warnings", [](const PlanPointer& plan) { return to_python(plan->plan.warnings); },
+          "What is odd but not wrong: a tuple of Diagnostic.")
+      .def(py::pickle(&state_of, &from_state));
+
+  py::class_<FolderInPython, FolderPointer>(module, "DatasetFolder",
+                                            R"(The folder of a data set while it is made.
+
+`opening` is 'resume', 'repair' (reads all that is there) or 'fresh'. Raises InputError where the folder holds something
+else, MachineError where the disk refuses or another program is at work in it.)")
+      .def(py::init(&open_folder), py::arg("plan"), py::arg("folder"), py::kw_only(), py::arg("opening") = "resume",
+           py::arg("progress") = py::none())
+      .def("next", &next_range, py::arg("seconds") = 0.5,
+           "The next missing plants as (begin, end), about as many as grow in `seconds`; None once all were given.")
+      .def("add", &add_range, py::arg("begin"), py::arg("end"), py::arg("seconds"), py::arg("apart") = py::none(),
+           "Tells that plants were made, in how many seconds, and where they were made apart what has become of them.")
+      .def(
+          "finish",
+          [](const FolderPointer& folder, const py::object& progress) {
+            run_call(progress, 1, [&](Progress& inner) {
+              folder->folder.finish(inner);
+              return true;
+            });
+          },
+          py::kw_only(), py::arg("progress") = py::none(), "Writes the data card, once all plants are there.")
+      .def("__len__", [](const FolderPointer& folder) { return folder->folder.total(); })
+      .def_property_readonly(
+          "path", [](const FolderPointer& folder) { return folder->folder.path(); }, "Where it lies.")
+      .def_property_readonly(
+          "done", [](const FolderPointer& folder) { return folder->folder.done(); }, "How many plants are there.")
+      .def_property_readonly(
+          "found", [](const FolderPointer& folder) { return folder->folder.found(); },
+          "How many plants were there when it was opened.")
+      .def_property_readonly(
+          "faults", [](const FolderPointer& folder) { return folder->folder.faults(); },
+          "What was there and not right, and is made again: one line each, the first hundred.")
+      .def_property_readonly(
+          "seconds_per_plant", [](const FolderPointer& folder) { return folder->folder.seconds_per_plant(); },
+          "How long a plant takes, of late.");
+
+  module.def("verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("threads") = 0,
+             py::arg("progress") = py::none(),
+             R"(Reads every file of the data set in a folder and compares it with the manifest.
+
+Gives a dict of plants, rows, failed, files, bytes, and faults: a list of lines, empty where all is as it was written.
+Raises InputError where the folder holds no data set.)");
+}
+
+}  // namespace meristem::python

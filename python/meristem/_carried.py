@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Documents that travel to other machines with the files that they name, by content."""
+
+from __future__ import annotations
+
+import atexit
+import shutil
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from ._core import Document
+
+
+class Carried:
+    """Pickles as a document with its files, and is read as that Document again, from a folder of the worker's."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+
+    def __reduce__(self) -> tuple[Callable[..., Document], tuple[Any, ...]]:
+        text, file, overrides, seed = self._document.__getstate__()
+        name, files = self._document.bundle()
+        if len(files) == 1:  # it names none: messages call it as they do here
+            return _read, (text, file, overrides, seed)
+        return _unpacked, (name, files, overrides, seed)
+
+
+def _read(text: str, file: str, overrides: dict[str, Any], seed: int | None) -> Document:
+    return Document(text, file="" if file == "<python>" else file, set=overrides, seed=seed)
+
+
+def _unpacked(name: str, files: list[tuple[str, bytes]], overrides: dict[str, Any], seed: int | None) -> Document:
+    folder = Path(tempfile.mkdtemp(prefix="meristem-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    for path, content in files:
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content)
+    return _read((folder / name).read_text(encoding="utf-8"), str(folder / name), overrides, seed)

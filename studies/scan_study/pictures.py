@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures of a scanned oak for the manual: points as pixels, the nearest in front."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Mapping
+
+import matplotlib
+import meristem
+import numpy as np
+from matplotlib.image import imsave
+from numpy.typing import NDArray
+
+SIZE = (620, 570)  #: width and height, pixels
+WIDTH = 9.0  #: metres that the picture is wide
+GROUND = -0.35  #: metres: height of its lower edge
+COLOURS = {"ground": (0.72, 0.70, 0.66), "wood": (0.42, 0.28, 0.16), "organ": (0.30, 0.52, 0.18), "obstacle": (0.5, 0.5, 0.5)}
+MOST_ERROR = 0.03  #: metres
+
+
+def draw_points(path: Path, position: NDArray[Any], colour: NDArray[Any]) -> None:
+    """As seen from the south, without perspective."""
+    width, height = SIZE
+    image = np.ones((height, width, 3))
+    metre = width / WIDTH
+    column = np.floor(width / 2 + metre * position[:, 0]).astype(int)
+    row = np.floor(height - metre * (position[:, 1] - GROUND)).astype(int)
+    nearest_last = np.argsort(position[:, 2], kind="stable")
+    for right in (0, 1):
+        for down in (0, 1):
+            x, y = column[nearest_last] + right, row[nearest_last] + down
+            inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+            image[y[inside], x[inside]] = colour[nearest_last][inside]
+    imsave(path, image, pil_kwargs={"quality": 88})
+
+
+def mapped(values: NDArray[Any], most: float, name: str) -> NDArray[np.float64]:
+    colours: NDArray[np.float64] = matplotlib.colormaps[name](np.clip(values / most, 0, 1))[:, :3]
+    return colours
+
+
+def draw_oak(folder: Path, step: float) -> None:
+    oak = meristem.read("oak").grow()
+    scan: Mapping[str, NDArray[Any]] = oak.scan(
+        instrument={"kind": "terrestrial", "step": step, "farthest": 25}, around=4, ground=True
+    )
+    position = scan["position"]
+    inside = (np.abs(position[:, 0]) < WIDTH / 2 + 0.5) & (np.abs(position[:, 2]) < WIDTH / 2 + 0.5)
+    kinds = np.array([COLOURS[kind] for kind in scan["kind"][inside]])
+    # Far points are lighter, so that the crown has depth.
+    depth = np.clip((position[inside, 2] + 4) / 8, 0, 1)[:, None]
+    draw_points(folder / "oak-kind.jpg", position[inside], kinds * (0.65 + 0.35 * depth) + 0.12 * (1 - depth))
+    wood = scan["kind"] == "wood"
+    draw_points(folder / "oak-order.jpg", position[wood], mapped(scan["order"][wood], 8, "viridis"))
+    plant = inside & (scan["kind"] != "ground")
+    error = np.abs(scan["range"] - scan["true_range"])[plant]
+    draw_points(folder / "oak-error.jpg", position[plant], mapped(error, MOST_ERROR, "magma_r"))

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Data sets and the truth behind pictures as users of the command line meet them. Usage: dataset_test.py PROGRAM"""
+
+import csv
+import io
+import json
+import os
+import pathlib
+import signal
+import struct
+import time
+import unittest
+import zlib
+
+import cli_case
+from cli_case import DONE, FAILED, WRONG_INPUT
+
+ROD = json.dumps({
+    "meristem": 1,
+    "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
+    "components": {"rod": {"type": "tree", "length": "tall", "radius": 0.02, "segments": 4},
+                   "leaf": {"type": "leaf", "length": 0.2, "width": 0.1}},
+    "links": [{"from": "rod", "to": "leaf", "kind": "branch", "density": 5}],
+})
+PLAN = {"meristem_dataset": 1, "documents": ["rod.json"], "seeds": 60, "rows": 25, "files": [".mtg"],
+        "measures": ["height"], "vary": {"tall": {"uniform": [0.5, 2]}}}
+
+
+def png_size_and_kind(data):
+    """Width, height, bits per channel and colour type."""
+    return struct.unpack(">IIBB", data[16:26])
+
+
+def rows_of_png(data):
+    """The bytes of each row of a PNG without filters but those of every kind (PNG specification, 9.2)."""
+    width, height, bits, kind = png_size_and_kind(data)
+    step = {0: 1, 2: 3, 6: 4}[kind] * bits // 8
+    packed, at = b"", 8
+    while at < len(data):
+        length = struct.unpack(">I", data[at:at + 4])[0]
+        if data[at + 4:at + 8] == b"IDAT":
+            packed += data[at + 8:at + 8 + length]
+        at += 12 + length
+    raw, before, rows = zlib.decompress(packed), bytes(width * step), []
+    for y in range(height):
+        line = raw[y * (width * step + 1):(y + 1) * (width * step + 1)]
+        row = bytearray(line[1:])
+        for k in range(len(row)):
+            left = row[k - step] if k >= step else 0
+            up, corner = before[k], before[k - step] if k >= step else 0
+            guess = left + up - corner
+            nearest = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
+            row[k] = (row[k] + [0, left, up, (left + up) // 2, nearest][line[0]]) & 255
+        before = bytes(row)
+        rows.append(before)
+    return rows
+
+
+class DataSets(cli_case.Case):
+    def setUp(self):
+        super().setUp()
+        self.write("rod.json", ROD)
+        self.write("plan.json", json.dumps(PLAN))
+
+    def content(self, folder):
+        """All files of a data set but what is partial."""
+        root = pathlib.Path(self.folder, folder)
+        return {str(path.relative_to(root)): path.read_bytes() for path in sorted(root.rglob("*"))
+                if path.is_file() and path.relative_to(root).parts[0] != "partial"}
+
+    def test_same_bytes_on_any_number_of_threads(self):
+        done = self.assert_ends(DONE, "dataset", "plan.json", "-o", "one", "--threads", "1")
+        self.assertIn("one: 60 plants", done)
+        self.assert_ends(DONE, "dataset", "plan.json", "-o", "three", "--threads", "3", "-q")
+        one = self.content("one")
+        self.assertEqual(self.content("three"), one)
+        rows = list(csv.DictReader(io.StringIO("".join(
+            one[f"manifest/{table:05}.csv"].decode().partition("\n")[2] if table else one["manifest/00000.csv"].decode()
+            for table in range(3)))))
+        self.assertEqual([row["key"] for row in rows], [f"{number:06}" for number in range(60)])
+        for row in rows:
+            self.assertEqual(len(one[row["files"]]), int(row["bytes"]))
+
+    def test_goes_on_by_plan_or_folder_and_checks(self):
+        self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "-q")
+        whole = self.content("rods")
+        os.remove(os.path.join(self.folder, "rods/plants/0000/000030.mtg"))
+        self.write("rods/plants/0000/000031.mtg", self.read("rods/plants/0000/000032.mtg").decode() + " ")
+        done = self.assert_ends(FAILED, "dataset", "rods", "--verify")
+        self.assertIn("000030.mtg is missing", done)
+        self.assertIn("--repair makes again", done)
+        done = self.assert_ends(DONE, "dataset", "rods")
+        self.assertIn("what was not right was made again", done)
+        self.assertIn("60 plants, 58 of them were there", done)
+        self.assertEqual(self.content("rods"), whole)
+        self.write("rods/plants/0000/000031.mtg", whole["plants/0000/000031.mtg"].decode().replace("A1", "A2", 1))
+        self.assert_ends(DONE, "dataset", "rods", "--repair", "-q")
+        done = self.assert_ends(DONE, "dataset", "rods", "--verify")
+        self.assertIn("60 of 60 plants, 0 failed, 60 files", done)
+        self.assertEqual(self.content("rods"), whole)
+
+    def test_a_killed_program_loses_nothing(self):
+        many = dict(PLAN, seeds=2000, rows=500)
+        self.write("many.json", json.dumps(many))
+        process = self.start("dataset", "many.json", "-o", "killed", "-q")
+        rows = pathlib.Path(self.folder, "killed/partial/rows")
+        deadline = time.monotonic() + 60
+        while not (rows.is_dir() and len(list(rows.iterdir())) >= 2) and time.monotonic() < deadline:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "killed/README.md")))
+        self.assert_ends(DONE, "dataset", "killed", "-q")
+        self.assert_ends(DONE, "dataset", "many.json", "-o", "whole", "-q")
+        self.assertEqual(self.content("killed"), self.content("whole"))
+
+    def test_refuses_what_is_not_its_own(self):
+        self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "-q")
+        before = self.content("rods")
+        self.write("other.json", json.dumps(dict(PLAN, seeds=5)))
+        cases = [(("other.json", "-o", "rods"), "another plan: 60 plants"),
+                 (("plan.json", "-o", "rods", "--fresh"), "holds a data set already"),
+                 (("plan.json",), "no folder for the data set is given"),
+                 (("rod.json", "-o", "x"), "'meristem' is not a parameter of a plan"),
+                 (("nothing", "--verify"), "holds no data set")]
+        for arguments, message in cases:
+            done = self.assert_ends(WRONG_INPUT, "dataset", *arguments)
+            self.assertIn(message, done)
+        self.write("rod.json", ROD + " ")
+        done = self.assert_ends(WRONG_INPUT, "dataset", "plan.json", "-o", "rods")
+        self.assertIn("the document 'rod' or a file that it names has changed", done)
+        self.assertEqual(self.content("rods"), before)
+        self.write("wrong.json", '{"meristem_dataset": 1, "documents": ["rod.json"],\n "files": [".gbl"]}')
+        done = self.assert_ends(WRONG_INPUT, "dataset", "wrong.json", "-o", "x")
+        self.assertIn("wrong.json:2:12: files[0]: '.gbl' is not a format", done)
+        self.assertIn("did you mean '.glb'?", done)
+
+    def test_render_writes_the_truth_behind_a_picture(self):
+        self.assert_ends(DONE, "render", "rod.json", "-o", "a.png", "--size", "60x40", "--samples", "1", "--depth",
+                         "a.depth.png", "--normals", "a.pfm", "--organs", "organs.png", "--shoots", "shoots.png",
+                         "--plants", "plants.png", "--coco", "a.json", "-q")
+        self.assertEqual(png_size_and_kind(self.read("a.depth.png")), (60, 40, 16, 0))
+        self.assertTrue(self.read("a.pfm").startswith(b"PF\n60 40\n-1.0\n"))
+        coco = json.loads(self.read("a.json"))
+        self.assertEqual(coco["images"][0]["file_name"], "a.png")
+        # Each annotation is what the mask of its level shows.
+        levels = {category["id"]: category["supercategory"] for category in coco["categories"]}
+        self.assertEqual(set(levels.values()), {"organ", "shoot", "plant"})
+        masks = {}
+        for level in ("organ", "shoot", "plant"):
+            rows = rows_of_png(self.read(f"{level}s.png"))
+            masks[level] = [[row[3 * x] + 256 * row[3 * x + 1] for x in range(60)] for row in rows]
+        for annotation in coco["annotations"]:
+            mask = masks[levels[annotation["category_id"]]]
+            pixels = [(x, y) for y in range(40) for x in range(60) if mask[y][x] == annotation["number"]]
+            self.assertEqual(len(pixels), annotation["area"])
+            left, top = min(x for x, _ in pixels), min(y for _, y in pixels)
+            self.assertEqual(annotation["bbox"][:2], [left, top])
+        done = self.assert_ends(WRONG_INPUT, "render", "rod.json", "--depth", "a.jpg")
+        self.assertIn("a file that ends in .png or .pfm", done)
+        self.assert_ends(WRONG_INPUT, "render", "rod.json", "--depth", "a.png", "--cards", "2")
+        self.assert_ends(DONE, "render", "rod.json", "--plants", "p.png", "--turntable", "2", "--size", "20x20", "-q")
+        self.assertEqual(sorted(name for name in os.listdir(self.folder) if name.startswith("p_")),
+                         ["p_000.png", "p_001.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()

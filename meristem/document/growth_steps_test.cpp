@@ -12,7 +12,6 @@
 #include "tests/support/build_graph.h"
 
 namespace meristem::growth_steps_test {
-namespace {
 
 constexpr const char* kColonizing = R"j({
   "meristem": 1, "seed": 4,
@@ -222,5 +221,4 @@ TEST(GrowthSteps, ACloudThatDoesNotStandBesideItsTreeIsAFault) {
   }
 }
 
-}  // namespace
 }  // namespace meristem::growth_steps_test

@@ -14,7 +14,6 @@
 #include "tests/support/build_graph.h"
 
 namespace meristem::overlay_test {
-namespace {
 
 constexpr const char* kTree = R"j({
   "meristem": 1, "seed": 4,
@@ -144,5 +143,4 @@ TEST(Overlay, TextIsWrittenWhereItIsSeen) {
   EXPECT_EQ(elsewhere, 0);
 }
 
-}  // namespace
 }  // namespace meristem::overlay_test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Growth seen by hand: scrubbed step by step without growing anew, with overlays that belong to the step.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
@@ -102,7 +103,7 @@ test('closing takes all away; axe finds nothing serious in the open panel', asyn
   await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
   await page.getByRole('button', { name: 'Skeleton', exact: true }).last().click();
   await page.waitForFunction(() => window.studio.view.counts.overlays.lines > 0);
-  await page.addScriptTag({ path: kAxe });
+  await page.evaluate(await readFile(kAxe, 'utf8'));
   const found = await page.evaluate(() => window.axe.run('.growth-panel'));
   const serious = found.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
   assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes[0].html]), []);

@@ -20,6 +20,8 @@ const kMoves = is_small ? 5 : 100;
 const kEdits = is_small ? 20 : 500;
 const kSapling = { meristem: 1, variables: { size: { value: 0.1, min: 0.05, max: 0.25 } }, components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } }, links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }] };
 
+const kPoints = { meristem: 1, components: { tree: { type: 'colonize', crown: { ellipsoid: { centre: [0, 3, 0], radii: [2, 2, 2] } }, points: 10000, step: 0.08, influence: 1, kill: 0.2 } } };
+
 const figures = [];
 const digits = (value) => String(Number(value.toPrecision(4)));
 
@@ -181,6 +183,56 @@ async function board_time(page, text) {
   return times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
 }
 
+/// Median milliseconds from the wish for a step of growth to the packet that shows it, over steps far apart.
+async function scrub_time(page) {
+  await page.keyboard.press('o');
+  await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null, null, { timeout: 60000 });
+  await settled(page);
+  const times = await page.evaluate(async (count) => {
+    const { studio } = window;
+    const { steps } = studio.bench.growth.state.get();
+    const taken = [];
+    for (let k = 0; k < count; k += 1) {
+      const step = Math.round(steps * (0.5 + 0.45 * Math.sin(2.4 * k)));
+      const begin = performance.now();
+      studio.bench.growth.show_step(step);
+      await new Promise((done) => {
+        const stop = studio.growth.subscribe(() => {
+          const { grown, shown } = studio.growth.get();
+          if (grown.step !== step || shown === studio.bench.last_shown) return;
+          studio.bench.last_shown = shown;
+          stop();
+          done();
+        });
+      });
+      taken.push(performance.now() - begin);
+      await studio.view.drawn();
+      await new Promise((done) => setTimeout(done, 100));
+    }
+    return taken;
+  }, is_small ? 3 : 30);
+  return quantile(times, 0.5);
+}
+
+/// Median milliseconds from the wish for an overlay to its points in the view.
+async function overlay_time(page) {
+  const times = await page.evaluate(async (count) => {
+    const { studio } = window;
+    const { growth } = studio.bench;
+    const taken = [];
+    for (let k = 0; k < count; k += 1) {
+      const begin = performance.now();
+      growth.switch_part('points');
+      while (studio.view.counts.overlays.points === 0) await new Promise((done) => setTimeout(done));
+      taken.push(performance.now() - begin);
+      growth.switch_part('points');
+      await new Promise((done) => setTimeout(done, 50));
+    }
+    return taken;
+  }, is_small ? 3 : 30);
+  return quantile(times, 0.5);
+}
+
 /// Milliseconds from clicks at the plant until its component is chosen, and until it is known which instance it is.
 async function pick_times(page) {
   await settled(page);
@@ -245,6 +297,7 @@ try {
   const model = async (name) => readFile(path.join(kSource, 'models', `${name}.json`), 'utf8');
   await write_document(place.folder, 'oak.json', await model('oak'));
   await write_document(place.folder, 'sapling.json', JSON.stringify(kSapling));
+  await write_document(place.folder, 'points.json', JSON.stringify(kPoints));
   await write_document(place.folder, 'limb.json', (await model('large-maple')).replace('"count": 26', '"count": 1'));
   const server = await start_server(place.folder, 'oak');
   const opened = await open_first(browser, server.address);
@@ -281,7 +334,17 @@ try {
   const strips = await strip_time(page);
   tell('strip/oak_first', strips.first / 1000, 's');
   tell('strip/oak', strips.again / 1000, 's', 1);
+  await set(page, 'leafiness', 0.35);
+  await settled(page);
+  tell('growth/oak_step', await scrub_time(page), 'ms', 100);
+  await page.keyboard.press('o');
+  await open_file(page, 'points.json');
+  await page.keyboard.press('o');
+  await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
+  tell('growth/overlay_of_10000', await overlay_time(page), 'ms', 20);
+  await page.keyboard.press('o');
 
+  await open_file(page, 'oak.json');
   tell('bytes/oak_leaf', (await bytes_of(page, () => set(page, 'leaf.fold', 12))) / 1e6, 'MB', 1.3);
   tell('bytes/oak_near_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#5a7b31'))) / 1000, 'kB', 2);
   tell('bytes/oak_far_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#a04020'))) / 1000, 'kB', 2);

@@ -117,4 +117,17 @@ std::string models_folder() {
   return MERISTEM_SOURCE_MODELS;
 }
 
+void add_step_option(CLI::App& command, std::optional<int>& step) {
+  command
+      .add_option("--step", step,
+                  "Show plants that grow by a model as after this step: a step or iteration of growth, or of an "
+                  "L-system's derivation. By default, after the last one")
+      ->type_name("K");
+}
+
+std::optional<int> checked_step(std::optional<int> step) {
+  if (!step || *step >= 0) return step;
+  throw InputError(Diagnostic{.message = fmt::format("--step cannot be {}", *step), .expected = "0 or more steps"});
+}
+
 }  // namespace meristem::cli

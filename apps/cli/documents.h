@@ -49,6 +49,11 @@ Document open_document(const DocumentOptions& options, double time = 0);
 /// Prints what is odd about it unless quiet.
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun);
 
+/// Adds `--step K`, the step of growth that is shown.
+void add_step_option(CLI::App& command, std::optional<int>& step);
+/// The step, as it was given. Throws InputError below 0.
+std::optional<int> checked_step(std::optional<int> step);
+
 /// The folder of shipped models: beside the program where it is installed, else the source tree's.
 std::string models_folder();
 

@@ -29,6 +29,7 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
+  std::optional<int> step;   // of growth
   std::optional<int> lod;    // coarser levels
   std::optional<int> cards;  // upright ones of a last level
   bool instanced = false;    // leaves are rows of arrays
@@ -218,9 +219,19 @@ GrownPart needed_part(const std::vector<const Format*>& formats) {
   return part;
 }
 
+/// The step of growth that is shown, and what the files tell of growth.
+GrowthView needed_view(const GrowOptions& options, const std::vector<const Format*>& formats) {
+  GrowthView view{checked_step(options.step), {}};
+  for (const Format* format : formats) view.wish = view.wish | format->wish;
+  return view;
+}
+
 std::string sizes_of(const GrownDocument& grown) {
   const Counts counts = count(grown.plant, grown.meshes);
   std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
+  if (grown.traces.step) {
+    text = fmt::format("step {} of {}, {}", grown.traces.shown_step(), grown.traces.last_step, text);
+  }
   if (grown.up_to < GrownPart::meshes) return text;
   return text + fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
 }
@@ -232,6 +243,7 @@ void grow(const GrowOptions& options, bool has_time) {
   const double time = film::checked_time(options.time);
   check_animated(options, has_time);
   if (options.animated) return grow_animated(options);
+  const GrowthView view = needed_view(options, formats);
   check_options(options, formats);
   const Document document = open_document(options.document, time);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
@@ -248,7 +260,8 @@ void grow(const GrowOptions& options, bool has_time) {
   {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
-    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = needed_part(formats)});
+    GrownDocument grown =
+        grow_document(document, progress, {.time = time, .up_to = needed_part(formats), .view = view});
     warnings = grown.warnings;
     EncodedPictures pictures;
     FileSet files;
@@ -294,6 +307,7 @@ void add_grow(CLI::App& app, Run& run) {
                       "it moves evenly; by default {}",
                       2, kMostKeys, kUsualKeys))
       ->type_name("N");
+  add_step_option(*command, options->step);
   command
       ->add_option("--lod", options->lod,
                    "Number of coarser levels of detail to write as well: oak_lod1.glb, oak_lod2.glb, ...; by default, "

@@ -22,6 +22,7 @@
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/overlay/overlay.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/picture.h"
@@ -43,6 +44,9 @@ struct RenderOptions {
   std::optional<std::string> time;
   std::optional<int> samples;
   std::optional<int> turntable;  // pictures all around
+  std::optional<int> step;       // of growth
+  std::string show;              // names of overlays
+  bool no_plant = false;         // nothing but overlays and obstacles
   bool transparent = false;
   bool hull = false;
   bool fingerprint = false;  // tells what would be drawn instead of drawing it
@@ -165,11 +169,20 @@ View chosen_view(const RenderOptions& options, const Document& document) {
       Diagnostic{.message = fmt::format("--view cannot be '{}'", options.view), .expected = std::string(kKnownSides)});
 }
 
+std::vector<OverlayPart> chosen_overlays(const RenderOptions& options) {
+  if (options.no_plant && options.show.empty()) {
+    throw InputError(Diagnostic{.message = "--no-plant leaves nothing to draw", .expected = "--show beside it"});
+  }
+  return options.show.empty() ? std::vector<OverlayPart>() : overlay_parts_named(options.show, "--show");
+}
+
 /// What the document and the options say of the pictures.
 PictureOptions chosen_picture(const RenderOptions& options, const Document& document) {
   return {.still = chosen_still(options, document.output),
           .view = chosen_view(options, document),
-          .crown_hulls = options.hull};
+          .crown_hulls = options.hull,
+          .overlays = chosen_overlays(options),
+          .plants = !options.no_plant};
 }
 
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
@@ -237,7 +250,9 @@ class PictureTaker {
     grown_time_ = time;
     other_.reset();
     const Document& document = document_at(document_, time, other_);
-    grown_ = grow_document(document, terminal_.progress(), {.time = time, .detail = chosen_.detail, .cache = &cache_});
+    const GrowthView view{checked_step(chosen_.step), wish_for_overlays(options_.overlays)};
+    grown_ = grow_document(document, terminal_.progress(),
+                           {.time = time, .detail = chosen_.detail, .cache = &cache_, .view = view});
     if (chosen_.cards) grown_.meshes = make_cards(grown_.meshes, {.cards = *chosen_.cards}, terminal_.progress());
   }
 
@@ -263,6 +278,7 @@ std::uint64_t hash_of_film(const Document& document, const std::vector<Picture>&
     all.add(std::filesystem::last_write_time(file, error).time_since_epoch().count());
   }
   all.add(picture.still.width).add(picture.still.height).add(picture.still.samples).add(picture.still.transparent);
+  all.add_text(options.show).add(options.step.value_or(-1)).add(options.no_plant);
   all.add(options.hull).add(options.detail.level).add(options.cards.value_or(0));
   for (const Picture& one : pictures) all.add(one.time).add(one.turn);
   return all.hash();
@@ -321,6 +337,7 @@ void render(const RenderOptions& options) {
     throw InputError(Diagnostic{.message = fmt::format("--cards cannot be {}", *options.cards),
                                 .expected = fmt::format("1 to {} cards", kMostCards)});
   }
+  checked_step(options.step);
   const Document document = open_document(options.document);
   std::vector<Picture> pictures = planned_pictures(options, document);
   plan_truths(options, pictures);
@@ -413,6 +430,17 @@ void add_render(CLI::App& app, Run& run) {
                    "Draw the document at this time in seconds, by default 0; FROM:TO:STEP writes one numbered picture "
                    "per time, or a film. By default, a film shows the whole animation")
       ->type_name("T|FROM:TO:STEP");
+  add_step_option(*command, options->step);
+  std::string parts;
+  for (const OverlayPartInfo& part : overlay_parts()) {
+    parts += fmt::format("  {:<10} {}\n", part.name, part.doc);
+  }
+  command
+      ->add_option("--show", options->show,
+                   "Draw these over the plant, with a legend: a list of names separated by commas (see below)")
+      ->type_name("NAMES");
+  command->add_flag("--no-plant", options->no_plant,
+                    "Leave out the plants themselves, so that what --show names is seen alone");
   command
       ->add_option("--lod", options->detail.level,
                    "Draw this level of detail (see grow --lod); by default, 0, the whole plant")
@@ -435,7 +463,8 @@ void add_render(CLI::App& app, Run& run) {
                                    ->type_name("FILE");
     truth->excludes(fingerprint);
   }
-  command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
+  command->footer("--show takes:\n" + parts +
+                  "Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] {
     if (options->fingerprint) options->output = "picture.png";  // names numbered frames; nothing is written to it
     run = [options] { render(*options); };

@@ -94,6 +94,11 @@ Value component_counts(const MeshScene& scene) {
 
 }  // namespace
 
+GrowthView ShownParts::view() const {
+  if (!is_recorded && !step) return {};
+  return {step, {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true}};
+}
+
 void Grower::leave() {
   const std::lock_guard lock(mutex_);
   if (running_ != nullptr) running_->cancel();
@@ -128,7 +133,7 @@ void Grower::want(Wish wish, bool at_once) {
 void Grower::set_parts(const ShownParts& parts) {
   const std::lock_guard lock(mutex_);
   if (parts == parts_) return;
-  if (parts.time != parts_.time) {
+  if (parts.time != parts_.time || parts.view() != parts_.view()) {
     ++wished_;
     last_input_ = Clock::now();
   }
@@ -242,12 +247,14 @@ void Grower::send_failure(const std::string& hash, const std::string& message, V
 void Grower::grow() {
   Wish wish;
   double time = 0;
+  GrowthView view;
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
     if (done_ == wished_ || is_paused_ || wish_.document == nullptr) return;
     wish = wish_;
     time = parts_.time;
+    view = parts_.view();
     number = wished_;
     done_ = number;  // whatever becomes of it
     if (std::exchange(is_other_, false)) {
@@ -258,16 +265,17 @@ void Grower::grow() {
     }
   }
   run(wish.hash, [&](JobNews& news) {
-    GrownDocument grown =
-        grow_document(*wish.document, news.progress(), {.time = time, .up_to = GrownPart::plant, .cache = &cache_});
+    GrownDocument grown = grow_document(*wish.document, news.progress(),
+                                        {.time = time, .up_to = GrownPart::plant, .cache = &cache_, .view = view});
     if (wish.is_dragged) pictures_.lend(wish.document->graph, grown.plant.materials);
     grown.up_to = GrownPart::meshes;  // they follow when it is known how coarse they may be
     complete_growth(*wish.document, grown, news.progress(), {.time = time, .cache = &cache_});
-    auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish, .time = time, .plant = std::move(grown.plant)});
+    auto made = std::make_shared<GrownWish>(GrownWish{
+        .wish = wish, .time = time, .view = view, .plant = std::move(grown.plant), .traces = std::move(grown.traces)});
     stages_ = news.stages();
     grown_reuse_ = reuse_of(cache_);
     if (!wish.is_dragged && wish.document->scene.fingerprint) {
-      made->placed = instance_counts(wish.document->graph, wish.document->scene, time, news.progress(), &cache_);
+      made->placed = instance_counts(wish.document->graph, wish.document->scene, time, news.progress(), &cache_, view);
     }
     const std::lock_guard lock(mutex_);
     if (!is_other_) grown_ = std::move(made);
@@ -362,6 +370,8 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   }
   counts.emplace_back("placed", grown.placed.empty() ? Value() : Value(std::move(placed)));
   counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
+  counts.emplace_back("step", grown.traces.shown_step());
+  counts.emplace_back("steps", grown.view.wish.any() ? Value(grown.traces.last_step) : Value());
   return counts;
 }
 

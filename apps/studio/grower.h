@@ -36,7 +36,9 @@ struct Wish {
 struct GrownWish {
   Wish wish;
   double time = 0;  ///< seconds, of the document
-  Plant plant{};    ///< painted
+  GrowthView view{};
+  Plant plant{};  ///< painted
+  GrowthTraces traces{};
   /// Instances of each component of the document's graph; empty where nobody will ask, as in a drag.
   std::vector<std::uint64_t> placed{};
 };
@@ -47,8 +49,12 @@ struct ShownParts {
   std::uint64_t rest_triangles = 250'000;  ///< about the most triangles afterwards
   bool surface = true;
   bool skeleton = false;
-  double time = 0;  ///< seconds, of the document
+  double time = 0;           ///< seconds, of the document
+  std::optional<int> step;   ///< of growth; unset: the last
+  bool is_recorded = false;  ///< growth is recorded, with all that overlays show of it
 
+  /// What grows for these parts.
+  GrowthView view() const;
   bool operator==(const ShownParts&) const = default;
 };
 

@@ -154,7 +154,7 @@ Value instance_value(const GrownWish& grown, const InstanceRequest& request, Pro
     if (!number) return {};
     wish.number = *number;
   }
-  const auto found = find_instance(document.graph, document.scene, grown.time, wish, progress, &cache);
+  const auto found = find_instance(document.graph, document.scene, grown.time, wish, progress, &cache, grown.view);
   if (!found) return {};
   Value::Object told = described(request.component, *found);
   for (Value::Member& member : shoot) told.push_back(std::move(member));

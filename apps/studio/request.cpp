@@ -97,6 +97,7 @@ class Members {
 
 constexpr double kMostSeconds = 1e9;
 constexpr double kMostIteration = 1e6;
+constexpr double kMostGrowthSteps = 1e6;
 
 double checked_time(const Members& members) { return members.number("time", -kMostSeconds, kMostSeconds); }
 
@@ -189,6 +190,13 @@ ViewRequest view_request(const Members& members) {
                       .surface = members.optional_flag("surface"),
                       .skeleton = members.optional_flag("skeleton")};
   if (members.has("time")) request.time = checked_time(members);
+  if (members.has("growth")) {
+    members.object("growth");
+    const Members growth(members.value("growth"));
+    request.growth.emplace();
+    if (growth.has("step")) request.growth->step = static_cast<int>(growth.whole("step", 0, kMostGrowthSteps));
+    request.growth->is_recorded = growth.flag("recorded");
+  }
   return request;
 }
 
@@ -357,6 +365,7 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "models") return ModelsRequest{};
   if (what == "stills") return stills_request(members);
   if (what == "grammar") return grammar_request(members);
+  if (what == "overlays") return OverlaysRequest{texts_of(members, "parts")};
   if (what == "clocks") return ClocksRequest{members.number("up_to", 0, kMostSeconds)};
   if (what == "picture") {
     return PictureRequest{members.text("file"), static_cast<int>(members.optional_whole("size", 16, 512).value_or(96))};

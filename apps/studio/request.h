@@ -42,6 +42,16 @@ struct ViewRequest {
   std::optional<bool> surface;
   std::optional<bool> skeleton;
   std::optional<double> time;
+  /// The step of growth that is shown, and whether growth is recorded for overlays.
+  struct Growth {
+    std::optional<int> step;
+    bool is_recorded = false;
+  };
+  std::optional<Growth> growth;
+};
+/// What is shown over the plant: OverlayPart.
+struct OverlaysRequest {
+  std::vector<std::string> parts;
 };
 struct ShownRequest {
   std::uint64_t packet = 0;
@@ -172,11 +182,12 @@ struct PictureRequest {
   int size = 96;     ///< pixels along the longer side
 };
 
-using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
-                             ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, MeasureRowsRequest, SweepRequest, InstanceRequest,
-                             StandRequest, CurvesRequest, OperationsRequest, PartsRequest, PartRequest, ExportRequest,
-                             CommandRequest, StillsRequest, GrammarRequest, ClocksRequest, PictureRequest>;
+using Request =
+    std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
+                 AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
+                 MeasureRowsRequest, SweepRequest, InstanceRequest, StandRequest, CurvesRequest, OperationsRequest,
+                 PartsRequest, PartRequest, ExportRequest, CommandRequest, StillsRequest, GrammarRequest, ClocksRequest,
+                 PictureRequest, OverlaysRequest>;
 
 struct NumberedRequest {
   double id = 0;

@@ -36,6 +36,13 @@ TEST(Request, ReadsEachKind) {
   EXPECT_EQ(view.skeleton, true);
   EXPECT_EQ(view.surface, std::nullopt);
   EXPECT_EQ(view.rest_triangles, 1000U);
+  EXPECT_FALSE(view.growth);
+  const auto growth = read<ViewRequest>(R"({"do": "view", "id": 1, "growth": {"step": 12, "recorded": true}})").growth;
+  EXPECT_EQ(growth->step, 12);
+  EXPECT_TRUE(growth->is_recorded);
+  EXPECT_EQ(read<ViewRequest>(R"({"do": "view", "id": 1, "growth": {"step": null, "recorded": false}})").growth->step,
+            std::nullopt);
+  EXPECT_EQ(read<OverlaysRequest>(R"({"do": "overlays", "id": 1, "parts": ["sun"]})").parts.size(), 1U);
   EXPECT_EQ(read<ShownRequest>(R"({"do": "shown", "id": 1, "packet": 7})").packet, 7U);
   EXPECT_TRUE(read<PauseRequest>(R"({"do": "pause", "id": 1, "paused": true})").paused);
   EXPECT_EQ(read<SaveRequest>(R"({"do": "save", "id": 1, "path": "a.json", "saved": null})").saved, std::nullopt);

@@ -23,6 +23,7 @@
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "operation_values.h"
+#include "overlays_value.h"
 #include "part_values.h"
 #include "refusal.h"
 #include "text_units.h"
@@ -144,6 +145,7 @@ StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
                                                    {"document", text_or_null(host_.document)},
                                                    {"model", text_or_null(host_.model)},
                                                    {"formats", formats_value()},
+                                                   {"overlays", overlay_parts_value()},
                                                    {"limits", limits_value(host_.limits)}}));
 }
 
@@ -358,6 +360,10 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const ViewReques
   if (request.surface) parts.surface = *request.surface;
   if (request.skeleton) parts.skeleton = *request.skeleton;
   if (request.time) parts.time = *request.time;
+  if (request.growth) {
+    parts.step = request.growth->step;
+    parts.is_recorded = request.growth->is_recorded;
+  }
   grower_->set_parts(parts);
   return Answer{};
 }
@@ -542,6 +548,19 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Operati
 std::optional<StudioSession::Answer> StudioSession::act(double id, const ClocksRequest& request) {
   ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
     return {"clocks", clocks_value(grown, request.up_to, progress, cache)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const OverlaysRequest& request) {
+  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache&) {
+    try {
+      if (grown == nullptr) throw Refusal("nothing has grown yet");
+      Value::Object done{{"is", "done"}, {"re", id}, {"overlays", overlays_value(*grown, request, Progress())}};
+      outbox->send_text(write_json_line(done));
+    } catch (const std::exception& error) {
+      outbox->send_text(refused_text(id, error.what(), {}));
+    }
   });
   return std::nullopt;
 }

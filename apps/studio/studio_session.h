@@ -106,6 +106,7 @@ class StudioSession {
   std::optional<Answer> act(double id, const GrammarRequest& request);
   std::optional<Answer> act(double id, const ClocksRequest& request);
   std::optional<Answer> act(double id, const PictureRequest& request);
+  std::optional<Answer> act(double id, const OverlaysRequest& request);
 
   Opened opened(const OpenRequest& request) const;
   std::string model_text(const std::string& model) const;

@@ -514,6 +514,39 @@ TEST(StudioSession, ShowsSkeletonsWhereAsked) {
   EXPECT_EQ(packet.number("triangles"), 0);
 }
 
+TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
+  Studio studio;
+  const Value opened = studio.ask("open", R"json("text": "{\"meristem\": 1, \"seed\": 4, \"components\": {\"tree\": {
+    \"type\": \"colonize\", \"crown\": {\"sphere\": {\"centre\": [0, 1, 0], \"radius\": 0.5}}, \"points\": 60,
+    \"step\": 0.06, \"influence\": 0.8, \"kill\": 0.16, \"iterations\": 18}}}", "path": null)json");
+  const std::string hash = Studio::text_of(opened, "hash");
+  const auto news_of = [&](const std::string& growth) {
+    studio.ask("view", "\"growth\": " + growth);
+    studio.show(hash);
+  };
+  studio.show(hash);
+  news_of(R"({"step": null, "recorded": true})");
+  news_of(R"({"step": 7, "recorded": true})");
+  const Value grown = studio.mailbox().wait_for([](const Value& message) {
+    const Value* step = message.find("step");
+    return step != nullptr && *message.find("is") == Value("grown") && *step == Value(7);
+  });
+  EXPECT_EQ(*grown.find("steps"), Value(18));
+  bool is_reused = false;
+  for (const Value& reuse : *grown.find("reuse")->list()) {
+    if (*reuse.find("what") == Value("grown skeletons")) is_reused = *reuse.find("made") == Value(0);
+  }
+  EXPECT_TRUE(is_reused) << "one growth gives all steps";
+  const Value answer = studio.ask("overlays", R"("parts": ["points", "skeleton"])");
+  const Value& overlays = *answer.find("overlays");
+  EXPECT_EQ(*overlays.find("step"), Value(7));
+  const Value::List& layers = *overlays.find("layers")->list();
+  ASSERT_EQ(layers.size(), 2U);
+  EXPECT_EQ(Studio::text_of(*layers[0].find("points"), "positions").size(), 60U * 12 * 4 / 3) << "in base 64";
+  EXPECT_FALSE(layers[0].find("legend")->list()->empty());
+  EXPECT_EQ(Studio::text_of(studio.ask("overlays", R"("parts": ["nothing"])"), "is"), "refused");
+}
+
 TEST(StudioSession, GrowsNothingWhilePaused) {
   Studio studio;
   studio.open_bush();

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/cloud.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
 #include "meristem/base/colour.h"
 #include "meristem/scene/light_of_points.h"
 #include "meristem/shape/solid/primitives.h"
@@ -67,17 +72,50 @@ std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowCon
   return std::make_unique<PlacedPoints>(points, kept_points(places, limit, context));
 }
 
-void expand(const Cloud& cloud, const Site&, Emitter& out) {
+/// The points as they are before growth, in the component's frame.
+std::vector<TracedPlace> points_before_growth(Emitter& out) {
   const Skeleton points = out.take_grown();
-  const Vec3 own = linear_from_srgb(cloud.colour.value_or(kDotColour));
-  const Vec3 removed_tint = linear_from_srgb(cloud.removed_colour.value_or(kDotColour)) / glm::max(own, 1e-4F);
-  Frame dot{.axes = Mat3(static_cast<float>(cloud.size))};
+  std::vector<TracedPlace> places;
   for (NodeIndex k = 0; k < points.node_count(); ++k) {
-    const bool is_kept = points.birth[k] == kKept;
-    if (!is_kept && !cloud.removed_colour) continue;
-    dot.origin = points.position[k];
+    places.push_back({points.position[k], points.birth[k] == kKept ? PlaceState::free : PlaceState::removed, 0});
+  }
+  return places;
+}
+
+/// The tree's own points as growth has left them, in the frame that they have about the tree.
+std::vector<TracedPlace> points_after_growth(const Cloud& cloud, const Emitter& out) {
+  const GrowthTrace* const growth = out.watched_growth();
+  if (growth == nullptr) {
+    throw InputError(Diagnostic{
+        .message = fmt::format("'{}' shows the growth of '{}' and does not stand beside it", out.component(), cloud.of),
+        .expected = fmt::format("links to '{}' and '{}' from the same components", out.component(), cloud.of),
+        .path = fmt::format("components.{}.after_growth", out.component())});
+  }
+  const int step = std::clamp(out.growth_step().value_or(growth->last_step()), 0, growth->last_step());
+  std::vector<TracedPlace> places = growth->marks(step, {.points = true}).points;
+  const Mat3 from_world = glm::inverse(growth->place.axes);
+  for (TracedPlace& place : places) place.position = from_world * (place.position - growth->place.origin);
+  return places;
+}
+
+void expand(const Cloud& cloud, const Site&, Emitter& out) {
+  const bool is_watched = cloud.after_growth && !cloud.of.empty();
+  const std::vector<TracedPlace> points = is_watched ? points_after_growth(cloud, out) : points_before_growth(out);
+  const Vec3 own = linear_from_srgb(cloud.colour.value_or(kDotColour));
+  const auto tint = [&](const std::optional<Vec3>& colour) {
+    return linear_from_srgb(colour.value_or(kDotColour)) / glm::max(own, 1e-4F);
+  };
+  const Vec3 used_tint = tint(cloud.used_colour);
+  const Vec3 removed_tint = tint(cloud.removed_colour);
+  Frame dot{.axes = Mat3(static_cast<float>(cloud.size))};
+  for (const TracedPlace& point : points) {
+    if (point.state == PlaceState::used && !cloud.used_colour) continue;
+    if (point.state == PlaceState::removed && !cloud.removed_colour) continue;
+    dot.origin = point.position;
+    const Vec3 state_tint = point.state == PlaceState::used ? used_tint : removed_tint;
     out.organ(
-        dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); }, is_kept ? Vec3(1) : removed_tint);
+        dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); },
+        point.state == PlaceState::free ? Vec3(1) : state_tint);
   }
 }
 
@@ -114,15 +152,23 @@ ComponentType cloud_component() {
                       "Removes the points in the deepest shade, as the light response of a colonize component does.")
               .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4, .usual = {0.005, 0.2}},
                       "Diameter of each dot.")
+              .boolean("after_growth", &Cloud::after_growth,
+                       "Whether the dots are the points that growth has left to the tree of 'of': moved, and without "
+                       "those that are used up; by default as before growth.")
+              .colour("used_colour", &Cloud::used_colour,
+                      "Colour of the points that the tree has used up; by default, they are not shown.")
               .colour("removed_colour", &Cloud::removed_colour,
                       "Colour of the points that obstacles or the light limit remove; by default, they are not shown.")
               .only_with("roots", {"one_crown"})
+              .only_with("of", {"after_growth"})
+              .only_where({{"after_growth", {true}}}, {"used_colour"})
               .check([](const Cloud& cloud, const DocumentPath& path, ParameterReader& reader) {
                 const std::size_t times = roots_of(cloud).share_points() ? 1 : cloud.roots.size();
                 check_cloud(cloud.crown, cloud.points, times, "a cloud", path, reader);
               }),
       .expand = expand,
       .grow = grow,
+      .watches_growth = [](const Cloud& cloud) { return cloud.after_growth; },
   });
 }
 

@@ -21,6 +21,8 @@ struct Cloud : ComponentBase {
   bool one_crown = false;              ///< as of the tree
   LightLimit limit;                    ///< on light, as trees have it
   double size = 0.03;                  ///< metres across a dot
+  bool after_growth = false;           ///< the points that growth has left, where `of` names a tree
+  std::optional<Vec3> used_colour;     ///< of the dots that the tree has used up by then; unset: they are not shown
   std::optional<Vec3> removed_colour;  ///< of the dots that obstacles or the limit remove; unset: they are not shown
 };
 

@@ -47,6 +47,7 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
   }
   ColonizeParameters growth = growth_of(tree, *scale);
   growth.directions = context.directions;
+  growth.wish = context.wish;
   return make_colonizer(context.stand, std::move(seedlings), growth, site.key.child("growth"), context.scene,
                         context.limits, context.component, context.progress);
 }

@@ -32,6 +32,8 @@ Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
     // Its word is another one at each time.
     steps = std::clamp(out.time() * *out.animation().steps_per_second, 0.0, steps);
     out.stands_as_grown();
+  } else if (!grammar.is_timed) {
+    steps = out.shown_steps(static_cast<int>(steps));
   }
   return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress(),
                       out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);

@@ -84,13 +84,14 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
   OrganizeParameters growth = growth_of(tree, *scale, site.frame.axes);
   growth.directions = context.directions;
   growth.keeps_fallen = context.keeps_fallen;
+  growth.wish = context.wish;
   return make_organizer(context.stand, std::move(seeds), growth, site.key.child("growth"), context.scene,
                         context.limits, context.component);
 }
 
 /// The iterations that a tree has gone through, with a fraction where it grows over time.
 double age_of(const Organize& tree, const Emitter& out) {
-  const double last = tree.growth.iterations;
+  const double last = std::min(tree.growth.iterations, out.growth_step().value_or(tree.growth.iterations));
   if (!out.grows_in_time()) return last;
   return std::min(last, out.time() * *out.animation().steps_per_second);
 }

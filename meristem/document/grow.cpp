@@ -103,8 +103,10 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
   const Document& now = document_at(document, options.time, other);
   if (&now != &document) return grow_document(now, progress, options);
   GrownDocument grown;
-  grown.plant = placing_faults(
-      document, [&] { return expand(document.graph, document.scene, options.time, progress, options.cache); });
+  grown.plant = placing_faults(document, [&] {
+    const ExpandOptions expansion{options.cache, options.view, &grown.traces};
+    return expand(document.graph, document.scene, options.time, progress, expansion);
+  });
   grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);
   document.source.place(grown.warnings);
   complete_growth(document, grown, progress, options);

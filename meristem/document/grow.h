@@ -6,6 +6,7 @@
 #include "meristem/base/cache.h"
 #include "meristem/base/progress.h"
 #include "meristem/document/document.h"
+#include "meristem/graph/growth_traces.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/mesh_scene.h"
 
@@ -24,6 +25,7 @@ struct GrownDocument {
   MeshScene meshes;                    ///< empty if only the plant was made
   GrownPart up_to = GrownPart::plant;  ///< what there is of it; without textures, materials have sketches of them
   std::vector<Diagnostic> warnings;    ///< what is odd about the plant but not wrong, placed in the document's text
+  GrowthTraces traces;                 ///< what was recorded of its growth, where that was asked for
 };
 
 /// What one growth leaves for the next one of the same or a changed document, which makes anew only what depends on the
@@ -46,6 +48,7 @@ struct GrowthOptions {
   Detail detail{};  ///< how coarse the meshes are
   GrownPart up_to = GrownPart::textures;
   GrowthCache* cache = nullptr;
+  GrowthView view;  ///< the step of growth that is shown, and what is recorded of growth
 };
 
 /// Grows a document: the one call that all programs make. The same document gives the same bytes on any number of

@@ -42,14 +42,6 @@ std::uint64_t bytes_of(const std::vector<Element>& elements) {
   return elements.capacity() * sizeof(Element);
 }
 
-std::uint64_t bytes_of(const Skeleton& skeleton) {
-  std::uint64_t sum = bytes_of(skeleton.parent) + bytes_of(skeleton.position) + bytes_of(skeleton.radius) +
-                      bytes_of(skeleton.axis) + bytes_of(skeleton.order) + bytes_of(skeleton.birth);
-  for (const auto& [name, values] : skeleton.extra) sum += bytes_of(values);
-  sum += bytes_of(skeleton.operations);
-  return sum;
-}
-
 }  // namespace
 
 std::optional<std::uint64_t> hash_of(const Site& site) {
@@ -108,7 +100,7 @@ std::uint64_t BatchResult::bytes() const {
            bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
            bytes_of(block.founded) + bytes_of(block.deformed) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
-      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node) +
+      sum += stem.skeleton.bytes() + (stem.moved ? stem.moved->bytes() : 0) + bytes_of(stem.root_of_node) +
              (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);
     }
   }
@@ -117,7 +109,8 @@ std::uint64_t BatchResult::bytes() const {
 
 std::uint64_t GrownBatch::bytes() const {
   std::uint64_t sum = 0;
-  for (const Skeleton& skeleton : skeletons) sum += bytes_of(skeleton);
+  for (const Skeleton& skeleton : skeletons) sum += skeleton.bytes();
+  for (const auto& trace : traces) sum += trace != nullptr ? trace->bytes() : 0;
   return sum;
 }
 

@@ -10,6 +10,7 @@
 
 #include "meristem/graph/emitter.h"
 #include "meristem/graph/table/site.h"
+#include "meristem/grow/growth_trace.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
@@ -31,6 +32,7 @@ struct BatchResult {
   std::vector<Emitted> blocks;
   std::uint64_t nodes = 0;    ///< of all stems
   std::uint64_t offered = 0;  ///< sites for children
+  int growth_steps = 0;       ///< the most that an instance has taken, where it has told
 
   std::uint64_t bytes() const;
 };
@@ -38,6 +40,7 @@ struct BatchResult {
 /// What a component's instances have grown, one skeleton per instance.
 struct GrownBatch {
   std::vector<Skeleton> skeletons;
+  std::vector<std::shared_ptr<const GrowthTrace>> traces{};  ///< one per instance, null where nothing is recorded
 
   std::uint64_t bytes() const;
 };

@@ -94,6 +94,7 @@ struct GrowContext {
   Stand& stand;                  ///< the stand that the component will grow in
   Progress& progress;
   bool keeps_fallen = false;  ///< what it sheds is wanted too: its growth will be shown over time
+  TraceWish wish{};           ///< what is to be recorded of its growth
 };
 
 /// What a component places by itself.
@@ -125,6 +126,8 @@ struct ComponentType : ComponentTraits {
   std::function<GivenNames(const void* parameters)> gives;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
+  /// Whether it shows how the component grows that it shows; empty where that is never so.
+  std::function<bool(const void* parameters)> watches_growth;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
   std::function<bool(const void* parameters)> grows_alone;
   /// Plants one instance in a stand; empty for components that do not grow.
@@ -178,6 +181,8 @@ struct ComponentDefinition {
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
   /// The components that `expand` places by `out.named_site`, by their numbers there.
   std::vector<PlacedComponent> (*placed)(const P& parameters) = nullptr;
+  /// For components that show another one: whether they look at its growth, by `out.watched_growth`.
+  bool (*watches_growth)(const P& parameters) = nullptr;
   /// The names of what `expand` gives by `out.give`.
   GivenNames (*gives)(const P& parameters) = nullptr;
 };
@@ -221,7 +226,14 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       check_rules(*prototype.type, prototype.id, &instance, context.limits);
       Site own = site;
       own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.directions);
-      return grow(instance, own, context);
+      std::unique_ptr<Grower> grower = grow(instance, own, context);
+      grower->place = own.frame;
+      return grower;
+    };
+  }
+  if (definition.watches_growth != nullptr) {
+    type.watches_growth = [watches = definition.watches_growth](const void* parameters) {
+      return watches(*static_cast<const P*>(parameters));
     };
   }
   if (definition.placed != nullptr) {

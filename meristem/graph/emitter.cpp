@@ -299,8 +299,15 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
 
 bool Emitter::grows_in_time() const {
   return context_->prototype.type->grows_in_time && context_->animation != nullptr &&
-         context_->animation->steps_per_second;
+         context_->animation->steps_per_second && !context_->growth_step;
 }
+
+int Emitter::shown_steps(int steps) {
+  growth_steps = std::max(growth_steps, steps);
+  return std::min(steps, context_->growth_step.value_or(steps));
+}
+
+std::optional<int> Emitter::growth_step() const { return context_->growth_step; }
 
 const Animation& Emitter::animation() const { return *context_->animation; }
 

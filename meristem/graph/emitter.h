@@ -22,6 +22,7 @@
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
 #include "meristem/graph/trimmed_stem.h"
+#include "meristem/grow/growth_trace.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 #include "meristem/shape/tube/loft.h"
@@ -122,6 +123,7 @@ struct Emitted {
     std::uint64_t name = 0;  ///< as in Planting::Place
   };
   std::vector<PlacedPlant> plants;
+  int growth_steps = 0;  ///< the most that one of the instances has taken
 };
 
 /// The key for the positions of children on a stem with this key.
@@ -168,6 +170,11 @@ class Emitter : private Emitted {
   void born(double step);
   /// Whether the instance's stems grow over time.
   bool grows_in_time() const;
+  /// How many of `steps` steps of growth the instance shows; to be asked once by components that derive what they show
+  /// as they expand. What take_grown() gives is of that step already.
+  int shown_steps(int steps);
+  /// The step at which the document is looked at, where that is not the last.
+  std::optional<int> growth_step() const;
   /// Steps that the document's growth takes per second, and seconds that shed branches stay; where stems grow over
   /// time.
   const Animation& animation() const;
@@ -242,12 +249,16 @@ class Emitter : private Emitted {
   RandomKey component_key() const;
   /// The skeleton that this instance has grown; only for components that grow, and once per instance.
   Skeleton take_grown();
+  /// The growth of the instance that this one shows (Showing) on the same parent, where the component watches it
+  /// (ComponentDefinition::watches_growth); else null.
+  const GrowthTrace* watched_growth() const { return watched_.get(); }
 
   // For the graph.
 
   /// Calls `expand` for one instance, unless it is omitted; `index` counts within the block.
   void instance(const ComponentBase& base, const Site& site, std::size_t index, FunctionRef<void(const Site&)> expand);
   void set_grown(std::vector<Skeleton> skeletons) { grown_ = std::move(skeletons); }
+  void set_watched(std::shared_ptr<const GrowthTrace> watched) { watched_ = std::move(watched); }
 
   /// All that was emitted, once an emitter.
   Emitted take() { return std::move(static_cast<Emitted&>(*this)); }
@@ -299,6 +310,7 @@ class Emitter : private Emitted {
   std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;
+  std::shared_ptr<const GrowthTrace> watched_;
   std::shared_ptr<const Placement>
       branching_;  // placement of the stem emitted last, since most stems have an equal one
 };

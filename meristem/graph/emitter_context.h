@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "meristem/base/limits.h"
@@ -27,6 +28,7 @@ struct EmitterContext {
   std::uint64_t together = 1;            ///< instances that are expanded together
   double time = 0;                       ///< seconds
   const Animation* animation = nullptr;  ///< null: the document has none
+  std::optional<int> growth_step{};      ///< step at which all plants that grow by a model are shown; unset: the last
   RandomKey key = RandomKey();           ///< of the component, for what its instances draw together
   bool wants_child_sites = true;
   bool wants_branch_sites = true;

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <type_traits>
 #include <typeinfo>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -49,11 +50,12 @@ struct Batch {
 struct Grown {
   CacheKey key;
   std::shared_ptr<GrownBatch> batch;
+  std::vector<std::shared_ptr<const GrowthTrace>> watched{};  // by instance, where the component watches others grow
 };
 
 class Expansion {
  public:
-  Expansion(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache)
+  Expansion(const Graph& graph, const Scene& scene, double time, Progress& progress, const ExpandOptions& options)
       : graph_(graph),
         scene_(scene),
         directions_(scene.directions()),
@@ -61,11 +63,14 @@ class Expansion {
         progress_(progress),
         links_(graph, scene, directions_, time, progress),
         assembly_(graph),
-        results_(cache,
+        view_(options.view),
+        traces_(options.traces),
+        results_(options.cache,
                  {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes), typeid(PlantVariant)}),
         meshes_(graph.components.size()) {}
 
   Plant run() {
+    if (traces_ != nullptr) traces_->step = view_.step;
     walk();
     Plant plant = assembly_.run(mesh_bytes(), progress_);
     plant.plantings = grow_plantings(graph_, std::move(planting_), results_, progress_);
@@ -142,7 +147,22 @@ class Expansion {
 
   /// Whether the plants of a component stand as their growth has come to be at a time.
   bool unrolls(const Prototype& prototype) const {
-    return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second;
+    return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second && !view_.step;
+  }
+
+  bool watches_growth(const Prototype& prototype) const {
+    return !prototype.shown.empty() && prototype.type->watches_growth &&
+           prototype.type->watches_growth(prototype.parameters.get());
+  }
+
+  /// What is recorded of a component's growth: what the view wishes, and what others show of it.
+  TraceWish wish_for(const Prototype& prototype) const {
+    TraceWish wish = view_.wish;
+    wish.steps = wish.steps || wish.markers || view_.step;
+    for (const Prototype& other : graph_.components) {
+      if (other.shown == prototype.id && watches_growth(other)) wish.points = true;
+    }
+    return wish;
   }
 
   std::uint64_t hash_of_names() const {
@@ -204,7 +224,32 @@ class Expansion {
                  [&](const Batch& batch) { return !grows_alone(batch); });
     std::vector<Grown> grown_together = grow_together(together);
     auto next = grown_together.begin();
-    for (const Batch& batch : batches) expand_batch(batch, grows_alone(batch) ? grow_alone(batch) : std::move(*next++));
+    std::vector<Grown> grown;
+    for (const Batch& batch : batches) grown.push_back(grows_alone(batch) ? grow_alone(batch) : std::move(*next++));
+    for (std::size_t k = 0; k < batches.size(); ++k) {
+      find_watched(batches[k], batches, grown, grown[k]);
+      expand_batch(batches[k], grown[k]);
+    }
+  }
+
+  /// Finds the growths that the instances of a batch watch: those of the instances with their keys.
+  void find_watched(const Batch& batch, const std::deque<Batch>& batches, const std::vector<Grown>& all,
+                    Grown& grown) const {
+    const Prototype& prototype = graph_.components[batch.component];
+    if (!watches_growth(prototype)) return;
+    std::unordered_map<std::uint64_t, std::shared_ptr<const GrowthTrace>> by_key;
+    for (std::size_t k = 0; k < batches.size(); ++k) {
+      if (graph_.components[batches[k].component].id != prototype.shown) continue;
+      for (std::size_t s = 0; s < all[k].batch->traces.size(); ++s) {
+        by_key.emplace(batches[k].sites()[s].key.bits(), all[k].batch->traces[s]);
+      }
+      if (grown.key && all[k].key) grown.key = Fingerprint().add(*grown.key).add(*all[k].key).hash();
+      if (!all[k].key) grown.key.reset();
+    }
+    for (const Site& site : batch.sites()) {
+      const auto found = by_key.find(site.key.bits());
+      grown.watched.push_back(found == by_key.end() ? nullptr : found->second);
+    }
   }
 
   bool grows_alone(const Batch& batch) const {
@@ -218,7 +263,12 @@ class Expansion {
     const CacheKey own =
         fingerprint_of(batch.component, prototype.growth_fingerprint, prototype.growth_depends_on_time);
     if (!own || !batch.places->hash) return std::nullopt;
-    return Fingerprint().add(*own).add(*batch.places->hash).add(unrolls(prototype)).hash();
+    return Fingerprint()
+        .add(*own)
+        .add(*batch.places->hash)
+        .add(unrolls(prototype))
+        .add(wish_for(prototype).bits())
+        .hash();
   }
 
   /// What each batch of a stand has grown. Where a plant changes, all that compete with it grow anew.
@@ -245,13 +295,16 @@ class Expansion {
       for (const Site& site : batch.sites()) plant(batch.component, site, stand);
     }
     stand.grow(progress_);
+    std::vector<std::unique_ptr<GrowthTrace>> traces = stand.take_traces(progress_);
     std::vector<Skeleton> skeletons = stand.take_skeletons(progress_);
     auto next = std::make_move_iterator(skeletons.begin());
+    auto trace = std::make_move_iterator(traces.begin());
     for (std::size_t k = 0; k < batches.size(); ++k) {
-      const auto end = next + static_cast<std::ptrdiff_t>(batches[k].sites().size());
-      grown[k].batch = std::make_shared<GrownBatch>(GrownBatch{{next, end}});
+      const auto size = static_cast<std::ptrdiff_t>(batches[k].sites().size());
+      grown[k].batch = std::make_shared<GrownBatch>(GrownBatch{{next, next + size}, {trace, trace + size}});
       results_.store(grown[k].key, grown[k].batch);
-      next = end;
+      next += size;
+      trace += size;
     }
     return grown;
   }
@@ -267,6 +320,7 @@ class Expansion {
       Stand stand;
       plant(batch.component, site, stand);
       stand.grow(progress_);
+      grown.batch->traces.push_back(std::move(stand.take_traces(progress_)[0]));
       grown.batch->skeletons.push_back(std::move(stand.take_skeletons(progress_)[0]));
     }
     results_.store(grown.key, grown.batch);
@@ -275,8 +329,14 @@ class Expansion {
 
   void plant(ComponentIndex component, const Site& site, Stand& stand) {
     const Prototype& prototype = graph_.components[component];
-    const GrowContext context{
-        scene_, directions_at(site, directions_), graph_.limits, prototype.id, stand, progress_, unrolls(prototype)};
+    const GrowContext context{scene_,
+                              directions_at(site, directions_),
+                              graph_.limits,
+                              prototype.id,
+                              stand,
+                              progress_,
+                              unrolls(prototype),
+                              wish_for(prototype)};
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
@@ -296,6 +356,7 @@ class Expansion {
       results_.store(key, result);
     }
     nodes_ += result->nodes;
+    if (traces_ != nullptr) take_traces(batch, grown, *result);
     if (!counts_.empty()) count_instances(batch);
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
@@ -303,6 +364,19 @@ class Expansion {
     const auto has_plants = [](const Emitted& block) { return !block.plants.empty(); };
     if (std::ranges::any_of(result->blocks, has_plants)) planting_.push_back({batch.component, result});
     assembly_.add(batch.component, std::move(result));
+  }
+
+  /// Hands out what was recorded of a batch's growth.
+  void take_traces(const Batch& batch, const Grown& grown, const BatchResult& result) {
+    traces_->last_step = std::max(traces_->last_step, result.growth_steps);
+    if (grown.batch == nullptr) return;
+    const std::string& id = graph_.components[batch.component].id;
+    for (const std::shared_ptr<const GrowthTrace>& trace : grown.batch->traces) {
+      const std::uint32_t instance = grown_instances_[batch.component]++;
+      if (trace == nullptr) continue;
+      traces_->growths.push_back({id, instance, trace});
+      traces_->last_step = std::max(traces_->last_step, trace->last_step());
+    }
   }
 
   bool wants(const std::vector<LinkIndex>& links, bool branches) const {
@@ -320,6 +394,8 @@ class Expansion {
       const Animation& animation = *graph_.animation;
       key.add(*animation.steps_per_second).add(animation.unfold).add(animation.hold);
     }
+    if (view_.step && (prototype.type->grows_in_time || watches_growth(prototype)))
+      key.add(*view_.step).add_text("step");
     return key.add(grown.key.value_or(0)).hash();
   }
 
@@ -369,6 +445,7 @@ class Expansion {
             .together = batch.sites().size(),
             .time = time_,
             .animation = graph_.animation ? &*graph_.animation : nullptr,
+            .growth_step = view_.step,
             .key = RandomKey(graph_.seed).child("component").child(prototype.id),
             .wants_child_sites = wants(links, false),
             .wants_branch_sites = wants(links, true),
@@ -394,20 +471,28 @@ class Expansion {
     progress_.begin("expanding", sites.size());
     parallel_for(sites.size(), block, [&](std::size_t begin, std::size_t end) {
       Emitter emitter(context);
-      if (grown.batch != nullptr) emitter.set_grown(skeleton_of(grown, begin));
+      if (grown.batch != nullptr) emitter.set_grown(skeleton_of(grown, begin, *context.progress));
+      if (!grown.watched.empty()) emitter.set_watched(grown.watched[begin]);
       prototype.type->expand(prototype, std::span(sites).subspan(begin, end - begin), emitter);
       result->blocks[begin / block] = emitter.take();
       progress_.advance(end - begin);
     });
+    for (const Emitted& emitted : result->blocks) {
+      result->growth_steps = std::max(result->growth_steps, emitted.growth_steps);
+    }
     result->nodes = context.nodes - nodes_;
     result->offered = context.instances - instances_;
     return result;
   }
 
-  static std::vector<Skeleton> skeleton_of(const Grown& grown, std::size_t instance) {
+  /// What an instance has grown, at the step that is shown.
+  std::vector<Skeleton> skeleton_of(const Grown& grown, std::size_t instance, Progress& progress) const {
     Skeleton& skeleton = grown.batch->skeletons[instance];
+    const GrowthTrace* const trace = view_.step ? grown.batch->traces[instance].get() : nullptr;
     std::vector<Skeleton> one(1);
-    if (grown.key) {
+    if (trace != nullptr && *view_.step < trace->last_step()) {
+      one[0] = trace->standing(std::max(0, *view_.step), scene_, progress);
+    } else if (grown.key) {
       one[0] = skeleton;
     } else {
       one[0] = std::move(skeleton);  // nobody else will ask for it
@@ -546,6 +631,9 @@ class Expansion {
   Progress& progress_;
   LinkSites links_;
   PlantAssembly assembly_;
+  GrowthView view_;
+  GrowthTraces* traces_ = nullptr;
+  std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // so far
   CacheRun results_;
   CacheKey surroundings_;
   std::deque<Batch> ready_;
@@ -566,26 +654,31 @@ class Expansion {
 
 InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most,
                            Progress& progress) {
-  return Expansion(graph, scene, time, progress, nullptr).tree(most);
+  return Expansion(graph, scene, time, progress, {}).tree(most);
 }
 
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
-                                           Cache* cache) {
-  return Expansion(graph, scene, time, progress, cache).counts();
+                                           Cache* cache, const GrowthView& view) {
+  return Expansion(graph, scene, time, progress, {cache, view}).counts();
 }
 
 std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                      Cache* cache) {
-  return Expansion(graph, scene, time, progress, cache).clocks();
+  return Expansion(graph, scene, time, progress, {cache}).clocks();
 }
 
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
-                                           const InstanceWish& wish, Progress& progress, Cache* cache) {
-  return Expansion(graph, scene, time, progress, cache).find(wish);
+                                           const InstanceWish& wish, Progress& progress, Cache* cache,
+                                           const GrowthView& view) {
+  return Expansion(graph, scene, time, progress, {cache, view}).find(wish);
 }
 
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache) {
-  return Expansion(graph, scene, time, progress, cache).run();
+  return Expansion(graph, scene, time, progress, {cache}).run();
+}
+
+Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, const ExpandOptions& options) {
+  return Expansion(graph, scene, time, progress, options).run();
 }
 
 }  // namespace meristem

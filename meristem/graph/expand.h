@@ -4,6 +4,7 @@
 #include "meristem/base/cache.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/graph.h"
+#include "meristem/graph/growth_traces.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 
@@ -19,5 +20,15 @@ namespace meristem {
 /// for the next one. Textures are sketches until paint_textures (looks.h). Throws InputError (limits, numbers that are
 /// not finite), Cancelled.
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache = nullptr);
+
+/// What an expansion may keep and show besides.
+struct ExpandOptions {
+  Cache* cache = nullptr;
+  GrowthView view;
+  GrowthTraces* traces = nullptr;  ///< gets what `view` wishes to be recorded; null: nobody asks
+};
+
+/// The same with the plants as `view` says. Whatever is recorded, the plant has the same bytes.
+Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, const ExpandOptions& options);
 
 }  // namespace meristem

@@ -12,6 +12,7 @@
 #include "meristem/base/cache.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/graph.h"
+#include "meristem/graph/growth_traces.h"
 #include "meristem/scene/scene.h"
 
 namespace meristem {
@@ -35,7 +36,7 @@ InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, 
 /// How many instances each component of the graph has, in their order; those that are left out do not count. With the
 /// cache of an expansion of the same arguments, nothing is made anew. Throws as expand() does.
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
-                                           Cache* cache = nullptr);
+                                           Cache* cache = nullptr, const GrowthView& view = {});
 
 /// A clock that an instance has begun for what hangs on it.
 struct BegunClock {
@@ -73,6 +74,7 @@ struct FoundInstance {
 /// such part, or several instances made it together. With the cache of that expansion, nothing is grown anew. Throws as
 /// expand() does.
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
-                                           const InstanceWish& wish, Progress& progress, Cache* cache = nullptr);
+                                           const InstanceWish& wish, Progress& progress, Cache* cache = nullptr,
+                                           const GrowthView& view = {});
 
 }  // namespace meristem

@@ -43,6 +43,17 @@ void Stand::grow(Progress& progress) {
   }
 }
 
+std::vector<std::unique_ptr<GrowthTrace>> Stand::take_traces(Progress& progress) {
+  for (const Shared& shared : commons_) shared.commons->end_record(progress);
+  std::vector<std::unique_ptr<GrowthTrace>> traces;
+  traces.reserve(members_.size());
+  for (const std::unique_ptr<Grower>& member : members_) {
+    traces.push_back(member->take_trace());
+    if (traces.back() != nullptr) traces.back()->place = member->place;
+  }
+  return traces;
+}
+
 std::vector<Skeleton> Stand::take_skeletons(Progress& progress) {
   commons_.clear();  // finishing needs memory, and nothing of what they competed for
   std::vector<Skeleton> skeletons(members_.size());

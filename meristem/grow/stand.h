@@ -9,7 +9,9 @@
 #include <typeindex>
 #include <vector>
 
+#include "meristem/base/frame.h"
 #include "meristem/base/progress.h"
+#include "meristem/grow/growth_trace.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
@@ -17,6 +19,8 @@ namespace meristem {
 /// One plant growing among others. A growth model implements it; a stand drives it.
 class Grower {
  public:
+  Frame place;  ///< frame of the instance that grows, which traces tell
+
   virtual ~Grower() = default;
   /// The most steps it will take; 0 for a member that does not grow.
   virtual int step_limit() const = 0;
@@ -26,6 +30,9 @@ class Grower {
   /// Tells the commons what the step has done; called after each one, once all have taken theirs, in the members'
   /// order.
   virtual void tell() {}
+  /// What it has recorded where that was asked for, else null; called once, after the last step and before
+  /// take_skeleton().
+  virtual std::unique_ptr<GrowthTrace> take_trace() { return nullptr; }
   /// The finished skeleton, post-processed, with radii, axes and orders; called once, after the last step, while others
   /// finish theirs.
   virtual Skeleton take_skeleton(Progress& progress) = 0;
@@ -37,6 +44,8 @@ class Commons {
   virtual ~Commons() = default;
   /// Takes account of what the plants did in the round before; called before each round.
   virtual void begin_round(Progress& progress) = 0;
+  /// Takes account of what they did in the last round, where somebody records that; called once, when all have grown.
+  virtual void end_record(Progress&) {}
 };
 
 class Stand {
@@ -56,6 +65,10 @@ class Stand {
   /// Grows all members together, step by step, until none can grow further or all have reached their step limits.
   /// Passes on what members throw: InputError when one exceeds its limits, Cancelled when asked to stop.
   void grow(Progress& progress);
+
+  /// What the members have recorded, in their order; null for those that record nothing. To be called once, between
+  /// grow() and take_skeletons().
+  std::vector<std::unique_ptr<GrowthTrace>> take_traces(Progress& progress);
 
   /// The skeletons in the members' order; to be called once, after grow().
   std::vector<Skeleton> take_skeletons(Progress& progress);

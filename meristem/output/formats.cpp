@@ -7,6 +7,7 @@
 #include "meristem/measure/surface_labels.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
+#include "meristem/output/overlay/trace_csv.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/skeleton/cylinder_csv.h"
 #include "meristem/output/skeleton/operation_csv.h"
@@ -86,6 +87,11 @@ constexpr Format kFormats[] = {
      "what operations did to self-organizing trees as a table, one row per cut, ring, bend, tie or mark",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_operation_csv(grown.plant, path, progress); }},
+    {".points.csv",
+     "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
+     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_points_csv(grown.traces, path, progress); },
+     GrownPart::plant, false, nullptr, false, TraceWish{.points = true}},
     {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},

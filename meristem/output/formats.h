@@ -33,8 +33,9 @@ struct Format {
   bool can_instance = false;
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
-  bool is_whole = false;  ///< it holds the plant alone, without obstacles, and has no levels of detail
+  bool is_whole = false;     ///< it holds the plant alone, without obstacles, and has no levels of detail
   bool can_animate = false;  ///< holds plants that move (moving_file.h)
+  TraceWish wish{};          ///< what must be recorded of growth for it
 
   bool has_meshes() const { return needs >= GrownPart::meshes && !is_whole; }  ///< so that levels of detail differ
   bool has_textures() const { return needs >= GrownPart::textures; }           ///< so that it can show cards

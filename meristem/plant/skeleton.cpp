@@ -21,6 +21,16 @@ void Skeleton::reserve(std::size_t nodes) {
   for (auto& [name, values] : extra) values.reserve(nodes);
 }
 
+std::uint64_t Skeleton::bytes() const {
+  const auto bytes_of = [](const auto& column) {
+    return column.capacity() * sizeof(typename std::decay_t<decltype(column)>::value_type);
+  };
+  std::uint64_t sum = bytes_of(parent) + bytes_of(position) + bytes_of(radius) + bytes_of(axis) + bytes_of(order) +
+                      bytes_of(birth) + bytes_of(operations);
+  for (const auto& [name, values] : extra) sum += bytes_of(values);
+  return sum;
+}
+
 NodeIndex Skeleton::add_node(NodeIndex parent_node, Vec3 node_position, float node_birth) {
   const auto node = static_cast<NodeIndex>(node_count());
   assert(parent_node == kNoNode || parent_node < node);

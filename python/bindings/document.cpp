@@ -101,11 +101,16 @@ DocumentPointer standing_at(const DocumentPointer& document, double time) {
   return std::make_shared<DocumentInPython>(document->document.at_time(time), document->overrides, document->seed);
 }
 
-std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time, int threads,
-                                    const py::object& progress) {
+std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time, const std::optional<int>& step,
+                                    bool trace, int threads, const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
+  if (step && *step < 0) throw py::value_error("step must be 0 or more");
+  GrowthView view{step, {}};
+  if (trace) {
+    view.wish = {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true};
+  }
   return run_call(progress, threads, [&](Progress& inner) {
-    GrowthOptions options{.time = time, .up_to = GrownPart::plant};
+    GrowthOptions options{.time = time, .up_to = GrownPart::plant, .view = view};
     std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
     const DocumentPointer now = standing_at(document, time);
@@ -256,11 +261,12 @@ their paths, as in set(); `seed` (0 to 2^53) replaces the document's. Raises Inp
 {"age": 20} sets a variable, {"leaf.length": 0.1} a component's parameter, {"links[1].density": 90} or
 {"scene.latitude": 50} a key. Files that have changed are read anew. Growing it makes only what has changed since the
 last growth of such a document. Raises InputError.)")
-      .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
-           py::arg("progress") = py::none(),
+      .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("step") = py::none(), py::arg("trace") = false,
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.
 
-What clothes the plant is made when it is first asked for.
+What clothes the plant is made when it is first asked for. With a `step`, plants that grow by a model stand as after
+that step of growth. With `trace`, Plant.trace tells all steps of the growth; this takes memory, and changes no plant.
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")

@@ -76,6 +76,7 @@ class PlantInPython {
   /// As it has grown.
   const Plant& unexpanded() const { return grown_.plant; }
   const std::vector<Diagnostic>& warnings() const { return grown_.warnings; }
+  const GrowthTraces& traces() const { return grown_.traces; }
   /// What has grown, with all up to a part. On a thread without the interpreter's lock. Throws as complete_growth does.
   const GrownDocument& up_to(GrownPart part, Progress& progress);
   /// The meshes if they have been made, else null.
@@ -104,6 +105,10 @@ void refuse_new(const char* where) {
 /// The folder of shipped models, which stands beside the package. To be called with the GIL.
 std::string models_folder();
 
+/// What was recorded of the growth of a plant; None where nothing was.
+py::object trace_of(const std::shared_ptr<PlantInPython>& plant);
+
+void bind_trace(py::module_& module);
 void bind_component_types(py::module_& module);
 void bind_dataset(py::module_& module);
 void bind_document(py::module_& module);

@@ -20,6 +20,7 @@ PYBIND11_MODULE(_core, module) {
   bind_grass_blade(module);
   bind_scene(module);
   bind_colonize(module);
+  bind_trace(module);
   bind_plant(module);
   bind_shade(module);
   bind_scan(module);

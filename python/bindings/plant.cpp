@@ -496,6 +496,8 @@ pictures on them, are made when something first asks for them, which then raises
       .def_property_readonly(
           "warnings", [](const PlantInPython& p) { return to_python(p.warnings()); },
           "What is odd about the plant but not wrong, such as stems that go into obstacles: a tuple of Diagnostic.")
+      .def_property_readonly("trace", &trace_of,
+                             "The Trace of its growth where grow(trace=True) has recorded one, else None.")
       .def_property_readonly(
           "stems", [](const PlantPointer& p) { return parts_of(p, p->plant().stems); },
           "A list of Stem, one for each grown skeleton.")

@@ -58,6 +58,7 @@ void AttractionCloud::begin_round(Progress& progress) {
   // Points near a root pull it once before they are used up.
   const bool is_first = !still_ && !moving_;
   if (is_first) plant_points(progress);
+  if (record_) record_->begin_step();
   const auto first_new = static_cast<NodeIndex>(nodes_.size());
   take_new_nodes(progress);
   for (Member& member : trees_) {
@@ -72,12 +73,27 @@ void AttractionCloud::begin_round(Progress& progress) {
   hand_over_pulls();
 }
 
+/// Uses up what the nodes of the last step have come near to, and finds the history of each point.
+void AttractionCloud::end_record(Progress& progress) {
+  if (!record_) return;
+  const auto first_new = static_cast<NodeIndex>(nodes_.size());
+  if (still_ || moving_) {
+    record_->begin_step();
+    take_new_nodes(progress);
+  }
+  if (still_) gather_still(first_new, true);
+  if (moving_) use_up_moving(true);
+  histories_ = record_->histories(trees_.size());
+  record_.reset();
+}
+
 /// Uses points up, and sums up the others by node.
 void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
   const auto keeps = [&](Vec3 point, NodeIndex node, float distance2) {
     const bool goes = kills && distance2 <= nodes_[node].kill2;
     if (!goes && any_feels_shade_ && is_too_dark(trees_[nodes_[node].tree], point)) return true;
     if (goes || node >= first_new) ++trees_[nodes_[node].tree].advances;
+    if (goes && record_) record_->use_up(point);
     if (!goes) add_pull(node, point);
     return !goes;
   };
@@ -87,18 +103,29 @@ void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
 
 /// Gathers the pulls of points that move in between: they pull from where they go to.
 void AttractionCloud::gather_moving(bool kills, const Progress& progress) {
-  moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
-    const bool goes = kills && distance2 <= nodes_[node].kill2;
-    Member& member = trees_[nodes_[node].tree];
-    if (goes) ++member.advances;
-    if (!goes && !is_too_dark(member, point)) member.now_closest2 = std::min(member.now_closest2, distance2);
-    return !goes;
-  });
+  use_up_moving(kills);
   for (Member& member : trees_) note_closeness(member);
   motion_->move(*moving_, progress);
   moving_->sweep([&](Vec3 point, NodeIndex node, float) {
     if (!is_too_dark(trees_[nodes_[node].tree], point)) add_pull(node, point);
     return true;
+  });
+}
+
+void AttractionCloud::use_up_moving(bool kills) {
+  if (record_ && kills) {
+    std::vector<Vec3> places;
+    places.reserve(moving_->living());
+    for (const MovingPoint& point : moving_->points()) places.push_back(point.position);
+    record_->place(std::move(places));
+  }
+  moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
+    const bool goes = kills && distance2 <= nodes_[node].kill2;
+    Member& member = trees_[nodes_[node].tree];
+    if (goes) ++member.advances;
+    if (goes && record_) record_->use_up(point);
+    if (!goes && !is_too_dark(member, point)) member.now_closest2 = std::min(member.now_closest2, distance2);
+    return !goes;
   });
 }
 
@@ -119,6 +146,7 @@ bool AttractionCloud::is_too_dark(const Member& member, Vec3 point) const {
 /// Brings the points into the form in which they live from the first round on.
 void AttractionCloud::plant_points(Progress& progress) {
   leave_out_darkest(progress);
+  if (record_) record_points();
   std::size_t first = 0;
   for (Member& member : trees_) {
     const std::span<const Vec3> own = std::span(points_).subspan(first, member.points);
@@ -132,6 +160,14 @@ void AttractionCloud::plant_points(Progress& progress) {
     still_.emplace(std::move(points_), progress);
   }
   points_ = {};
+}
+
+/// Notes the points that take part in growth; those that do not are noted where they are removed.
+void AttractionCloud::record_points() {
+  std::size_t next = 0;
+  for (Tree tree = 0; tree < trees_.size(); ++tree) {
+    for (std::size_t k = 0; k < trees_[tree].points; ++k) record_->bring(tree, points_[next++], false);
+  }
 }
 
 /// Removes the share of each tree's points that lies in the deepest shade, also of other trees' points.
@@ -160,9 +196,18 @@ void AttractionCloud::leave_out_darkest(const Progress& progress) {
     const std::span<const double> own_light = std::span(light).subspan(first - member.points, member.points);
     const std::vector<std::uint32_t> left = brightest(own_light, limit.share);
     for (const std::uint32_t point : left) kept.push_back(own[point]);
+    if (record_) record_removed(static_cast<Tree>(&member - trees_.data()), own, left);
     member.points = left.size();
   }
   points_ = std::move(kept);
+}
+
+void AttractionCloud::record_removed(Tree tree, std::span<const Vec3> points, std::span<const std::uint32_t> left) {
+  std::vector<std::uint8_t> is_left(points.size(), 0);
+  for (const std::uint32_t point : left) is_left[point] = 1;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (is_left[k] == 0) record_->bring(tree, points[k], true);
+  }
 }
 
 void AttractionCloud::start_moving() {

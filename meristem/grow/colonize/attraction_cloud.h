@@ -8,6 +8,7 @@
 
 #include "meristem/base/vec.h"
 #include "meristem/grow/colonize/cloud_motion.h"
+#include "meristem/grow/colonize/cloud_record.h"
 #include "meristem/grow/colonize/light_response.h"
 #include "meristem/grow/colonize/moving_points.h"
 #include "meristem/grow/colonize/nearest_nodes.h"
@@ -44,6 +45,8 @@ class AttractionCloud : public Commons {
   /// both outlive the cloud. To be called before the first round.
   Tree join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction, const Scene& scene,
             const ShadowGrid* shade = nullptr);
+  /// From now on it notes what becomes of its points, for histories(). To be called before the first round.
+  void keep_record() { record_.emplace(); }
   /// A new node of a tree; its points are counted from the next round on.
   void add_node(Tree tree, Vec3 position);
 
@@ -61,6 +64,11 @@ class AttractionCloud : public Commons {
   std::uint64_t point_count() const { return still_ ? still_->living() : moving_ ? moving_->living() : points_.size(); }
 
   void begin_round(Progress& progress) override;
+  void end_record(Progress& progress) override;
+  /// What has become of the points of each tree, after end_record(); relative to origin().
+  const std::vector<PointHistory>& histories() const { return histories_; }
+  Vec3 origin() const { return origin_; }  ///< world space
+  std::uint64_t record_bytes() const { return record_ ? record_->bytes() : 0; }
 
  private:
   struct Member {
@@ -90,12 +98,15 @@ class AttractionCloud : public Commons {
   };
 
   void plant_points(Progress& progress);
+  void record_points();
+  void record_removed(Tree tree, std::span<const Vec3> points, std::span<const std::uint32_t> left);
   void leave_out_darkest(const Progress& progress);
   void start_moving();
   bool is_too_dark(const Member& member, Vec3 point) const;
   void take_new_nodes(Progress& progress);
   void gather_still(NodeIndex first_new, bool kills);
   void gather_moving(bool kills, const Progress& progress);
+  void use_up_moving(bool kills);
   static void note_closeness(Member& member);
   void hand_over_pulls();
   void add_pull(std::uint32_t node, Vec3 point);
@@ -111,6 +122,8 @@ class AttractionCloud : public Commons {
   std::vector<Node> nodes_;
   std::vector<Node> new_nodes_;
   std::vector<Sum> sums_;
+  std::optional<CloudRecord> record_;  // where one is kept
+  std::vector<PointHistory> histories_;
 };
 
 }  // namespace meristem

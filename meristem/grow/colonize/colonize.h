@@ -32,6 +32,7 @@ struct ColonizeParameters {
   LightResponse light;
   Finish finish;
   PipeModel radii;
+  TraceWish wish;  ///< steps and points are recorded where they are asked for
 };
 
 /// Where one tree begins, and the points that it brings into the stand (world space).

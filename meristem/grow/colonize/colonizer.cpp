@@ -23,6 +23,8 @@
 #include "meristem/grow/colonize/attraction_cloud.h"
 #include "meristem/grow/colonize/child_positions.h"
 #include "meristem/grow/colonize/colonize.h"
+#include "meristem/grow/colonize/colonize_trace.h"
+#include "meristem/grow/colonize/colonizing_species.h"
 #include "meristem/grow/colonize/growth_direction.h"
 #include "meristem/grow/stand_space.h"
 #include "meristem/plant/finish.h"
@@ -48,32 +50,11 @@ void check_parameters(const ColonizeParameters& parameters) {
   }
 }
 
-/// What all trees of one component have in common.
-struct Species {
-  ColonizeParameters parameters;
-  const Scene& scene;
-  Limits limits;
-  std::string component;
-  const ShadowGrid* felt_shade = nullptr;
-
-  std::string path(const char* parameter) const { return fmt::format("components.{}.{}", component, parameter); }
-  [[noreturn]] void refuse(const char* parameter, std::string message, std::string expected) const {
-    Diagnostic fault;
-    fault.message = std::move(message);
-    fault.expected = std::move(expected);
-    fault.path = path(parameter);
-    throw InputError(std::move(fault));
-  }
-  void require_nodes(std::uint64_t nodes, const char* parameter) const {
-    if (nodes <= limits.nodes) return;
-    throw_limit("skeleton nodes", static_cast<double>(nodes), limits.nodes, "nodes", path(parameter));
-  }
-};
-
 /// One tree, relative to its root.
 class Tree {
  public:
-  Tree(const Species& species, AttractionCloud& cloud, StandSpace& space, const Seedling& seedling, RandomKey key)
+  Tree(const ColonizingSpecies& species, AttractionCloud& cloud, StandSpace& space, const Seedling& seedling,
+       RandomKey key)
       : species_(&species),
         cloud_(&cloud),
         space_(&space),
@@ -90,6 +71,8 @@ class Tree {
   /// Tells cloud and space of the nodes of the step.
   void tell();
   Skeleton take_skeleton() { return std::move(skeleton_); }
+  const Skeleton& skeleton() const { return skeleton_; }
+  AttractionCloud::Tree member() const { return member_; }
   Vec3 root() const { return root_; }
 
  private:
@@ -105,7 +88,7 @@ class Tree {
   void add_node(NodeIndex parent, Vec3 position);
   void note_node(NodeIndex parent, Vec3 position);
 
-  const Species* species_;
+  const ColonizingSpecies* species_;
   AttractionCloud* cloud_;
   StandSpace* space_;
   RandomKey key_;
@@ -227,18 +210,17 @@ class Colonizer : public Grower {
  public:
   Colonizer(Stand& stand, std::vector<Seedling> seedlings, const ColonizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component, const Progress& progress)
-      : species_{parameters, scene, limits, std::move(component)} {
+      : species_{parameters, scene, limits, std::move(component)}, cloud_(cloud_of(stand)) {
     leave_out_inner_points(seedlings, progress);
-    // Light comes first: what points pull depends on it.
+    if (records_points()) cloud_.keep_record();
     auto& space = stand.commons<StandSpace>();
-    auto& cloud = stand.commons<AttractionCloud>();
     if (const auto& response = species_.parameters.light.shade) {
       species_.felt_shade = &space.shade(form_of(*response), limits.mesh_bytes, species_.path("light.shade.voxel"));
     }
     trees_.reserve(seedlings.size());
     for (std::size_t k = 0; k < seedlings.size(); ++k) {
-      check_points(cloud.point_count() + seedlings[k].points.size());
-      trees_.emplace_back(species_, cloud, space, seedlings[k], key.child("tree").child(k));
+      check_points(cloud_.point_count() + seedlings[k].points.size());
+      trees_.emplace_back(species_, cloud_, space, seedlings[k], key.child("tree").child(k));
     }
     grows_.assign(trees_.size(), 1);
   }
@@ -248,9 +230,15 @@ class Colonizer : public Grower {
   void tell() override {
     for (Tree& tree : trees_) tree.tell();
   }
+  std::unique_ptr<GrowthTrace> take_trace() override;
   Skeleton take_skeleton(Progress& progress) override;
 
  private:
+  /// Light comes first: what points pull depends on it.
+  static AttractionCloud& cloud_of(Stand& stand) {
+    stand.commons<StandSpace>();
+    return stand.commons<AttractionCloud>();
+  }
   /// Shade falls the way the scene's light does.
   ShadowParameters form_of(const ShadeResponse& response) const {
     ShadowParameters form = response.form;
@@ -262,16 +250,29 @@ class Colonizer : public Grower {
     throw_limit("attraction points", static_cast<double>(points), species_.limits.points, "points",
                 species_.path("points"));
   }
-  void leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) const;
-  Skeleton finish(Skeleton skeleton, Vec3 root, Progress& progress) const;
+  bool records_points() const { return species_.parameters.wish.points || species_.parameters.wish.pulls; }
+  void require_record() const;
+  void leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress);
 
-  Species species_;
+  ColonizingSpecies species_;
+  AttractionCloud& cloud_;
+  std::vector<std::vector<Vec3>> inner_points_;  // by tree: those that obstacles have removed, where they are recorded
   std::vector<Tree> trees_;
   std::vector<std::uint8_t> grows_;  // by tree, so that each can be written by a thread of its own
+  int steps_ = 0;                    // that it has taken, or begun
 };
+
+/// Bounds what moving points leave at each step.
+void Colonizer::require_record() const {
+  if (!records_points() || cloud_.record_bytes() <= species_.limits.mesh_bytes) return;
+  throw_limit("bytes of attraction points that are recorded step by step", static_cast<double>(cloud_.record_bytes()),
+              species_.limits.mesh_bytes, "mesh_bytes", species_.path("iterations"));
+}
 
 bool Colonizer::step(Progress& progress) {
   progress.check();
+  ++steps_;
+  require_record();
   parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
     progress.check();
     for (std::size_t k = begin; k < end; ++k) {
@@ -282,8 +283,9 @@ bool Colonizer::step(Progress& progress) {
 }
 
 /// Removes the points that lie in obstacles.
-void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) const {
+void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) {
   const Obstacles& obstacles = species_.scene.obstacles;
+  inner_points_.resize(seedlings.size());
   if (obstacles.empty()) return;
   for (Seedling& seedling : seedlings) {
     if (obstacles.contain(seedling.root)) {
@@ -294,12 +296,33 @@ void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const P
     }
     if (seedling.points.empty()) continue;
     const std::vector<std::uint8_t> is_inner = inside_of(obstacles, seedling.points, progress);
+    std::vector<Vec3>& inner = inner_points_[static_cast<std::size_t>(&seedling - seedlings.data())];
     std::size_t k = 0;
-    std::erase_if(seedling.points, [&](Vec3) { return is_inner[k++] != 0; });
+    std::erase_if(seedling.points, [&](Vec3 point) {
+      const bool goes = is_inner[k++] != 0;
+      if (goes && records_points()) inner.push_back(point);
+      return goes;
+    });
     if (seedling.points.empty()) {
       species_.refuse("crown", "the crown lies wholly inside obstacles", "a crown that reaches out of scene.obstacles");
     }
   }
+}
+
+std::unique_ptr<GrowthTrace> Colonizer::take_trace() {
+  const TraceWish& wish = species_.parameters.wish;
+  if (!wish.steps && !records_points()) return nullptr;
+  std::vector<TracedTree> trees;
+  for (std::size_t k = 0; k < trees_.size(); ++k) {
+    TracedTree& tree = trees.emplace_back(TracedTree{trees_[k].root(), trees_[k].skeleton(), {}, cloud_.origin()});
+    if (!records_points()) continue;
+    for (const Vec3 point : inner_points_[k]) {
+      tree.points.points.push_back({.position = point - cloud_.origin(), .is_removed = true});
+    }
+    const std::vector<PointHistory::Point>& own = cloud_.histories()[trees_[k].member()].points;
+    tree.points.points.insert(tree.points.points.end(), own.begin(), own.end());
+  }
+  return std::make_unique<ColonizeTrace>(species_, std::move(trees), steps_);
 }
 
 Skeleton Colonizer::take_skeleton(Progress& progress) {
@@ -307,21 +330,10 @@ Skeleton Colonizer::take_skeleton(Progress& progress) {
   parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       progress.check();
-      finished[k] = finish(trees_[k].take_skeleton(), trees_[k].root(), progress);
-      for (Vec3& position : finished[k].position) position += trees_[k].root();
+      finished[k] = finished_tree(species_, trees_[k].take_skeleton(), trees_[k].root(), progress);
     }
   });
   return join_skeletons(std::move(finished));
-}
-
-Skeleton Colonizer::finish(Skeleton skeleton, Vec3 root, Progress& progress) const {
-  const auto is_free = [&](Vec3 from, Vec3 to) { return is_way_open(species_.scene.obstacles, root, from, to); };
-  const auto require_nodes = [&](std::uint64_t nodes) { species_.require_nodes(nodes, "finish.subdivide"); };
-  const FinishContext context{species_.parameters.step, is_free, require_nodes, progress};
-  skeleton = meristem::finish(std::move(skeleton), species_.parameters.finish, context);
-  assign_pipe_radii(skeleton, species_.parameters.radii);
-  assign_axes(skeleton);
-  return skeleton;
 }
 
 }  // namespace

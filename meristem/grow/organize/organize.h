@@ -101,6 +101,7 @@ struct OrganizeParameters {
   double summer = 0.5;        ///< 0 to 1: share of an iteration's growth that comes before its summer operations
   bool plans = false;         ///< what the last iteration's operations would do is told, and not done
   bool keeps_fallen = false;  ///< the skeleton has what was shed and cut as well, and when it went
+  TraceWish wish;             ///< all but attraction points is recorded where it is asked for
   /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
   /// its weight.
   std::optional<Directions> directions{};  ///< unset: the scene's

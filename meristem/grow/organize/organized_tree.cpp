@@ -151,6 +151,7 @@ void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress
       sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral, recent);
     }
   });
+  if (species_->parameters.wish.ways) record_ways(sprouts, flush);
   if (is_pruned()) tie_shoots(iteration);
   std::uint64_t more = 0;
   for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
@@ -278,15 +279,43 @@ void OrganizedTree::shed(int iteration) {
     any = true;
   }
   if (!any) return;
+  const std::string why = species_->path("shedding");
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
-    if (gone[metamer] != 0 && !metamers_.is_loose(metamer)) cut_off(metamer, Bud::dead(), iteration);
+    if (gone[metamer] != 0 && !metamers_.is_loose(metamer)) cut_off(metamer, Bud::dead(), iteration, why);
   }
   clear_away();
 }
 
-void OrganizedTree::cut_off(MetamerIndex first, const BudsLeft& after, int iteration) {
+void OrganizedTree::cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const std::string& why) {
+  if (species_->parameters.wish.losses) record_loss(first, iteration, why);
   if (species_->parameters.keeps_fallen) fallen_.note(metamers_, first, iteration);
   tree_.cut_off(first, after);
+}
+
+void OrganizedTree::record_loss(MetamerIndex first, int iteration, const std::string& why) {
+  TracedLoss& loss = losses_.emplace_back();
+  loss.step = iteration;
+  loss.why = why;
+  loss.position = root_ + metamers_.tip[metamers_.parent[first]];
+  std::vector<MetamerIndex> beyond{first};
+  for (std::size_t k = 0; k < beyond.size(); ++k) {
+    const MetamerIndex metamer = beyond[k];
+    loss.segments.push_back({root_ + metamers_.tip[metamers_.parent[metamer]], root_ + metamers_.tip[metamer]});
+    loss.length += metamers_.length(metamer);
+    for (const Bud bud : {metamers_.terminal[metamer], metamers_.lateral[metamer]}) {
+      if (bud.is_grown()) beyond.push_back(bud.metamer());
+    }
+  }
+  loss.pieces = static_cast<std::uint32_t>(beyond.size());
+}
+
+void OrganizedTree::record_ways(const std::vector<Sprout>& sprouts, Flush flush) {
+  if (flush != Flush::rest) ways_.clear();
+  for (const Sprout& sprout : sprouts) {
+    if (sprout.way == Vec3(0)) continue;
+    const Vec3 from = root_ + metamers_.tip[sprout.from];
+    ways_.push_back({from, from + sprout.way});
+  }
 }
 
 /// Takes away all that was cut off, here and in what is told of the iteration's metamers; whether there was any.
@@ -333,8 +362,16 @@ void write_marks(const std::vector<Metamers::Axis>& axes, const std::vector<std:
 }  // namespace
 
 Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
-  const std::vector<std::uint16_t> ranks = is_pruned() ? find_leads(metamers_).rank : std::vector<std::uint16_t>();
-  Metamers metamers = tree_.take_metamers();
+  Skeleton skeleton = skeleton_of(tree_.take_metamers(), std::move(records_), progress);
+  if (species_->parameters.keeps_fallen) return fallen_.with_fallen(std::move(skeleton), species_->parameters.radii);
+  return skeleton;
+}
+
+Skeleton OrganizedTree::skeleton(const Progress& progress) const { return skeleton_of(metamers_, records_, progress); }
+
+Skeleton OrganizedTree::skeleton_of(Metamers metamers, std::vector<OperationRecord> records,
+                                    const Progress& progress) const {
+  const std::vector<std::uint16_t> ranks = is_pruned() ? find_leads(metamers).rank : std::vector<std::uint16_t>();
   const std::size_t count = metamers.count();
   Skeleton skeleton;
   skeleton.position.resize(count);
@@ -373,8 +410,8 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   if (is_pruned()) {
     upkeep_.wounds.write(skeleton);
     write_marks(metamers.axes, species_->parameters.marks, skeleton);
-    for (OperationRecord& record : records_) record.position += root_;
-    skeleton.operations = std::move(records_);
+    for (OperationRecord& record : records) record.position += root_;
+    skeleton.operations = std::move(records);
     std::vector<float>& rank = skeleton.extra["rank"];
     rank.resize(count);
     for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);
@@ -383,7 +420,6 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   assign_pipe_radii(skeleton, species_->parameters.radii);
   wood_.thicken(skeleton, species_->parameters.radii);
   upkeep_.wounds.swell(species_->parameters.callus, skeleton);
-  if (species_->parameters.keeps_fallen) return fallen_.with_fallen(std::move(skeleton), species_->parameters.radii);
   return skeleton;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -65,6 +66,13 @@ class OrganizedTree {
   const std::vector<Miss>& misses() const { return misses_; }  ///< of the last iterate()
   /// In world space; to be called once.
   Skeleton take_skeleton(const Progress& progress);
+  /// What take_skeleton() would give after sense(), but for what has fallen.
+  Skeleton skeleton(const Progress& progress) const;
+  /// The ways that its buds found in the last iterate(), and all that it has lost so far, where they are recorded.
+  const std::vector<TracedWay>& ways() const { return ways_; }
+  const std::vector<TracedLoss>& losses() const { return losses_; }
+  /// The room that its buds look for, without shoots; null where they look for light.
+  std::shared_ptr<const MarkerField> vacant_room() const { return senses_->vacant_room(); }
 
  private:
   /// What people have done to the tree, as far as its metamers do not tell it.
@@ -110,7 +118,11 @@ class OrganizedTree {
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
-  void cut_off(MetamerIndex first, const BudsLeft& after, int iteration);
+  /// `why` is the path in the document of what does it.
+  void cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const std::string& why);
+  void record_loss(MetamerIndex first, int iteration, const std::string& why);
+  void record_ways(const std::vector<Sprout>& sprouts, Flush flush);
+  Skeleton skeleton_of(Metamers metamers, std::vector<OperationRecord> records, const Progress& progress) const;
   bool clear_away();
   void forget(const std::vector<std::uint8_t>& gone);
   /// What an operation sees of the tree in an iteration.
@@ -148,6 +160,9 @@ class OrganizedTree {
   std::unordered_set<std::uint64_t> answering_;   // shoots that this summer's operations have cut, by their keys
   std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
+  // Where they are recorded.
+  std::vector<TracedWay> ways_;
+  std::vector<TracedLoss> losses_;
   bool has_grown_ = false;
 };
 

@@ -16,6 +16,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/require.h"
 #include "meristem/grow/organize/organize.h"
+#include "meristem/grow/organize/organize_trace.h"
 #include "meristem/grow/organize/organized_tree.h"
 #include "meristem/plant/join_skeletons.h"
 
@@ -69,6 +70,7 @@ class Organizer : public Grower {
         has_summer_(species_.has_summer()),
         rounds_(species_.rounds()) {
     require_wood(seeds);
+    if (parameters.wish.any()) trace_ = std::make_unique<OrganizeTrace>();
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
       OrganizedTree& tree = trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
@@ -91,12 +93,14 @@ class Organizer : public Grower {
     const bool is_rest = round % rounds_ != 0;
     if (is_rest && !(has_summer && round % rounds_ == rounds_ / 2)) return true;
     const bool is_last = iteration > species_.parameters.iterations;
+    const bool is_recorded = species_.parameters.wish.any() && !is_rest;
     const Flush flush = !has_summer ? Flush::whole : (is_rest ? Flush::rest : Flush::first);
     std::vector<std::uint64_t> planned(trees_.size());
     for_each_tree([&](std::size_t k) {
       trees_[k].sense(iteration, progress);
       if (!is_last) planned[k] = trees_[k].plan(flush);
     });
+    if (is_recorded) record(progress);
     if (is_last) {
       require_growth();
       return false;
@@ -109,6 +113,18 @@ class Organizer : public Grower {
 
   void tell() override {
     for (OrganizedTree& tree : trees_) tree.tell();
+  }
+
+  std::unique_ptr<GrowthTrace> take_trace() override {
+    const TraceWish& wish = species_.parameters.wish;
+    if (!wish.any()) return nullptr;
+    for (const OrganizedTree& tree : trees_) {
+      trace_->lose(tree.losses());
+      if (wish.markers) {
+        trace_->show_room(tree.vacant_room(), species_.parameters.light.perception * species_.parameters.length);
+      }
+    }
+    return std::move(trace_);
   }
 
   Skeleton take_skeleton(Progress& progress) override {
@@ -124,6 +140,24 @@ class Organizer : public Grower {
     parallel_for(trees_.size(), 1 + trees_.size() / kMostTreeBlocks, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) visit(k);
     });
+  }
+
+  /// How the trees stand after the iteration before this one, by the light of which they grow in this one.
+  void record(Progress& progress) {
+    OrganizeTrace::Step step;
+    if (species_.parameters.wish.steps) {
+      std::vector<Skeleton> skeletons(trees_.size());
+      for_each_tree([&](std::size_t k) { skeletons[k] = trees_[k].skeleton(progress); });
+      step.skeleton = join_skeletons(std::move(skeletons));
+    }
+    for (const OrganizedTree& tree : trees_) {
+      step.ways.insert(step.ways.end(), tree.ways().begin(), tree.ways().end());
+    }
+    recorded_bytes_ += step.skeleton.bytes() + step.ways.capacity() * sizeof(TracedWay);
+    trace_->add(std::move(step));
+    if (recorded_bytes_ <= species_.limits.mesh_bytes) return;
+    throw_limit("bytes of trees that are recorded step by step", static_cast<double>(recorded_bytes_),
+                species_.limits.mesh_bytes, "mesh_bytes", species_.path("iterations"));
   }
 
   /// An operation without a number of a tree is for each that has such a shoot; one must.
@@ -195,6 +229,8 @@ class Organizer : public Grower {
   int rounds_;                       // of an iteration
   std::deque<OrganizedTree> trees_;  // the space keeps pointers to them
   int round_ = 0;
+  std::unique_ptr<OrganizeTrace> trace_;  // what is recorded
+  std::uint64_t recorded_bytes_ = 0;
 };
 
 }  // namespace

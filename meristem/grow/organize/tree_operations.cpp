@@ -68,6 +68,7 @@ void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progr
   Upkeep upkeep = upkeep_;
   StandingWood wood = wood_;
   FallenShoots fallen = fallen_;
+  std::vector<TracedLoss> losses = losses_;
   records_.clear();
   perform(iteration, in_summer, progress);
   tree_.restore(std::move(tree));
@@ -75,6 +76,7 @@ void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progr
   upkeep_ = std::move(upkeep);
   wood_ = std::move(wood);
   fallen_ = std::move(fallen);
+  losses_ = std::move(losses);
 }
 
 void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progress) {
@@ -169,8 +171,9 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
   std::vector<MetamerIndex> gone = work.gone;
   std::ranges::sort(gone);
   const Bud after = damages ? Bud::damaged() : Bud();
+  const std::string& why = species_->parameters.operations[operation].path;
   for (const MetamerIndex metamer : gone) {
-    if (!metamers_.is_loose(metamer)) cut_off(metamer, {after, work.renews ? Bud() : after}, iteration);
+    if (!metamers_.is_loose(metamer)) cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

@@ -1,19 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/picture/picture.h"
 
+#include <algorithm>
+
+#include "meristem/base/math.h"
+#include "meristem/output/overlay/overlay_meshes.h"
+#include "meristem/output/overlay/overlay_text.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/hull_wires.h"
 
 namespace meristem {
 
-Image take_picture(const GrownDocument& grown, const Scene& scene, const PictureOptions& options, Progress& progress) {
-  const StillOptions& still = options.still;
-  if (!options.crown_hulls || grown.meshes.meshes.empty()) {
-    return render_still(grown.meshes, scene, options.view, still, progress);
+namespace {
+
+double aspect_of(const StillOptions& still) { return static_cast<double>(still.width) / still.height; }
+
+/// The unit vector along the ground to the right of the picture.
+Vec3 right_of(const View& view) {
+  const auto azimuth = view.azimuth;
+  Vec3 forward(-static_cast<float>(math::sin(azimuth)), 0, static_cast<float>(math::cos(azimuth)));
+  if (view.position) forward = view.target.value_or(Vec3(0)) - *view.position;
+  return normalized_or(glm::cross(Vec3(forward.x, 0, forward.z), kUp), Vec3(1, 0, 0));
+}
+
+}  // namespace
+
+PictureScene picture_scene(const GrownDocument& grown, const Scene& scene, const PictureOptions& options,
+                           const Progress& progress) {
+  PictureScene picture{options.plants ? grown.meshes : MeshScene(), options.view, {}};
+  const MeshScene& plants = grown.meshes;
+  if (!options.overlays.empty()) {
+    const OverlaySource source{grown.plant, grown.traces, scene, plants.bounds(), right_of(options.view)};
+    picture.layers = overlay_layers(source, options.overlays, progress);
+    Box box = overlay_bounds(picture.layers);
+    if (options.plants) box.add(plants.bounds());
+    const Vec3 size = box.size();
+    picture.meshes = with_overlays(picture.meshes, picture.layers, std::max({size.x, size.y, size.z}));
+    picture.view = placed_view(picture.meshes, options.view, aspect_of(options.still));
+  } else if (options.crown_hulls && !plants.meshes.empty()) {
+    picture.view = placed_view(plants, options.view, aspect_of(options.still));
   }
-  const double aspect = static_cast<double>(still.width) / still.height;
-  const View view = placed_view(grown.meshes, options.view, aspect);
-  return render_still(with_crown_hulls(grown.meshes, grown.plant, progress), scene, view, still, progress);
+  if (options.crown_hulls && !plants.meshes.empty()) {
+    picture.meshes = with_crown_hulls(picture.meshes, grown.plant, progress);
+  }
+  return picture;
+}
+
+Image take_picture(const GrownDocument& grown, const Scene& scene, const PictureOptions& options, Progress& progress) {
+  if (options.overlays.empty() && !options.crown_hulls && options.plants) {
+    return render_still(grown.meshes, scene, options.view, options.still, progress);
+  }
+  const PictureScene picture = picture_scene(grown, scene, options, progress);
+  Image image = render_still(picture.meshes, scene, picture.view, options.still, progress);
+  const Camera camera = place_camera(picture.meshes, picture.view, aspect_of(options.still));
+  write_overlay_text(image, picture.layers, [&](Vec3 position) { return camera.project(position); });
+  return image;
 }
 
 }  // namespace meristem

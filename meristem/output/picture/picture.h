@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "meristem/document/grow.h"
+#include "meristem/output/overlay/overlay.h"
 #include "meristem/output/picture/still.h"
 
 namespace meristem {
@@ -10,8 +15,19 @@ namespace meristem {
 struct PictureOptions {
   StillOptions still;
   View view;
-  bool crown_hulls = false;  ///< draws the convex hull of each tree's crown as wires
+  bool crown_hulls = false;             ///< draws the convex hull of each tree's crown as wires
+  std::vector<OverlayPart> overlays{};  ///< what else is shown, with a legend; the camera frames that, too
+  bool plants = true;                   ///< false: nothing but overlays and obstacles
 };
+
+/// What render_still draws for a picture, and what is written over it.
+struct PictureScene {
+  MeshScene meshes;
+  View view;
+  std::vector<OverlayLayer> layers;
+};
+PictureScene picture_scene(const GrownDocument& grown, const Scene& scene, const PictureOptions& options,
+                           const Progress& progress);
 
 /// A picture of what a document has grown, in the document's `scene`. The camera frames the plants, whatever is drawn
 /// around them. Throws what render_still throws.

@@ -71,7 +71,19 @@ std::string picture_fingerprint(const GrownDocument& grown, const Scene& scene, 
   }
   add(scene.ground_colour, all);
   const bool shows_obstacles = !still.transparent && has_visible(scene.obstacles);
-  add(shows_obstacles ? with_obstacles(grown.meshes, scene.obstacles) : grown.meshes, all);
+  const auto add_meshes = [&](const MeshScene& meshes) {
+    add(shows_obstacles ? with_obstacles(meshes, scene.obstacles) : meshes, all);
+  };
+  if (options.overlays.empty() && options.plants) {
+    add_meshes(grown.meshes);
+    return fmt::format("{:016x}", all.hash());
+  }
+  const PictureScene picture = picture_scene(grown, scene, options, Progress());
+  add_meshes(picture.meshes);
+  for (const OverlayLayer& layer : picture.layers) {
+    for (const OverlayLabel& label : layer.labels) all.add_text(label.text);
+    for (const OverlayKey& key : layer.legend) all.add_text(key.text);
+  }
   return fmt::format("{:016x}", all.hash());
 }
 

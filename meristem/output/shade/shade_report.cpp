@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "meristem/output/shade/small_text.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/small_text.h"
 
 namespace meristem {
 namespace {

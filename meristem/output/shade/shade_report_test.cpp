@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/document/json.h"
-#include "meristem/output/shade/small_text.h"
+#include "meristem/output/write/small_text.h"
 
 namespace meristem::shade_report_test {
 

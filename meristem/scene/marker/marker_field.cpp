@@ -38,12 +38,18 @@ struct MarkerField::Tally {
 };
 
 MarkerField::MarkerField(const MarkerParameters& form, RandomKey key, Obstacles obstacles)
-    : form_(form), obstacles_(std::move(obstacles)), bricks_(form.spacing, form.occupancy, key) {}
+    : form_(form), key_(key), obstacles_(std::move(obstacles)), bricks_(form.spacing, form.occupancy, key) {}
 
 std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
   volumes_.push_back({std::move(crown), root});
   for (std::size_t k = 0; k < bricks_.brick_count(); ++k) limit(bricks_.brick(static_cast<std::uint32_t>(k)));
   return static_cast<std::uint32_t>(volumes_.size() - 1);
+}
+
+MarkerField MarkerField::vacant(std::uint32_t volume) const {
+  MarkerField vacant(form_, key_, obstacles_);
+  vacant.add_volume(volumes_[volume].crown, volumes_[volume].root);
+  return vacant;
 }
 
 DVec3 MarkerField::position(const MarkerBricks::Cell& brick, std::uint8_t pattern, std::uint32_t marker) const {

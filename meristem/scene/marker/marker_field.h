@@ -74,6 +74,9 @@ class MarkerField {
   /// The free markers of a volume in a box, in no special order; for pictures and tests. Time goes with the box.
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;
 
+  /// The same markers without any shoots, in this one volume, whose number is then 0.
+  MarkerField vacant(std::uint32_t volume) const;
+
   const MarkerParameters& form() const { return form_; }
   /// Kept between rounds: some 120 per brick of 64 markers that a shoot or a cone has touched. A round takes, for its
   /// time, about 50 a seeker, and for each that finds a free marker about 100 and 12 for each brick in the box around
@@ -103,6 +106,7 @@ class MarkerField {
   DVec3 position(const MarkerBricks::Cell& brick, std::uint8_t pattern, std::uint32_t marker) const;
 
   MarkerParameters form_;
+  RandomKey key_;
   Obstacles obstacles_;
   MarkerBricks bricks_;
   std::vector<Volume> volumes_;

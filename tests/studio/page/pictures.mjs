@@ -68,6 +68,19 @@ export const kPictures = [
     },
   },
   {
+    name: 'growth',
+    theme: 'light',
+    act: async (page) => {
+      await open_model(page, 'slender');
+      await page.keyboard.press('o');
+      await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
+      await page.evaluate(() => window.studio.bench.growth.show_step(220));
+      await page.waitForFunction(() => window.studio.growth.get().grown.step === 220);
+      await page.getByRole('button', { name: 'Attraction points' }).click();
+      await page.waitForFunction(() => window.studio.view.counts.overlays.points > 0);
+    },
+  },
+  {
     name: 'strip',
     theme: 'light',
     act: async (page) => {

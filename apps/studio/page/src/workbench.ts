@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is laid out beside the document while somebody works on it: an editor that is had large, a strip of plants,
-// pinned states, a derivation.
+// pinned states, a derivation, a growth.
 import { Store } from './base/store.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
 import { LeafCurvesModel } from './grass/leaf_curves.ts';
+import { GrowthLook } from './growth/growth_look.ts';
 import { MeasureModel } from './measures/measure_model.ts';
 import { Pruning } from './pruning/pruning.ts';
 import type { Studio } from './studio.ts';
@@ -25,6 +26,7 @@ export class Workbench {
   readonly measures: MeasureModel;
   readonly record: Recording;
   readonly still: Recording;
+  readonly growth: GrowthLook;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
@@ -35,6 +37,7 @@ export class Workbench {
     this.measures = new MeasureModel(studio);
     this.record = new Recording(studio, true);
     this.still = new Recording(studio, false);
+    this.growth = new GrowthLook(studio);
   }
 
   /// Another document is opened.
@@ -46,6 +49,7 @@ export class Workbench {
     this.pruning.forget();
     this.gizmo.forget();
     this.leaf_curves.forget();
+    this.growth.clear();
     this.measures.forget();
     this.still.made.set(null);
     this.record.made.set(null);

@@ -11,10 +11,12 @@ import { ModuleOverlay } from '../grammar/module_overlay.tsx';
 import { LeafPointsOverlay } from '../grass/leaf_points_overlay.tsx';
 import { PruningOverlay } from '../pruning/pruning_overlay.tsx';
 import { ShootTool } from '../pruning/shoot_tool.tsx';
+import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
 import { GizmoOverlay } from '../view/gizmo/gizmo_overlay.tsx';
 import { TimeButton } from '../time/timeline_panel.tsx';
+import { OverlayLabels } from '../view/overlay_labels.tsx';
 import { View } from '../view/view.ts';
 import { seen_name } from '../view/seen_name.ts';
 import { scale_bar } from '../view/scale_bar.ts';
@@ -41,14 +43,17 @@ export function ViewPanel(): ReactElement {
       <PruningOverlay />
       <LeafPointsOverlay />
       <GizmoOverlay />
+      <OverlayLabels />
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
         <IconButton icon="handles" label="Handles of what is chosen" keys="E" is_on={view.shows_handles} press={() => studio.change_view({ shows_handles: !view.shows_handles })} />
         <PinButton />
+        <GrowthButton />
         <TimeButton />
         <CameraMenu />
       </div>
+      <GrowthPanel />
       <div className="view-axes" role="toolbar" aria-label="Look from">
         <Compass />
         <div className="axis-buttons">

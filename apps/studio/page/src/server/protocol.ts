@@ -185,6 +185,35 @@ export interface Derivation {
   places: number[]; // seven for each module that was drawn: its index, from where, to where
 }
 
+/// What may be shown over the plant.
+export interface OverlayPart {
+  name: string;
+  title: string;
+  doc: string;
+  recorded: boolean; // growth must be recorded for it
+}
+
+/// Base 64 of positions (three floats each) and colours (four bytes each).
+export interface ToldPlaces {
+  positions: string;
+  colours: string;
+}
+
+/// One overlay; lines and arrows have two places each.
+export interface ToldLayer {
+  part: string;
+  points: ToldPlaces;
+  lines: ToldPlaces;
+  arrows: ToldPlaces;
+  labels: { at: [number, number, number]; text: string }[];
+  legend: { colour: [number, number, number]; text: string }[];
+}
+
+export interface OverlayLayers {
+  step: number; // of growth, that they belong to
+  layers: ToldLayer[];
+}
+
 export interface MadeFile {
   name: string;
   bytes: number;
@@ -200,6 +229,7 @@ export interface Hello {
   document: string | null;
   model: string | null;
   formats: Format[];
+  overlays: OverlayPart[];
   limits: Record<string, number>;
 }
 
@@ -224,6 +254,8 @@ export interface Grown {
   components: Record<string, { instances: number; triangles: number }> | null;
   /// Instances of each component; null in a drag.
   placed: Record<string, number> | null;
+  step: number; // of growth, that is shown
+  steps: number | null; // that growth took; null where it is not recorded
 }
 
 export interface Failed {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "overlays_value.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base64.h"
+#include "meristem/output/overlay/overlay.h"
+#include "refusal.h"
+
+namespace meristem::studio {
+
+namespace {
+
+/// Positions as floats, and colours as bytes: red, green, blue, opacity.
+class PackedPlaces {
+ public:
+  void add(Vec3 position, Vec3 colour) {
+    for (int k = 0; k < 3; ++k) positions_.push_back(position[k]);
+    for (int k = 0; k < 3; ++k) {
+      colours_.push_back(static_cast<unsigned char>(std::clamp(255 * colour[k] + 0.5F, 0.0F, 255.0F)));
+    }
+    colours_.push_back(255);
+  }
+  void add(const std::vector<OverlayLine>& lines) {
+    for (const OverlayLine& line : lines) {
+      add(line.from, line.colour);
+      add(line.to, line.colour);
+    }
+  }
+  Value value() const {
+    const std::string_view floats(reinterpret_cast<const char*>(positions_.data()), positions_.size() * sizeof(float));
+    const std::string_view bytes(reinterpret_cast<const char*>(colours_.data()), colours_.size());
+    return Value::Object{{"positions", base64(floats)}, {"colours", base64(bytes)}};
+  }
+
+ private:
+  std::vector<float> positions_;
+  std::vector<unsigned char> colours_;
+};
+
+Value::List list_of(Vec3 vector) {
+  Value::List list;
+  for (int k = 0; k < 3; ++k) list.push_back(static_cast<double>(vector[k]));
+  return list;
+}
+
+Value layer_value(const OverlayLayer& layer) {
+  PackedPlaces points, lines, arrows;
+  for (const OverlayPoint& point : layer.points) points.add(point.position, point.colour);
+  lines.add(layer.lines);
+  arrows.add(layer.arrows);
+  Value::List labels, legend;
+  for (const OverlayLabel& label : layer.labels) {
+    labels.push_back(Value::Object{{"at", list_of(label.at)}, {"text", label.text}});
+  }
+  for (const OverlayKey& key : layer.legend) {
+    legend.push_back(Value::Object{{"colour", list_of(key.colour)}, {"text", key.text}});
+  }
+  return Value::Object{{"part", std::string(overlay_part(layer.part).name)},
+                       {"points", points.value()},
+                       {"lines", lines.value()},
+                       {"arrows", arrows.value()},
+                       {"labels", std::move(labels)},
+                       {"legend", std::move(legend)}};
+}
+
+Box bounds_of(const Plant& plant) {
+  Box box;
+  for (const Stem& stem : plant.stems) box.add(bounds(stem.skeleton));
+  for (const Organ& organ : plant.organs) box.add(organ.frame.origin);
+  return box;
+}
+
+}  // namespace
+
+Value overlays_value(const GrownWish& grown, const OverlaysRequest& request, const Progress& progress) {
+  std::vector<OverlayPart> parts;
+  for (const std::string& name : request.parts) {
+    const auto known = overlay_parts();
+    const auto found = std::ranges::find_if(known, [&](const OverlayPartInfo& info) { return name == info.name; });
+    if (found == known.end()) throw Refusal("there is no such overlay");
+    parts.push_back(found->part);
+  }
+  const OverlaySource source{grown.plant, grown.traces, grown.wish.document->scene, bounds_of(grown.plant)};
+  Value::List layers;
+  for (const OverlayLayer& layer : overlay_layers(source, parts, progress)) layers.push_back(layer_value(layer));
+  return Value::Object{{"step", grown.traces.shown_step()}, {"layers", std::move(layers)}};
+}
+
+Value overlay_parts_value() {
+  Value::List list;
+  for (const OverlayPartInfo& part : overlay_parts()) {
+    if (part.part == OverlayPart::compass || part.part == OverlayPart::scale) continue;  // the page has its own
+    list.push_back(Value::Object{{"name", std::string(part.name)},
+                                 {"title", std::string(part.title)},
+                                 {"doc", std::string(part.doc)},
+                                 {"recorded", part.wish.any()}});
+  }
+  return list;
+}
+
+}  // namespace meristem::studio

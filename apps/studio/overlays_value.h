@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "grower.h"
+#include "meristem/base/progress.h"
+#include "meristem/graph/table/value.h"
+#include "request.h"
+
+namespace meristem::studio {
+
+/// What overlays show of what has grown, as protocol.md has it. Throws a Refusal for parts that are not known, and
+/// Cancelled.
+Value overlays_value(const GrownWish& grown, const OverlaysRequest& request, const Progress& progress);
+
+/// All parts that a page can show.
+Value overlay_parts_value();
+
+}  // namespace meristem::studio

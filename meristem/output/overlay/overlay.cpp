@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/overlay/overlay.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/output/overlay/overlay_makers.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::array<OverlayPartInfo, 14> kParts = {{
+    {OverlayPart::points,
+     "points",
+     "Attraction points",
+     "Attraction points of the plants that colonize space: those that pull, those that are used up, and those that "
+     "were removed before growth.",
+     {.points = true}},
+    {OverlayPart::pulls,
+     "pulls",
+     "Pull of the points",
+     "Lines from the nodes of colonizing plants to the attraction points that pull them in the next step.",
+     {.pulls = true}},
+    {OverlayPart::ways,
+     "ways",
+     "Ways to the light",
+     "Arrows toward more light or room: of self-organizing plants from the buds that grew in this step, of other "
+     "plants from some of their nodes.",
+     {.ways = true}},
+    {OverlayPart::markers,
+     "markers",
+     "Markers of room",
+     "Markers that the buds of self-organizing plants could see, and those that shoots have taken.",
+     {.steps = true, .markers = true}},
+    {OverlayPart::losses,
+     "losses",
+     "Shed and cut",
+     "Branches that self-organizing plants lost in this step, shed for want of light or cut by an operation.",
+     {.losses = true}},
+    {OverlayPart::skeleton, "skeleton", "Skeleton", "Axes and nodes of all plants.", {}},
+    {OverlayPart::light,
+     "light",
+     "Light on buds",
+     "Light of each open bud of self-organizing plants as a colour; of other plants the light that obstacles leave to "
+     "each node.",
+     {}},
+    {OverlayPart::resource,
+     "resource",
+     "Resource",
+     "Resource that comes to each metamer of self-organizing plants, as the colour of its internode.",
+     {}},
+    {OverlayPart::hull,
+     "hull",
+     "Hull of the crown",
+     "Convex hull of each tree's crown, whose lit share is measured.",
+     {}},
+    {OverlayPart::supports, "supports", "Supports", "Lines of the scene that shoots may be tied to.", {}},
+    {OverlayPart::box,
+     "box",
+     "Box of the surface",
+     "Box in which the surface of each blended stem is sought, and one of the cells that fill it.",
+     {}},
+    {OverlayPart::sun, "sun", "Sun", "Arrows of the sun's light on the plant, and the sun's way over the day.", {}},
+    {OverlayPart::compass, "compass", "Compass", "A compass rose on the ground.", {}},
+    {OverlayPart::scale, "scale", "Scale", "A bar on the ground with its length.", {}},
+}};
+
+}  // namespace
+
+std::span<const OverlayPartInfo> overlay_parts() { return kParts; }
+
+const OverlayPartInfo& overlay_part(OverlayPart part) { return kParts[static_cast<std::size_t>(part)]; }
+
+std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::string& option) {
+  std::vector<OverlayPart> parts;
+  std::vector<std::string> known;
+  for (const OverlayPartInfo& info : kParts) known.emplace_back(info.name);
+  while (true) {
+    const std::size_t end = names.find(',');
+    const std::string name(names.substr(0, end));
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) {
+      throw InputError(Diagnostic{.message = fmt::format("{} cannot show '{}'", option, name),
+                                  .expected = fmt::format("a list of {}", fmt::join(known, ", ")),
+                                  .nearest = nearest_name(name, known)});
+    }
+    parts.push_back(kParts[static_cast<std::size_t>(found - known.begin())].part);
+    if (end == std::string_view::npos) break;
+    names.remove_prefix(end + 1);
+  }
+  return parts;
+}
+
+TraceWish wish_for_overlays(std::span<const OverlayPart> parts) {
+  TraceWish wish;
+  for (const OverlayPart part : parts) wish = wish | overlay_part(part).wish;
+  return wish;
+}
+
+std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
+                                         const Progress& progress) {
+  const StepMarks marks = source.traces.marks(source.traces.shown_step(), wish_for_overlays(parts));
+  Box bounds = source.bounds;
+  for (const TracedPlace& point : marks.points) bounds.add(point.position);
+  const OverlaySubject subject{source.plant, source.scene, marks, bounds, source.right, progress};
+  std::vector<OverlayLayer> layers;
+  for (const OverlayPart part : parts) {
+    progress.check();
+    OverlayLayer& layer = layers.emplace_back(OverlayLayer{.part = part});
+    switch (part) {
+      case OverlayPart::points:
+        show_points(subject, layer);
+        break;
+      case OverlayPart::pulls:
+        show_pulls(subject, layer);
+        break;
+      case OverlayPart::ways:
+        show_ways(subject, layer);
+        break;
+      case OverlayPart::markers:
+        show_markers(subject, layer);
+        break;
+      case OverlayPart::losses:
+        show_losses(subject, layer);
+        break;
+      case OverlayPart::skeleton:
+        show_skeleton(subject, layer);
+        break;
+      case OverlayPart::light:
+        show_light(subject, layer);
+        break;
+      case OverlayPart::resource:
+        show_resource(subject, layer);
+        break;
+      case OverlayPart::hull:
+        show_hull(subject, layer);
+        break;
+      case OverlayPart::supports:
+        show_supports(subject, layer);
+        break;
+      case OverlayPart::box:
+        show_box(subject, layer);
+        break;
+      case OverlayPart::sun:
+        show_sun(subject, layer);
+        break;
+      case OverlayPart::compass:
+        show_compass(subject, layer);
+        break;
+      case OverlayPart::scale:
+        show_scale(subject, layer);
+        break;
+    }
+  }
+  return layers;
+}
+
+Box overlay_bounds(std::span<const OverlayLayer> layers) {
+  Box box;
+  for (const OverlayLayer& layer : layers) {
+    if (layer.part == OverlayPart::sun || layer.part == OverlayPart::compass || layer.part == OverlayPart::scale)
+      continue;
+    for (const OverlayPoint& point : layer.points) box.add(point.position);
+    for (const std::vector<OverlayLine>* lines : {&layer.lines, &layer.arrows}) {
+      for (const OverlayLine& line : *lines) {
+        box.add(line.from);
+        box.add(line.to);
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace meristem

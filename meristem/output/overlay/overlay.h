@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is shown over a plant and is no part of it: what it grew by, the light about it, the sun, a scale. An overlay is
+// points, lines, arrows and labels in world space, part by part; pictures and the studio draw the same ones.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/base/vec.h"
+#include "meristem/graph/growth_traces.h"
+#include "meristem/plant/plant.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// What can be shown; the names are those of the enumerators.
+enum class OverlayPart {
+  points,
+  pulls,
+  ways,
+  markers,
+  losses,
+  skeleton,
+  light,
+  resource,
+  hull,
+  supports,
+  box,
+  sun,
+  compass,
+  scale,
+};
+
+/// A part as people choose it.
+struct OverlayPartInfo {
+  OverlayPart part;
+  const char* name;
+  const char* title;  ///< for a switch: "Attraction points"
+  const char* doc;    ///< one sentence
+  TraceWish wish;     ///< what must have been recorded of growth
+};
+
+/// All parts, in the order in which they are listed.
+std::span<const OverlayPartInfo> overlay_parts();
+const OverlayPartInfo& overlay_part(OverlayPart part);
+/// The parts that a list of names separated by commas means. Throws InputError for another name, with the nearest one.
+std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::string& option);
+/// What must be recorded of growth for all of these.
+TraceWish wish_for_overlays(std::span<const OverlayPart> parts);
+
+struct OverlayPoint {
+  Vec3 position{0};
+  Vec3 colour{0};  ///< sRGB
+};
+
+struct OverlayLine {
+  Vec3 from{0};
+  Vec3 to{0};
+  Vec3 colour{0};  ///< sRGB
+};
+
+struct OverlayLabel {
+  Vec3 at{0};
+  std::string text;  ///< ASCII
+};
+
+/// A line of the legend.
+struct OverlayKey {
+  Vec3 colour{0};    ///< sRGB
+  std::string text;  ///< ASCII: "410 points pull"
+};
+
+/// What one part shows.
+struct OverlayLayer {
+  OverlayPart part = OverlayPart::points;
+  std::vector<OverlayPoint> points;
+  std::vector<OverlayLine> lines;
+  std::vector<OverlayLine> arrows;
+  std::vector<OverlayLabel> labels;
+  std::vector<OverlayKey> legend;
+};
+
+/// What overlays show something of.
+struct OverlaySource {
+  const Plant& plant;
+  const GrowthTraces& traces;  ///< recorded with wish_for_overlays() or more
+  const Scene& scene;
+  Box bounds;           ///< around all that is seen of the plant
+  Vec3 right{1, 0, 0};  ///< unit vector on the ground along which the scale lies
+};
+
+/// The layers of the parts, in their order, at the step of growth that the plant stands at. Equal on any number of
+/// threads. Throws Cancelled.
+std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
+                                         const Progress& progress);
+
+/// The box around the plant, its points and what else layers show of it; not around sun, compass and scale.
+Box overlay_bounds(std::span<const OverlayLayer> layers);
+
+}  // namespace meristem

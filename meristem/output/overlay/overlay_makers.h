@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/output/overlay/overlay.h"
+
+namespace meristem {
+
+/// What overlays are made from.
+struct OverlaySubject {
+  const Plant& plant;
+  const Scene& scene;
+  const StepMarks& marks;
+  Box bounds;  ///< around the plant, and the points that it grew by
+  Vec3 right{1, 0, 0};
+  const Progress& progress;
+};
+
+// Each fills a layer with one part.
+
+void show_points(const OverlaySubject& subject, OverlayLayer& layer);
+void show_pulls(const OverlaySubject& subject, OverlayLayer& layer);
+void show_ways(const OverlaySubject& subject, OverlayLayer& layer);
+void show_markers(const OverlaySubject& subject, OverlayLayer& layer);
+void show_losses(const OverlaySubject& subject, OverlayLayer& layer);
+
+void show_skeleton(const OverlaySubject& subject, OverlayLayer& layer);
+void show_light(const OverlaySubject& subject, OverlayLayer& layer);
+void show_resource(const OverlaySubject& subject, OverlayLayer& layer);
+void show_hull(const OverlaySubject& subject, OverlayLayer& layer);
+void show_supports(const OverlaySubject& subject, OverlayLayer& layer);
+void show_box(const OverlaySubject& subject, OverlayLayer& layer);
+
+void show_sun(const OverlaySubject& subject, OverlayLayer& layer);
+void show_compass(const OverlaySubject& subject, OverlayLayer& layer);
+void show_scale(const OverlaySubject& subject, OverlayLayer& layer);
+
+}  // namespace meristem

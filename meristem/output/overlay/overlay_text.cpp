@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/overlay/overlay_text.h"
+
+#include <algorithm>
+
+#include "meristem/output/write/small_text.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr Pixel kLegendInk{24, 26, 28};
+constexpr Pixel kLegendRim{250, 250, 248};
+constexpr int kRowsOfText = 60;  // in a picture, without gaps
+
+void write_with_rim(Image& image, int x, int y, int scale, std::string_view text) {
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dy = -1; dy <= 1; ++dy) draw_small_text(image, x + dx * scale, y + dy * scale, scale, kLegendRim, text);
+  }
+  draw_small_text(image, x, y, scale, kLegendInk, text);
+}
+
+void fill_square(Image& image, int x, int y, int size, Vec3 colour) {
+  for (int row = std::max(0, y); row < std::min(image.height, y + size); ++row) {
+    for (int column = std::max(0, x); column < std::min(image.width, x + size); ++column) {
+      std::uint8_t* const pixel = image.pixel(column, row);
+      const bool is_rim = row == y || column == x || row == y + size - 1 || column == x + size - 1;
+      for (int k = 0; k < 3; ++k) {
+        pixel[k] = is_rim ? kLegendRim[static_cast<std::size_t>(k)]
+                          : static_cast<std::uint8_t>(std::clamp(255 * colour[k] + 0.5F, 0.0F, 255.0F));
+      }
+      pixel[3] = 255;
+    }
+  }
+}
+
+}  // namespace
+
+void write_overlay_text(Image& image, std::span<const OverlayLayer> layers, OnFilm on_film) {
+  const int scale = std::max(1, image.height / (kRowsOfText * kSmallTextHeight));
+  for (const OverlayLayer& layer : layers) {
+    for (const OverlayLabel& label : layer.labels) {
+      const std::optional<Vec2> seen = on_film(label.at);
+      if (!seen) continue;
+      const int x = static_cast<int>(0.5F * (seen->x + 1) * static_cast<float>(image.width));
+      const int y = static_cast<int>(0.5F * (1 - seen->y) * static_cast<float>(image.height));
+      write_with_rim(image, x - small_text_width(label.text, scale) / 2, y - scale * kSmallTextHeight / 2, scale,
+                     label.text);
+    }
+  }
+  const int line = scale * (kSmallTextHeight + 4);
+  int y = line / 2;
+  for (const OverlayLayer& layer : layers) {
+    for (const OverlayKey& key : layer.legend) {
+      const int square = scale * kSmallTextHeight;
+      fill_square(image, line / 2, y, square, key.colour);
+      write_with_rim(image, line / 2 + square + 4 * scale, y, scale, key.text);
+      y += line;
+    }
+  }
+}
+
+}  // namespace meristem

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "meristem/base/function_ref.h"
+#include "meristem/base/image.h"
+#include "meristem/output/overlay/overlay.h"
+
+namespace meristem {
+
+/// Where on the film a position is seen: from -1 to 1, x to the right and y upward; nothing behind the camera.
+using OnFilm = FunctionRef<std::optional<Vec2>(Vec3 position)>;
+
+/// Writes the labels of overlays into a picture, and their legend into its upper left corner: dark letters with a light
+/// rim, as high as suits the picture.
+void write_overlay_text(Image& image, std::span<const OverlayLayer> layers, OnFilm on_film);
+
+}  // namespace meristem

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// What plants are at the step that is shown.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/measure/tree_form.h"
+#include "meristem/output/overlay/hull_edges.h"
+#include "meristem/output/overlay/overlay_makers.h"
+#include "meristem/plant/plant_variant.h"
+#include "meristem/plant/split_trees.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr Vec3 kWood{0.1F, 0.1F, 0.1F};
+constexpr Vec3 kDark{0.13F, 0.16F, 0.38F};
+constexpr Vec3 kMiddle{0.78F, 0.25F, 0.32F};
+constexpr Vec3 kBright{1, 0.88F, 0.25F};
+constexpr Vec3 kHull{0.75F, 0.26F, 0.1F};
+constexpr Vec3 kSupport{0.55F, 0.36F, 0.14F};
+constexpr Vec3 kBox{0.42F, 0.2F, 0.6F};
+constexpr std::string_view kLight = "light";
+constexpr std::string_view kResource = "resource";
+
+/// A colour between dark and bright.
+Vec3 shade_of(double share) {
+  const auto u = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  return u < 0.5F ? glm::mix(kDark, kMiddle, 2 * u) : glm::mix(kMiddle, kBright, 2 * u - 1);
+}
+
+void add_ramp(OverlayLayer& layer, double most, const char* what) {
+  for (const double share : {0.0, 0.5, 1.0}) {
+    layer.legend.push_back({shade_of(share), fmt::format("{} {:.3g}", what, share * most)});
+  }
+}
+
+/// A quantity at a position.
+struct Reading {
+  Vec3 position{0};
+  double value = 0;
+};
+
+/// The light of each metamer's own open buds, their mean. The column counts what stands beyond as well.
+void read_buds(const Skeleton& skeleton, std::vector<Reading>& readings) {
+  const std::vector<float>& light = skeleton.extra.find(kLight)->second;
+  const auto states = [&](const char* name) {
+    const auto found = skeleton.extra.find(name);
+    return found == skeleton.extra.end() ? std::vector<float>(skeleton.node_count(), 1) : found->second;
+  };
+  const std::vector<float> terminal = states("terminal_bud");
+  const std::vector<float> lateral = states("lateral_bud");
+  std::vector<double> own(light.begin(), light.end());
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (!skeleton.is_root(node)) own[skeleton.parent[node]] -= static_cast<double>(light[node]);
+  }
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const int buds = (terminal[node] == 0 ? 1 : 0) + (lateral[node] == 0 && !skeleton.is_root(node) ? 1 : 0);
+    if (buds > 0) readings.push_back({skeleton.position[node], std::max(0.0, own[node] / buds)});
+  }
+}
+
+/// What obstacles leave of the scene's light at each node.
+void read_scene(const Skeleton& skeleton, const OverlaySubject& subject, std::vector<Reading>& readings) {
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (node % 256 == 0) subject.progress.check();
+    const Vec3 position = skeleton.position[node];
+    double arrives = 0;
+    subject.scene.light.for_each_ray(position, [&](const LightRay& ray) {
+      if (!subject.scene.obstacles.block(position, ray.toward, ray.distance)) arrives += ray.strength;
+    });
+    readings.push_back({position, arrives});
+  }
+}
+
+template <class Visit>
+void for_each_segment(const Skeleton& skeleton, Visit visit) {
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (!skeleton.is_root(node)) visit(node, skeleton.position[skeleton.parent[node]], skeleton.position[node]);
+  }
+}
+
+void add_box(const Box& box, Vec3 colour, OverlayLayer& layer) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int corner = 0; corner < 4; ++corner) {
+      Vec3 from = box.low;
+      const int second = (axis + 1) % 3;
+      const int third = (axis + 2) % 3;
+      if ((corner & 1) != 0) from[second] = box.high[second];
+      if ((corner & 2) != 0) from[third] = box.high[third];
+      Vec3 to = from;
+      to[axis] = box.high[axis];
+      layer.lines.push_back({from, to, colour});
+    }
+  }
+}
+
+}  // namespace
+
+void show_skeleton(const OverlaySubject& subject, OverlayLayer& layer) {
+  std::size_t nodes = 0;
+  for (const Stem& stem : subject.plant.stems) {
+    nodes += stem.skeleton.node_count();
+    for_each_segment(stem.skeleton, [&](NodeIndex, Vec3 from, Vec3 to) { layer.lines.push_back({from, to, kWood}); });
+    for (const Vec3 position : stem.skeleton.position) layer.points.push_back({position, kWood});
+  }
+  if (nodes > 0) layer.legend.push_back({kWood, fmt::format("{} node{}", nodes, nodes == 1 ? "" : "s")});
+}
+
+void show_light(const OverlaySubject& subject, OverlayLayer& layer) {
+  std::vector<Reading> readings;
+  bool are_buds = false;
+  for (const Stem& stem : subject.plant.stems) {
+    const bool has_buds = stem.skeleton.extra.contains(kLight);
+    are_buds = are_buds || has_buds;
+    if (has_buds) {
+      read_buds(stem.skeleton, readings);
+    } else {
+      read_scene(stem.skeleton, subject, readings);
+    }
+  }
+  double most = 0;
+  for (const Reading& reading : readings) most = std::max(most, reading.value);
+  if (!(most > 0)) most = 1;
+  for (const Reading& reading : readings) layer.points.push_back({reading.position, shade_of(reading.value / most)});
+  if (!readings.empty()) add_ramp(layer, most, are_buds ? "light of a bud" : "light");
+}
+
+void show_resource(const OverlaySubject& subject, OverlayLayer& layer) {
+  double most = 0;
+  for (const Stem& stem : subject.plant.stems) {
+    const auto found = stem.skeleton.extra.find(kResource);
+    if (found == stem.skeleton.extra.end()) continue;
+    for (const float value : found->second) most = std::max(most, static_cast<double>(value));
+  }
+  if (!(most > 0)) return;
+  // Resource thins out toward the tips by powers, so its logarithm makes the colour.
+  const double scale = std::log1p(most);
+  for (const Stem& stem : subject.plant.stems) {
+    const auto found = stem.skeleton.extra.find(kResource);
+    if (found == stem.skeleton.extra.end()) continue;
+    for_each_segment(stem.skeleton, [&](NodeIndex node, Vec3 from, Vec3 to) {
+      layer.lines.push_back({from, to, shade_of(std::log1p(static_cast<double>(found->second[node])) / scale)});
+    });
+  }
+  for (const double share : {0.0, 0.5, 1.0}) {
+    layer.legend.push_back({shade_of(share), fmt::format("resource {:.3g}", std::expm1(share * scale))});
+  }
+}
+
+void show_hull(const OverlaySubject& subject, OverlayLayer& layer) {
+  for (const Stem& stem : subject.plant.stems) {
+    for (const Skeleton& tree : split_trees(stem.skeleton)) {
+      subject.progress.check();
+      const Mesh hull = measure_form(tree, Children(tree), &subject.progress).crown_hull;
+      for (const HullEdge& edge : hull_edges(hull)) layer.lines.push_back({edge.from, edge.to, kHull});
+    }
+  }
+  if (!layer.lines.empty()) layer.legend.push_back({kHull, "hull of the crown"});
+}
+
+void show_supports(const OverlaySubject& subject, OverlayLayer& layer) {
+  for (const auto& [name, line] : subject.scene.supports) {
+    for (std::size_t k = 1; k < line.size(); ++k) layer.lines.push_back({line[k - 1], line[k], kSupport});
+    if (!line.empty()) layer.labels.push_back({line.back(), name});
+  }
+  if (!layer.lines.empty()) layer.legend.push_back({kSupport, "supports"});
+}
+
+void show_box(const OverlaySubject& subject, OverlayLayer& layer) {
+  for (const Stem& stem : subject.plant.stems) {
+    if (stem.parts.front().surface.style != Surface::Style::blend) continue;
+    const Box box = bounds(stem.skeleton);
+    const Vec3 size = box.size();
+    const float cell = std::max({size.x, size.y, size.z}) / static_cast<float>(stem.parts.front().surface.resolution);
+    add_box(box, kBox, layer);
+    Box corner;
+    corner.add(box.low);
+    corner.add(box.low + Vec3(cell));
+    add_box(corner, kBox, layer);
+    layer.legend.push_back({kBox, fmt::format("box of {:.3g} x {:.3g} x {:.3g} m, cells of {:.3g} mm", size.x, size.y,
+                                              size.z, 1000 * cell)});
+  }
+}
+
+}  // namespace meristem

@@ -72,7 +72,7 @@ export const kPictures = [
     theme: 'light',
     act: async (page) => {
       await open_model(page, 'slender');
-      await page.keyboard.press('o');
+      await page.keyboard.press('s');
       await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
       await page.evaluate(() => window.studio.bench.growth.show_step(220));
       await page.waitForFunction(() => window.studio.growth.get().grown.step === 220);

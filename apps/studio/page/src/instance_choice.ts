@@ -2,7 +2,8 @@
 // Which instance of the chosen component was clicked at, and instances that are clicked one after another.
 import { Store } from './base/store.ts';
 import { path_below } from './document/path.ts';
-import type { FoundInstance, FoundShoot } from './server/protocol.ts';
+import type { FoundShoot } from './server/growth_protocol.ts';
+import type { FoundInstance } from './server/protocol.ts';
 import type { Studio } from './studio.ts';
 import { scene_path } from './view/seen_name.ts';
 import type { SeenInstance } from './view/view.ts';

@@ -8,7 +8,7 @@ import { day_of, day_of_date, date_of_day, daylight, declination, hour_and_decli
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
 import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
-import type { FoundShoot, OperationAct } from '../src/server/protocol.ts';
+import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
 import { with_values } from '../src/view/gizmo/gizmo.ts';
 import type { HandleGroup, Sight } from '../src/view/gizmo/handle.ts';

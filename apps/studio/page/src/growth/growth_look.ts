@@ -3,7 +3,8 @@
 // somebody looks, and gives each step of it without growing anew.
 import { Store } from '../base/store.ts';
 import { LatestSender } from '../server/latest_sender.ts';
-import type { Grown, OverlayLayers, OverlayPart } from '../server/protocol.ts';
+import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
+import type { Grown } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import type { LegendKey } from './layers.ts';
 import { view_layer } from './layers.ts';

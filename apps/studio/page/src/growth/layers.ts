@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlays as the server tells them, made into layers of the view.
-import type { ToldLayer, ToldPlaces } from '../server/protocol.ts';
+import type { ToldLayer, ToldPlaces } from '../server/growth_protocol.ts';
 import type { OverlayArrow, OverlayLayer, Place } from '../view/overlays.ts';
 
 export interface LegendKey {

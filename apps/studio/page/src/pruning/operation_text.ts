@@ -2,7 +2,7 @@
 // Operations of a document in words, and by the years in which they have acted.
 import type { Json } from '../document/json.ts';
 import { is_object, write_json } from '../document/json.ts';
-import type { OperationAct } from '../server/protocol.ts';
+import type { OperationAct } from '../server/growth_protocol.ts';
 
 /// What all kinds have: when they act, and on which trees and shoots.
 const kCommon: ReadonlySet<string> = new Set(['do', 'at', 'from', 'every', 'to', 'when', 'once', 'season', 'shoots', 'tree', 'off']);

@@ -3,7 +3,8 @@
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { member_of, node_at, path_below, value_at } from '../document/path.ts';
-import type { Edit, FoundShoot, ToldOperations } from '../server/protocol.ts';
+import type { FoundShoot, ToldOperations } from '../server/growth_protocol.ts';
+import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { component_groups } from '../tables/tables.ts';
 import type { DeedChoice } from './shoot_cut.ts';

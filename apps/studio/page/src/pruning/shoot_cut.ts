@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a hand does to one shoot that it has chosen, as an operation of the document.
 import type { Json } from '../document/json.ts';
-import type { FoundShoot } from '../server/protocol.ts';
+import type { FoundShoot } from '../server/growth_protocol.ts';
 
 export type Deed = 'cut' | 'bend' | 'tie' | 'mark';
 

@@ -8,7 +8,7 @@ import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { InstanceChoice } from '../instance_choice.ts';
 import { TextField } from '../rows/text_field.tsx';
-import type { FoundShoot } from '../server/protocol.ts';
+import type { FoundShoot } from '../server/growth_protocol.ts';
 import { use_studio } from '../studio_context.ts';
 import type { Deed, DeedChoice } from './shoot_cut.ts';
 import { kept_metamers, why_not } from './shoot_cut.ts';

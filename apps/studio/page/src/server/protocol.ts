@@ -2,6 +2,7 @@
 // What the page and the server tell each other, as apps/studio/protocol.md defines it.
 import type { Json } from '../document/json.ts';
 import type { PlainPatch } from '../document/patch.ts';
+import type { OverlayPart } from './growth_protocol.ts';
 
 export interface Fault {
   severity: 'error' | 'warning';
@@ -99,32 +100,6 @@ export interface FoundInstance {
   iteration: number | null; // of growth, after which operations on it would act; null where none could
 }
 
-/// A shoot that operations could act on.
-export type FoundShoot = FoundInstance & { shoot: string; tree: number; metamer: number; course: number[]; metamers: number[]; iteration: number };
-
-/// Path of an operation, iteration after which it acted, what it did, how often.
-export type OperationAct = [string, number, string, number];
-
-/// One thing that an operation did.
-export interface OperationPlace {
-  act: string;
-  iteration: number;
-  tree: number;
-  shoot: string;
-  metamer: number;
-  position: [number, number, number];
-  metamers: number; // that it took away
-  course: [number, number, number][]; // of the shoot as it stands now
-}
-
-/// What operations have done to the trees of a component.
-export interface ToldOperations {
-  iteration: number | null;
-  acts: OperationAct[];
-  places: OperationPlace[]; // of the operation that was asked for
-  left: number; // places that are not told
-}
-
 /// Clocks that instances of a component have begun: when each starts, and how fast it runs.
 export interface BegunClocks {
   component: string;
@@ -183,35 +158,6 @@ export interface Derivation {
   first: number; // index of the first module told
   modules: string[];
   places: number[]; // seven for each module that was drawn: its index, from where, to where
-}
-
-/// What may be shown over the plant.
-export interface OverlayPart {
-  name: string;
-  title: string;
-  doc: string;
-  recorded: boolean; // growth must be recorded for it
-}
-
-/// Base 64 of positions (three floats each) and colours (four bytes each).
-export interface ToldPlaces {
-  positions: string;
-  colours: string;
-}
-
-/// One overlay; lines and arrows have two places each.
-export interface ToldLayer {
-  part: string;
-  points: ToldPlaces;
-  lines: ToldPlaces;
-  arrows: ToldPlaces;
-  labels: { at: [number, number, number]; text: string }[];
-  legend: { colour: [number, number, number]; text: string }[];
-}
-
-export interface OverlayLayers {
-  step: number; // of growth, that they belong to
-  layers: ToldLayer[];
 }
 
 export interface MadeFile {

@@ -91,7 +91,7 @@ constexpr Format kFormats[] = {
      "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_points_csv(grown.traces, path, progress); },
-     GrownPart::plant, false, nullptr, false, TraceWish{.points = true}},
+     GrownPart::plant, false, nullptr, false, false, TraceWish{.points = true}},
     {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},

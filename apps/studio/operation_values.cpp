@@ -22,7 +22,7 @@ constexpr std::size_t kMostCourse = 60000;  // positions of their shoots
 
 using ShootName = std::pair<std::uint32_t, std::string>;  // number of the tree, label
 
-Value list_of(Vec3 v) { return Value::List{v.x, v.y, v.z}; }
+Value point_value(Vec3 v) { return Value::List{v.x, v.y, v.z}; }
 
 /// The positions of shoots of a component that stand now.
 std::map<ShootName, Value::List> courses_of(const Plant& plant, const std::string& component,
@@ -46,9 +46,9 @@ std::map<ShootName, Value::List> courses_of(const Plant& plant, const std::strin
         const auto found = wanted.find({tree[node], labels[axis]});
         if (found == wanted.end()) continue;
         course = &found->second;
-        if (!skeleton.is_root(node)) course->push_back(list_of(skeleton.position[skeleton.parent[node]]));
+        if (!skeleton.is_root(node)) course->push_back(point_value(skeleton.position[skeleton.parent[node]]));
       }
-      course->push_back(list_of(skeleton.position[node]));
+      course->push_back(point_value(skeleton.position[node]));
       ++positions;
     }
   }
@@ -88,7 +88,7 @@ Value operations_value(const GrownWish& grown, const OperationsRequest& request,
                                    {"tree", static_cast<double>(record.tree)},
                                    {"shoot", record.shoot},
                                    {"metamer", static_cast<double>(record.metamer)},
-                                   {"position", list_of(record.position)},
+                                   {"position", point_value(record.position)},
                                    {"metamers", static_cast<double>(record.metamers)},
                                    {"course", courses[{record.tree, record.shoot}]}});
   }

@@ -17,7 +17,7 @@ namespace meristem::overlay_test {
 
 constexpr const char* kTree = R"j({
   "meristem": 1, "seed": 4,
-  "scene": {"sun": {"azimuth": 180, "altitude": 40}, "obstacles": [{"box": [[-1, 0, 0.8], [1, 1.5, 1.2]]}]},
+  "scene": {"sun": {"azimuth": 180, "altitude": 40}, "obstacles": [{"box": [[-1, 0, 0.5], [1, 1.5, 1.2]]}]},
   "components": {"tree": {
     "type": "colonize", "crown": {"ellipsoid": {"centre": [0, 1.2, 0], "radii": [0.6, 0.7, 0.9]}},
     "points": 80, "step": 0.08, "influence": 0.8, "kill": 0.17
@@ -99,8 +99,8 @@ TEST(Overlay, SunCompassAndScaleStandAboutThePlant) {
   }
   EXPECT_EQ(shown.layers[1].labels.size(), 4U);
   ASSERT_EQ(shown.layers[2].labels.size(), 1U);
-  EXPECT_EQ(shown.layers[2].labels[0].text, "1 m");
-  EXPECT_NEAR(glm::distance(shown.layers[2].lines[0].from, shown.layers[2].lines[0].to), 1, 1e-5);
+  EXPECT_EQ(shown.layers[2].labels[0].text, "50 cm");
+  EXPECT_NEAR(glm::distance(shown.layers[2].lines[0].from, shown.layers[2].lines[0].to), 0.5, 1e-5);
   EXPECT_TRUE(overlay_bounds(shown.layers).is_empty()) << "they are none of the plant's";
 }
 

@@ -516,9 +516,11 @@ TEST(StudioSession, ShowsSkeletonsWhereAsked) {
 
 TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
   Studio studio;
-  const Value opened = studio.ask("open", R"json("text": "{\"meristem\": 1, \"seed\": 4, \"components\": {\"tree\": {
-    \"type\": \"colonize\", \"crown\": {\"sphere\": {\"centre\": [0, 1, 0], \"radius\": 0.5}}, \"points\": 60,
-    \"step\": 0.06, \"influence\": 0.8, \"kill\": 0.16, \"iterations\": 18}}}", "path": null)json");
+  const Value opened = studio.ask(
+      "open", R"json("text": "{\"meristem\": 1, \"seed\": 4, \"components\": {\"tree\": {)json"
+              R"json(\"type\": \"colonize\", \"crown\": {\"sphere\": {\"centre\": [0, 1, 0], \"radius\": 0.5}},)json"
+              R"json(\"points\": 60, \"step\": 0.06, \"influence\": 0.8, \"kill\": 0.16,)json"
+              R"json(\"iterations\": 18}}}", "path": null)json");
   const std::string hash = Studio::text_of(opened, "hash");
   const auto news_of = [&](const std::string& growth) {
     studio.ask("view", "\"growth\": " + growth);

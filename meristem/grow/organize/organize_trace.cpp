@@ -47,8 +47,10 @@ StepMarks OrganizeTrace::marks(int step, const TraceWish& wish) const {
   const Step& now = steps_[static_cast<std::size_t>(step)];
   StepMarks marks;
   if (wish.ways) marks.ways = now.ways;
-  const auto lost = std::ranges::equal_range(losses_, step, {}, &TracedLoss::step);
-  if (wish.losses) marks.losses.assign(lost.begin(), lost.end());
+  if (wish.losses) {
+    marks.losses.assign(std::ranges::lower_bound(losses_, step, {}, &TracedLoss::step),
+                        std::ranges::upper_bound(losses_, step, {}, &TracedLoss::step));
+  }
   if (wish.markers) marks.markers = markers(now.skeleton);
   return marks;
 }

@@ -20,7 +20,8 @@ from cli_case import DONE, FAILED, LONG_GROWTH, LONG_RENDER, MTG, TREE, WRONG_IN
 class Formats(cli_case.Case):
     """What the files of one plant say must be the same; they are read with Python's own means."""
 
-    FILES = ["a.glb", "a.obj", "a.ply", "a.skeleton.ply", "a.csv", "a.operations.csv", "a.mtg"]
+    FILES = ["a.glb", "a.obj", "a.ply", "a.labels.ply", "a.skeleton.ply", "a.csv", "a.qsm.csv", "a.trees.txt",
+             "a.operations.csv", "a.points.csv", "a.mtg"]
 
     def setUp(self):
         super().setUp()

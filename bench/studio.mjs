@@ -185,7 +185,7 @@ async function board_time(page, text) {
 
 /// Median milliseconds from the wish for a step of growth to the packet that shows it, over steps far apart.
 async function scrub_time(page) {
-  await page.keyboard.press('o');
+  await page.keyboard.press('s');
   await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null, null, { timeout: 60000 });
   await settled(page);
   const times = await page.evaluate(async (count) => {
@@ -337,12 +337,12 @@ try {
   await set(page, 'leafiness', 0.35);
   await settled(page);
   tell('growth/oak_step', await scrub_time(page), 'ms', 100);
-  await page.keyboard.press('o');
+  await page.keyboard.press('s');
   await open_file(page, 'points.json');
-  await page.keyboard.press('o');
+  await page.keyboard.press('s');
   await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
   tell('growth/overlay_of_10000', await overlay_time(page), 'ms', 20);
-  await page.keyboard.press('o');
+  await page.keyboard.press('s');
 
   await open_file(page, 'oak.json');
   tell('bytes/oak_leaf', (await bytes_of(page, () => set(page, 'leaf.fold', 12))) / 1e6, 'MB', 1.3);

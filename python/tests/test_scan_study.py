@@ -44,5 +44,5 @@ def test_quick_study(tmp_path: Path) -> None:
     with open(tmp_path / "classes.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     assert {row["instrument"] for row in rows} == set(walnut.INSTRUMENTS)
-    for name in ("shares.png", "thickness.png", "points.jpg"):
+    for name in ("shares.png", "thickness.png", "points.png"):
         assert (tmp_path / name).stat().st_size > 5000

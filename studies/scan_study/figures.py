@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import Any, Mapping, Sequence
 
@@ -11,11 +12,13 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
+from PIL import Image
 
 from common.style import BLUE, DOTS_PER_INCH, GREEN, ORANGE, RED, STYLE, new_figure, save_figure
 
 from .coverage import FEW, MANY, Coverage
 from .expectations import of
+from .pictures import save_in_few_colours
 from .walnut import STATIONS
 
 COUNTS = ((1, ORANGE), (2, GREEN), (3, RED), (STATIONS, BLUE))  #: of stations, with their colours
@@ -83,11 +86,13 @@ def draw_points(path: Path, scan: Mapping[str, NDArray[Any]]) -> None:
         axes.set_aspect("equal")
         axes.set_title(title)
         axes.set_axis_off()
-    figure.savefig(path, dpi=DPI, pil_kwargs={"quality": 85})
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format="png", dpi=DPI)
+    save_in_few_colours(Image.open(drawn), path)
 
 
 def draw_figures(folder: Path, rows: Sequence[Coverage], scan: Mapping[str, NDArray[Any]]) -> None:
     with matplotlib.rc_context(STYLE):
         draw_shares(folder / "shares.png", rows)
         draw_thickness(folder / "thickness.png", rows)
-        draw_points(folder / "points.jpg", scan)
+        draw_points(folder / "points.png", scan)

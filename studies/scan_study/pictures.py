@@ -9,14 +9,19 @@ from typing import Any, Mapping
 import matplotlib
 import meristem
 import numpy as np
-from matplotlib.image import imsave
 from numpy.typing import NDArray
+from PIL import Image
 
 SIZE = (620, 570)  #: width and height, pixels
 WIDTH = 9.0  #: metres that the picture is wide
 GROUND = -0.35  #: metres: height of its lower edge
 COLOURS = {"ground": (0.72, 0.70, 0.66), "wood": (0.42, 0.28, 0.16), "organ": (0.30, 0.52, 0.18), "obstacle": (0.5, 0.5, 0.5)}
 MOST_ERROR = 0.03  #: metres
+
+
+def save_in_few_colours(image: Image.Image, path: Path) -> None:
+    """As PNG: thousands of points of few colours take half the bytes that way."""
+    image.convert("RGB").quantize(48, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def draw_points(path: Path, position: NDArray[Any], colour: NDArray[Any]) -> None:
@@ -32,7 +37,7 @@ def draw_points(path: Path, position: NDArray[Any], colour: NDArray[Any]) -> Non
             x, y = column[nearest_last] + right, row[nearest_last] + down
             inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
             image[y[inside], x[inside]] = colour[nearest_last][inside]
-    imsave(path, image, pil_kwargs={"quality": 88})
+    save_in_few_colours(Image.fromarray((255 * np.clip(image, 0, 1)).astype(np.uint8)), path)
 
 
 def mapped(values: NDArray[Any], most: float, name: str) -> NDArray[np.float64]:
@@ -50,9 +55,9 @@ def draw_oak(folder: Path, step: float) -> None:
     kinds = np.array([COLOURS[kind] for kind in scan["kind"][inside]])
     # Far points are lighter, so that the crown has depth.
     depth = np.clip((position[inside, 2] + 4) / 8, 0, 1)[:, None]
-    draw_points(folder / "oak-kind.jpg", position[inside], kinds * (0.65 + 0.35 * depth) + 0.12 * (1 - depth))
+    draw_points(folder / "oak-kind.png", position[inside], kinds * (0.65 + 0.35 * depth) + 0.12 * (1 - depth))
     wood = scan["kind"] == "wood"
-    draw_points(folder / "oak-order.jpg", position[wood], mapped(scan["order"][wood], 8, "viridis"))
+    draw_points(folder / "oak-order.png", position[wood], mapped(scan["order"][wood], 8, "viridis"))
     plant = inside & (scan["kind"] != "ground")
     error = np.abs(scan["range"] - scan["true_range"])[plant]
-    draw_points(folder / "oak-error.jpg", position[plant], mapped(error, MOST_ERROR, "magma_r"))
+    draw_points(folder / "oak-error.png", position[plant], mapped(error, MOST_ERROR, "magma_r"))

@@ -97,8 +97,8 @@ class Expansion {
     walk();
     const auto rank = [](const BegunClock& one) { return std::tuple(one.component, one.clock.start, one.clock.speed); };
     std::ranges::sort(*clocks_, {}, rank);
-    const auto same = std::ranges::unique(*clocks_, {}, rank);
-    clocks_->erase(same.begin(), same.end());
+    const auto is_same = [&](const BegunClock& one, const BegunClock& other) { return rank(one) == rank(other); };
+    clocks_->erase(std::unique(clocks_->begin(), clocks_->end(), is_same), clocks_->end());
     return std::move(*clocks_);
   }
 

@@ -36,18 +36,18 @@ struct EditRequest {
 struct DragRequest {
   std::vector<Override> values;
 };
+/// The step of growth that is shown, and whether growth is recorded for overlays.
+struct ShownGrowth {
+  std::optional<int> step;
+  bool is_recorded = false;
+};
 struct ViewRequest {
   std::optional<std::uint64_t> drag_triangles;
   std::optional<std::uint64_t> rest_triangles;
   std::optional<bool> surface;
   std::optional<bool> skeleton;
   std::optional<double> time;
-  /// The step of growth that is shown, and whether growth is recorded for overlays.
-  struct Growth {
-    std::optional<int> step;
-    bool is_recorded = false;
-  };
-  std::optional<Growth> growth;
+  std::optional<ShownGrowth> growth;
 };
 /// What is shown over the plant: OverlayPart.
 struct OverlaysRequest {

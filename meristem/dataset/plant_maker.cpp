@@ -105,7 +105,7 @@ Document PlantMaker::document_of(const PlannedPlant& plant) const {
   ReadOptions options{.seed = plant.seed, .time = plan_.time, .store = &kept_->files, .models = folders_.models};
   for (const PathValues* values : std::initializer_list<const PathValues*>{&planned.set, &plan_.set, &plant.values}) {
     for (const auto& [path, value] : *values) {
-      std::erase_if(options.overrides, [&](const Override& earlier) { return earlier.path == path; });
+      std::erase_if(options.overrides, [&name = path](const Override& earlier) { return earlier.path == name; });
       options.overrides.push_back({path, value, ""});
     }
   }

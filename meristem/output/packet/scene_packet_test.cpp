@@ -259,7 +259,8 @@ TEST(ScenePacket, TellsOfASceneOnceAndAgainWhenItChanges) {
   scene.supports = {{"wire", {Vec3(-1, 1, 0), Vec3(1, 1, 0)}}};
   Progress progress;
   PacketMaker maker;
-  const ReadPacket first(maker.next({.scene = &scene}, {.hash = "0"}, progress));
+  const std::string packet = maker.next({.scene = &scene}, {.hash = "0"}, progress);
+  const ReadPacket first(packet);
   const Value& told = *first.head.find("scene");
   EXPECT_EQ(*(*told.find("lamps")->list())[0].find("strength")->number(), 0.5);
   const Value& wire = (*told.find("supports")->list())[0];

@@ -49,6 +49,10 @@ class Plan(cli_case.Case):
         for place, height in left.items():
             self.assertEqual(places[place]["y"], height)
 
+    def test_records_the_growth_for_tables_that_tell_of_it(self):
+        self.assert_ends(DONE, "plan", "pruned.json", "-q", "--before", "b.points.csv", "--after", "a.points.csv")
+        self.assertEqual(self.read("b.points.csv"), self.read("a.points.csv"))
+
     def test_takes_a_rule(self):
         rule = '{"do": "girdle", "shoots": "rank == 1", "share": 0.5}'
         self.assert_ends(DONE, "plan", "pruned.json", "--rule", rule, "-o", "cuts.csv", "-q")

@@ -41,9 +41,6 @@ void check(const CheckOptions& options) {
     }
   }
   if (quiet) return;
-  const auto counted = [](std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
   fmt::print("{}: good, {} and {}\n", document.source.file, counted(document.graph.components.size(), "component"),
              counted(document.graph.links.size(), "link"));
 }

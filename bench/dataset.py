@@ -296,6 +296,14 @@ KEPT: dict[str, dict[str, Any]] = {
 }
 
 
+def byte_count(size: float) -> str:
+    for unit in ("B", "KB", "MB", "GB"):
+        if size < 1000:
+            return f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} TB"
+
+
 def oaks(scratch: Path) -> None:
     """Processor seconds and bytes per oak: reading the document and painting its textures once included."""
     plants = 1 if SMALL else 8
@@ -311,13 +319,13 @@ def oaks(scratch: Path) -> None:
             for path, size in zip(row["files"].split(), map(int, row["bytes"].split())):
                 ending = "." + path.rpartition("/")[2].partition(".")[2]
                 kinds[ending] = kinds.get(ending, 0) + size
-        rows = sum(path.stat().st_size for path in (folder / "manifest").iterdir())
-        kinds["row of the manifest"] = rows
-        sizes = ", ".join(f"{ending} {size / plants / 1e6:.4f} MB" for ending, size in kinds.items())
+        tables = [path.read_bytes() for path in (folder / "manifest").iterdir()]
+        kinds["row of the manifest"] = sum(len(table) - table.index(b"\n") - 1 for table in tables)
+        sizes = ", ".join(f"{ending} {byte_count(size / plants)}" for ending, size in kinds.items())
         total = sum(kinds.values()) / plants
         print(
-            f"{what}: {seconds:.2f} s, {total / 1e6:.4f} MB per oak ({sizes}); a million: "
-            f"{seconds * 1e6 / 100 / 3600:.1f} hours on 100 cores, {total / 1e6:.1f} TB",
+            f"{what}: {seconds:.2f} s, {byte_count(total)} per oak ({sizes}); a million: "
+            f"{seconds * 1e6 / 100 / 3600:.1f} hours on 100 cores, {byte_count(total * 1e6)}",
             flush=True,
         )
 

@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "meristem/base/counted.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"

@@ -14,6 +14,7 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "meristem/base/counted.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/read_file.h"
@@ -66,7 +67,9 @@ void verify(const DatasetCommand& command) {
                              check.faults.empty() ? "all as written" : counted(check.faults.size(), "fault")));
   }
   if (!check.faults.empty()) {
-    throw MachineError(fmt::format("'{}' is not what its manifest says; --repair makes again what is wrong", folder));
+    throw MachineError(fmt::format(
+        "'{0}' is not what its manifest says; meristem dataset PLAN -o {0} --repair makes again what is wrong",
+        folder));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "documents.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/base/counted.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"
@@ -80,7 +81,8 @@ std::string told(const OperationRecord& record) {
   if (record.metamer > 0) text += fmt::format(" above metamer {}", record.metamer);
   text += fmt::format(" at ({:.3f}, {:.3f}, {:.3f}) m", record.position.x, record.position.y, record.position.z);
   if (record.metamers > 0) {
-    text += fmt::format(", {} metamer{}, {:.3f} m", record.metamers, record.metamers == 1 ? "" : "s", record.length);
+    text +=
+        fmt::format(", {}, {:.3f} m", counted(static_cast<std::uint64_t>(record.metamers), "metamer"), record.length);
   }
   return text;
 }

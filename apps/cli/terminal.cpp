@@ -122,10 +122,6 @@ void TerminalProgress::show(std::string_view stage, double fraction) {
   shown_ = now;
 }
 
-std::string counted(std::uint64_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 int received_signal() { return last_signal.load(); }
 
 }  // namespace meristem::cli

@@ -49,9 +49,6 @@ class TerminalProgress {
   Progress progress_;
 };
 
-/// "1 plant", "12 plants".
-std::string counted(std::uint64_t count, const char* what);
-
 /// The signal that cancelled, or 0.
 int received_signal();
 

@@ -4,9 +4,10 @@
 
     PYTHONPATH=build/python/python /usr/bin/python3 bench/dataset.py [PART...]
 
-The parts are digests, ratio, overhead, memory, resume and killed; all of them by default. Each plant of the first and
-the last three is a sapling of about a millisecond; ratio and overhead take trees of about 20 ms, as many points as that
-takes on this machine. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs
+The parts are digests, ratio, overhead, memory, resume, killed and oaks; all of them by default. The last one prints
+what an oak costs by what is kept of it, as the manual tells it. Each plant of digests, memory, resume and killed is a
+sapling of about a millisecond; ratio and overhead take trees of about 20 ms, as many points as that takes on this
+machine. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs
 everything in sizes that take no time. Engines that are not installed are left out, and said so.
 """
 
@@ -281,7 +282,63 @@ def killed(scratch: Path) -> None:
     tell(f"killed twice, {made.found} of {plants} kept", "equal" if same else "different", "equal", same)
 
 
-PARTS = {"digests": digests, "ratio": ratio, "overhead": overhead, "memory": memory, "resume": resume, "killed": killed}
+#: What is kept of each oak, as rows of the manual.
+KEPT: dict[str, dict[str, Any]] = {
+    "measures": {"measures": "all"},
+    "skeleton as .csv and .mtg": {"files": [".csv", ".mtg"]},
+    ".glb with textures, and measures": {"files": [".glb"], "measures": "all"},
+    "depth, organs and COCO, 512 x 512": {
+        "pictures": {"size": [512, 512], "colour": "none", "depth": "pfm", "organs": True, "coco": True}
+    },
+    "the same with a picture of 16 samples": {
+        "pictures": {"size": [512, 512], "samples": 16, "depth": "pfm", "organs": True, "coco": True}
+    },
+}
+
+
+def byte_count(size: float) -> str:
+    for unit in ("B", "KB", "MB", "GB"):
+        if size < 1000:
+            return f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} TB"
+
+
+def oaks(scratch: Path) -> None:
+    """Processor seconds and bytes per oak: reading the document and painting its textures once included."""
+    plants = 1 if SMALL else 8
+    for number, (what, kept) in enumerate(KEPT.items()):
+        if SMALL and number > 1:
+            return
+        folder = scratch / f"oaks{number}"
+        begin = time.process_time()
+        made = meristem.dataset("oak", {"seeds": plants, **kept}, folder, processes=1)
+        seconds = (time.process_time() - begin) / plants
+        kinds: dict[str, int] = {}
+        for row in made.rows():
+            for path, size in zip(row["files"].split(), map(int, row["bytes"].split())):
+                ending = "." + path.rpartition("/")[2].partition(".")[2]
+                kinds[ending] = kinds.get(ending, 0) + size
+        tables = [path.read_bytes() for path in (folder / "manifest").iterdir()]
+        kinds["row of the manifest"] = sum(len(table) - table.index(b"\n") - 1 for table in tables)
+        sizes = ", ".join(f"{ending} {byte_count(size / plants)}" for ending, size in kinds.items())
+        total = sum(kinds.values()) / plants
+        print(
+            f"{what}: {seconds:.2f} s, {byte_count(total)} per oak ({sizes}); a million: "
+            f"{seconds * 1e6 / 100 / 3600:.1f} hours on 100 cores, {byte_count(total * 1e6)}",
+            flush=True,
+        )
+
+
+PARTS = {
+    "digests": digests,
+    "ratio": ratio,
+    "overhead": overhead,
+    "memory": memory,
+    "resume": resume,
+    "killed": killed,
+    "oaks": oaks,
+}
 
 
 def main() -> None:

@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "meristem/base/counted.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"
@@ -41,9 +42,6 @@ void check(const CheckOptions& options) {
     }
   }
   if (quiet) return;
-  const auto counted = [](std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
   fmt::print("{}: good, {} and {}\n", document.source.file, counted(document.graph.components.size(), "component"),
              counted(document.graph.links.size(), "link"));
 }

@@ -14,7 +14,10 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "meristem/base/counted.h"
+#include "meristem/base/limits.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/read_file.h"
 #include "meristem/dataset/dataset_folder.h"
 #include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/dataset_plan.h"
@@ -43,11 +46,7 @@ struct DatasetCommand {
 
 bool is_dataset(const std::string& path) {
   std::error_code error;
-  return fs::is_regular_file(fs::path(path) / "dataset.json", error);
-}
-
-std::string plural(std::uint64_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  return fs::is_regular_file(dataset_info_path(path), error);
 }
 
 void verify(const DatasetCommand& command) {
@@ -64,25 +63,29 @@ void verify(const DatasetCommand& command) {
   }
   if (!command.quiet) {
     print_status(fmt::format("{}: {} of {} plants, {} failed, {}, {:.1f} MB, {}", folder, check.rows, check.plants,
-                             check.failed, plural(check.files, "file"), static_cast<double>(check.bytes) / 1e6,
-                             check.faults.empty() ? "all as written" : plural(check.faults.size(), "fault")));
+                             check.failed, counted(check.files, "file"), static_cast<double>(check.bytes) / 1e6,
+                             check.faults.empty() ? "all as written" : counted(check.faults.size(), "fault")));
   }
   if (!check.faults.empty()) {
-    throw MachineError(fmt::format("'{}' is not what its manifest says; --repair makes again what is wrong", folder));
+    throw MachineError(fmt::format(
+        "'{0}' is not what its manifest says; meristem dataset PLAN -o {0} --repair makes again what is wrong",
+        folder));
   }
 }
 
 /// The plan of a file, or of a data set that was begun.
 DatasetPlan plan_of(const DatasetCommand& command) {
-  const std::string file = is_dataset(command.plan) ? (fs::path(command.plan) / "plan.json").string() : command.plan;
+  const std::string file = is_dataset(command.plan) ? folder_plan_path(command.plan) : command.plan;
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw no_dataset(file);
+  if (file != "-" && !fs::exists(file, error)) read_file(file, Limits().file_bytes);  // tells the nearest name
   return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder()});
 }
 
 /// Takes ranges until there are none, on as many threads as there may be.
 void make_all(DatasetFolder& folder, const DatasetPlan& plan, TerminalProgress& terminal) {
   Progress& progress = terminal.progress();
-  const DocumentFolders folders{.documents = (fs::path(folder.path()) / "documents").string(),
-                                .models = models_folder()};
+  const DocumentFolders folders{.documents = documents_path(folder.path()), .models = models_folder()};
   std::mutex mutex;
   std::atomic<bool> has_failed{false};
   terminal.tell_parts("plant", folder.done(), folder.found(), folder.total());
@@ -141,7 +144,7 @@ void make(const DatasetCommand& command) {
   for (const std::string& fault : faults) print_status(fault);
   if (fault_count > faults.size()) print_status(fmt::format("and {} more", fault_count - faults.size()));
   if (fault_count > 0) print_status(fmt::format("{}: what was not right was made again", path));
-  print_status(fmt::format("{}: {}{}", path, plural(plan.count(), "plant"),
+  print_status(fmt::format("{}: {}{}", path, counted(plan.count(), "plant"),
                            found > 0 ? fmt::format(", {} of them were there", found) : ""));
 }
 
@@ -161,7 +164,9 @@ void add_dataset(CLI::App& app, Run& run) {
   CLI::Option* const fresh = command->add_flag("--fresh", options->fresh,
                                                "Refuse a folder that holds a data set, instead of going on with it");
   CLI::Option* const repair = command->add_flag(
-      "--repair", options->repair, "Read all files that are there, and make again the plants whose files have changed");
+      "--repair", options->repair,
+      "Read all files that are there, make again the plants whose files have changed, put back documents, and remove "
+      "files that belong to nothing");
   CLI::Option* const verify_flag =
       command->add_flag("--verify", options->verify, "Make nothing; read all files and compare them with the manifest");
   fresh->excludes(repair)->excludes(verify_flag);

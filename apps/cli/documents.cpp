@@ -107,6 +107,8 @@ Scene scene_under(const Document& document, const DocumentOptions& options, cons
   return std::move(other.scene);
 }
 
+std::filesystem::path place_of(const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); }
+
 std::string models_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -115,6 +117,20 @@ std::string models_folder() {
     if (fs::is_directory(installed, error)) return installed.string();
   }
   return MERISTEM_SOURCE_MODELS;
+}
+
+void add_output_option(CLI::App& command, std::vector<std::string>& outputs) {
+  command
+      .add_option("-o,--output", outputs,
+                  "File to write, in the format of its ending (see below); - for standard output; may be repeated")
+      ->required()
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+CLI::Option* add_time_option(CLI::App& command, double& time) {
+  return command.add_option("--time", time, "Grow the document at this time in seconds, the t of its expressions")
+      ->type_name("T");
 }
 
 void add_step_option(CLI::App& command, std::optional<int>& step) {

@@ -3,11 +3,13 @@
 // input.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/App.hpp>
+#include <fmt/format.h>
 
 #include "meristem/base/parallel.h"
 #include "meristem/document/document.h"
@@ -49,10 +51,27 @@ Document open_document(const DocumentOptions& options, double time = 0);
 /// Prints what is odd about it unless quiet.
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun);
 
+/// Adds `-o FILE`, the files of a command that writes formats by their endings: one at least.
+void add_output_option(CLI::App& command, std::vector<std::string>& outputs);
+
+/// What the help says of formats, each with its ending and its words.
+template <class Formats>
+std::string endings_of(const Formats& formats) {
+  std::string text = "Files end in:\n";
+  for (const auto& format : formats) text += fmt::format("  {:<14} {}\n", format.ending, format.doc);
+  return text;
+}
+
+/// Adds `--time T`, the time at which the document grows.
+CLI::Option* add_time_option(CLI::App& command, double& time);
+
 /// Adds `--step K`, the step of growth that is shown.
 void add_step_option(CLI::App& command, std::optional<int>& step);
 /// The step, as it was given. Throws InputError below 0.
 std::optional<int> checked_step(std::optional<int> step);
+
+/// Where a path leads, whether or not there is a file: equal for two paths of one file.
+std::filesystem::path place_of(const std::string& path);
 
 /// The folder of shipped models: beside the program where it is installed, else the source tree's.
 std::string models_folder();

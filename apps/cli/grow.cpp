@@ -212,20 +212,6 @@ std::vector<std::string> write_coarser(const Document& document, GrownDocument& 
   return summary;
 }
 
-/// What all of the files need.
-GrownPart needed_part(const std::vector<const Format*>& formats) {
-  GrownPart part = GrownPart::plant;
-  for (const Format* format : formats) part = std::max(part, format->needs);
-  return part;
-}
-
-/// The step of growth that is shown, and what the files tell of growth.
-GrowthView needed_view(const GrowOptions& options, const std::vector<const Format*>& formats) {
-  GrowthView view{checked_step(options.step), {}};
-  for (const Format* format : formats) view.wish = view.wish | format->wish;
-  return view;
-}
-
 std::string sizes_of(const GrownDocument& grown) {
   const Counts counts = count(grown.plant, grown.meshes);
   std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
@@ -243,7 +229,7 @@ void grow(const GrowOptions& options, bool has_time) {
   const double time = film::checked_time(options.time);
   check_animated(options, has_time);
   if (options.animated) return grow_animated(options);
-  const GrowthView view = needed_view(options, formats);
+  const GrowthView view{checked_step(options.step), needed_wish(formats)};
   check_options(options, formats);
   const Document document = open_document(options.document, time);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
@@ -288,16 +274,8 @@ void add_grow(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("grow", "Grow a document and write it to files");
   auto options = std::make_shared<GrowOptions>();
   options->document.add_to(*command);
-  command
-      ->add_option("-o,--output", options->outputs,
-                   "File to write, in the format of its ending (see below); - for standard output; may be repeated")
-      ->required()
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  CLI::Option* const time =
-      command
-          ->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
-          ->type_name("T");
+  add_output_option(*command, options->outputs);
+  CLI::Option* const time = add_time_option(*command, options->time);
   command->add_flag("--animated", options->animated,
                     "Write the document's animation into .glb, for browsers and engines to play");
   command
@@ -329,9 +307,7 @@ void add_grow(CLI::App& app, Run& run) {
       ->excludes(instanced);
   command->add_flag("--obstacles", options->obstacles,
                     "Also write the scene's visible obstacles into .glb, .obj and .ply");
-  std::string endings;
-  for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
-  command->footer("Files end in:\n" + endings +
+  command->footer(endings_of(formats()) +
                   "Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
   command->callback(
       [options, time, &run] { run = [options, has_time = time->count() > 0] { grow(*options, has_time); }; });

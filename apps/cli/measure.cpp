@@ -85,13 +85,9 @@ void check_kind(const MeasureCommand& command) {
   require(command.diameter.empty(), "--diameter", "an .mtg file");
 }
 
-bool is_same_place(const std::string& a, const std::string& b) {
-  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
-}
-
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
   check_output(command.organs, inputs);
-  if (is_same_place(command.organs, command.output)) {
+  if (place_of(command.organs) == place_of(command.output)) {
     throw InputError(Diagnostic{.message = "the measures and the table of organs would be written to one file",
                                 .expected = "different files for -o and --organs"});
   }

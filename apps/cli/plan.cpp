@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What people would do to the trees of a document now: the operations of their last iteration, found and not done.
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,10 +11,12 @@
 #include "commands.h"
 #include "documents.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/base/counted.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
+#include "meristem/document/locate.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/skeleton/operation_csv.h"
@@ -33,17 +36,6 @@ struct PlanOptions {
 };
 
 constexpr const char* kRule = "--rule";  // what messages call it
-
-/// An operation that was asked for, as it is written.
-Value rule_value(const std::string& text) {
-  try {
-    return parse_json(text);
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> diagnostics = error.diagnostics();
-    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = kRule;
-    throw InputError(std::move(diagnostics));
-  }
-}
 
 /// The components that could have operations, and the iteration of the last.
 std::vector<std::pair<std::string, int>> pruned_components(const Document& document) {
@@ -65,7 +57,7 @@ Value with_rules(const Document& document, const std::string& id, int last, cons
   const Value* given = own != nullptr ? own->find("operations") : nullptr;
   Value::List operations = given != nullptr && given->list() != nullptr ? *given->list() : Value::List();
   for (const std::string& rule : rules) {
-    Value operation = rule_value(rule);
+    Value operation = parse_json_of(rule, kRule);
     if (operation.object() == nullptr) {
       throw InputError(
           Diagnostic{.message = fmt::format("--rule cannot be {}", operation.description()),
@@ -89,7 +81,8 @@ std::string told(const OperationRecord& record) {
   if (record.metamer > 0) text += fmt::format(" above metamer {}", record.metamer);
   text += fmt::format(" at ({:.3f}, {:.3f}, {:.3f}) m", record.position.x, record.position.y, record.position.z);
   if (record.metamers > 0) {
-    text += fmt::format(", {} metamer{}, {:.3f} m", record.metamers, record.metamers == 1 ? "" : "s", record.length);
+    text +=
+        fmt::format(", {}, {:.3f} m", counted(static_cast<std::uint64_t>(record.metamers), "metamer"), record.length);
   }
   return text;
 }
@@ -120,13 +113,16 @@ void plan(const PlanOptions& options) {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
     FileSet files;
-    GrownDocument grown =
-        grow_document(planned, progress, {.up_to = before != nullptr ? before->needs : GrownPart::plant});
+    const auto options_for = [](const Format* const& format) {
+      const std::span<const Format* const> formats(&format, format != nullptr ? 1 : 0);
+      return GrowthOptions{.up_to = needed_part(formats), .view = {{}, needed_wish(formats)}};
+    };
+    GrownDocument grown = grow_document(planned, progress, options_for(before));
     records = operation_records(*ExpandedPlant(grown.plant, progress));
     if (!options.output.empty()) write_operation_csv(grown.plant, options.output, progress);
     if (before != nullptr) before->write(planned, grown, options.before, {}, progress);
     if (after != nullptr) {
-      grown = grow_document(done, progress, {.up_to = after->needs});
+      grown = grow_document(done, progress, options_for(after));
       after->write(done, grown, options.after, {}, progress);
     }
     files.commit();

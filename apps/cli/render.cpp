@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,7 +16,6 @@
 #include "apps/film/frames.h"
 #include "commands.h"
 #include "documents.h"
-#include "meristem/base/atomic_file.h"
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/version.h"
@@ -66,7 +66,7 @@ struct Picture {
   std::string path;  // empty: only its truth is written
   double time;       // seconds
   double turn;       // of the camera around the plant, radians
-  std::vector<std::pair<const TruthFormat*, std::string>> truths{};
+  std::vector<TruthFile> truths{};
 };
 
 void check_turntable(const RenderOptions& options, const std::vector<double>& times) {
@@ -234,16 +234,10 @@ class PictureTaker {
   void write_truth(const Picture& picture) {
     const StillOptions& still = options_.still;
     const TruthOptions options{.width = still.width, .height = still.height, .transparent = still.transparent};
-    const Truth truth = see_truth(grown_, now().scene, options_.view, options, terminal_.progress());
-    const Camera camera = truth_camera(grown_, now().scene, options_.view, options);
-    const TruthContext context{.picture = std::filesystem::path(picture.path).filename().string(),
-                               .name = document_.name,
-                               .licence = document_.licence};
-    for (const auto& [format, path] : picture.truths) {
-      AtomicFile file(path);
-      file.write(encode_truth(truth, camera, *format, path, context));
-      file.commit();
-    }
+    write_truths(see_truth(grown_, now().scene, options_.view, options, terminal_.progress()), picture.truths,
+                 {.picture = std::filesystem::path(picture.path).filename().string(),
+                  .name = document_.name,
+                  .licence = document_.licence});
   }
 
   void grow_at(double time) {
@@ -291,18 +285,41 @@ double film_rate(const std::vector<Picture>& pictures, const Document& document)
   return document.graph.animation ? document.graph.animation->fps : Animation().fps;
 }
 
+/// The option that has the pictures show something else than the plants as they are, or empty.
+std::string other_picture(const RenderOptions& options) {
+  if (film::is_film(options.output)) return "film";
+  if (options.cards) return "--cards";
+  if (options.detail.level > 0) return "--lod";
+  if (!options.show.empty()) return "--show";
+  if (options.hull) return "--hull";
+  return options.no_plant ? "--no-plant" : "";
+}
+
+/// Throws InputError where two of the files of a run would be one.
+void check_different(const std::vector<Picture>& pictures) {
+  std::set<std::filesystem::path> places;
+  const auto add = [&places](const std::string& path) {
+    if (path.empty() || path == "-") return;
+    if (places.insert(place_of(path)).second) return;
+    throw InputError(Diagnostic{.message = fmt::format("'{}' would be written twice", path),
+                                .expected = "different files for the picture and what is written beside it"});
+  };
+  for (const Picture& picture : pictures) {
+    add(picture.path);
+    for (const TruthFile& truth : picture.truths) add(truth.path);
+  }
+}
+
 /// Gives the pictures the files of their truth, numbered as they are.
 void plan_truths(const RenderOptions& options, std::vector<Picture>& pictures) {
   if (!options.wants_truth()) return;
   if (options.output.empty()) {
     for (Picture& picture : pictures) picture.path.clear();
   }
-  if (film::is_film(options.output) || options.cards || options.detail.level > 0) {
+  if (const std::string other = other_picture(options); !other.empty()) {
     throw InputError(
         Diagnostic{.message = "depth, normals, masks and annotations are written beside pictures of the whole plant",
-                   .expected = fmt::format("no {}", film::is_film(options.output) ? "film"
-                                                    : options.cards               ? "--cards"
-                                                                                  : "--lod")});
+                   .expected = "no " + other});
   }
   for (std::size_t kind = 0; kind < options.truths.size(); ++kind) {
     const std::string& path = options.truths[kind];
@@ -312,8 +329,9 @@ void plan_truths(const RenderOptions& options, std::vector<Picture>& pictures) {
     const std::vector<std::string> paths = pictures.size() == 1
                                                ? std::vector<std::string>{path}
                                                : film::frame_paths(path, static_cast<int>(pictures.size()));
-    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].truths.emplace_back(&format, paths[k]);
+    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].truths.push_back({&format, paths[k]});
   }
+  check_different(pictures);
 }
 
 void render(const RenderOptions& options) {
@@ -352,7 +370,7 @@ void render(const RenderOptions& options) {
   }
   for (const Picture& picture : pictures) {
     if (!options.fingerprint && !films && !picture.path.empty()) check_output(picture.path, inputs);
-    for (const auto& [format, path] : picture.truths) check_output(path, inputs);
+    for (const TruthFile& truth : picture.truths) check_output(truth.path, inputs);
   }
 
   const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
@@ -373,7 +391,7 @@ void render(const RenderOptions& options) {
       print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
     }
     std::string truths;
-    for (const auto& [format, path] : pictures.front().truths) truths += (truths.empty() ? "" : ", ") + path;
+    for (const TruthFile& truth : pictures.front().truths) truths += (truths.empty() ? "" : ", ") + truth.path;
     if (!truths.empty()) print_status(fmt::format("{}: {} x {} pixels", truths, still.width, still.height));
   }
 }
@@ -454,13 +472,11 @@ void add_render(CLI::App& app, Run& run) {
                     "Draw the convex hull of each tree's crown, whose lit_share is measured, as wires");
   for (std::size_t kind = 0; kind < truth_formats().size(); ++kind) {
     const TruthFormat& format = truth_formats()[kind];
-    const char* const endings = format.name == "coco"                                ? "in .json"
-                                : format.name == "depth" || format.name == "normals" ? "in .png or .pfm"
-                                                                                     : "in .png";
-    CLI::Option* const truth = command
-                                   ->add_option(fmt::format("--{}", format.name), options->truths[kind],
-                                                fmt::format("File to write, {}: {}", endings, lower_first(format.doc)))
-                                   ->type_name("FILE");
+    CLI::Option* const truth =
+        command
+            ->add_option(fmt::format("--{}", format.name), options->truths[kind],
+                         fmt::format("File to write, in {}: {}", format.ending_list(), lower_first(format.doc)))
+            ->type_name("FILE");
     truth->excludes(fingerprint);
   }
   command->footer("--show takes:\n" + parts +

@@ -14,7 +14,6 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/read_file.h"
 #include "meristem/document/grow.h"
-#include "meristem/document/json.h"
 #include "meristem/document/locate.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/output/formats.h"
@@ -58,13 +57,7 @@ struct InstrumentFile {
 Value instrument_value(const std::string& given, std::optional<InstrumentFile>& file) {
   if (!lower_case(given).ends_with(".json")) return parse_override("x=" + given).value;
   file = InstrumentFile{given, read_file(given, Limits().file_bytes)};
-  try {
-    return parse_json(file->text);
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> faults = error.diagnostics();
-    for (Diagnostic& fault : faults) fault.file = given;
-    throw InputError(std::move(faults));
-  }
+  return parse_json_of(file->text, given);
 }
 
 void set_member(Value& object, const std::string& name, Value value) {
@@ -161,12 +154,7 @@ void add_scan(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("scan", "Grow a document and scan it, as an instrument would see it");
   auto options = std::make_shared<ScanCommand>();
   options->document.add_to(*command);
-  command
-      ->add_option("-o,--output", options->outputs,
-                   "File to write, in the format of its ending (see below); - for standard output; may be repeated")
-      ->required()
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_output_option(*command, options->outputs);
   command
       ->add_option("--instrument", options->instrument,
                    "Instrument: terrestrial, phase, drone or depth_camera; JSON such as {\"kind\": \"phase\", "
@@ -187,11 +175,8 @@ void add_scan(CLI::App& app, Run& run) {
       ->type_name("X,Y,Z");
   command->add_flag("--ground", options->ground, "Also see a flat ground at y = 0");
   command->add_flag("--no-obstacles", options->no_obstacles, "Do not see the scene's obstacles");
-  command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
-      ->type_name("T");
-  std::string endings;
-  for (const ScanFormat& format : scan_formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
-  command->footer("Files end in:\n" + endings +
+  add_time_option(*command, options->time);
+  command->footer(endings_of(scan_formats()) +
                   "Example: meristem scan oak -o oak.ply --set instrument.step=0.1\n"
                   "         meristem scan oak -o oak.las --instrument phase --station 8,1.6,0 --station -4,1.6,7 "
                   "--ground");

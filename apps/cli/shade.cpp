@@ -161,8 +161,7 @@ void add_shade(CLI::App& app, Run& run) {
   options->document.add_to(*command);
   add_surfaces(*command, *options);
   add_times(*command, *options);
-  command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
-      ->type_name("T");
+  add_time_option(*command, options->time);
   command
       ->add_option("-o,--output", options->outputs,
                    "File to write: a table (.csv, .json) or a picture (.png, .jpg); by default, standard output; may "

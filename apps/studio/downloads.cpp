@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "downloads.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <system_error>
-
-#include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
 
@@ -20,27 +15,20 @@ constexpr std::size_t kMostKept = 10;
 
 }  // namespace
 
-Downloads::Downloads() = default;
-
-Downloads::~Downloads() {
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
-}
-
 Downloads::Folder Downloads::add() {
   const std::lock_guard lock(mutex_);
   std::error_code error;
-  if (folder_.empty()) {
-    std::string name = (fs::temp_directory_path(error) / "meristem-studio-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr)  // readable by this user alone
-      throw MachineError(fmt::format("cannot make a folder for exports: {}", std::strerror(errno)));
-    folder_ = name;
+  if (!folder_) {
+    const fs::path temporary = fs::temp_directory_path(error);
+    if (error) throw MachineError("cannot find a folder for exports: " + error.message());
+    folder_.emplace(temporary.string(), "meristem-studio-");
   }
+  const fs::path root(folder_->path());
   if (kept_.size() == kMostKept) {
-    fs::remove_all(folder_ / std::to_string(kept_.front()), error);
+    fs::remove_all(root / std::to_string(kept_.front()), error);
     kept_.pop_front();
   }
-  const Folder folder{.number = ++count_, .path = folder_ / std::to_string(count_)};
+  const Folder folder{.number = ++count_, .path = root / std::to_string(count_)};
   if (!fs::create_directory(folder.path, error)) throw MachineError("cannot make a folder for an export");
   kept_.push_back(folder.number);
   return folder;
@@ -48,8 +36,8 @@ Downloads::Folder Downloads::add() {
 
 std::optional<std::string> Downloads::find(std::uint64_t number, const std::string& name) const {
   const std::lock_guard lock(mutex_);
-  if (folder_.empty() || name.empty() || name[0] == '.' || name.find('/') != std::string::npos) return std::nullopt;
-  const fs::path path = folder_ / std::to_string(number) / name;
+  if (!folder_ || name.empty() || name[0] == '.' || name.find('/') != std::string::npos) return std::nullopt;
+  const fs::path path = fs::path(folder_->path()) / std::to_string(number) / name;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;
   return path.string();

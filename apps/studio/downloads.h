@@ -8,18 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "meristem/base/whole_file.h"
 
 namespace meristem::studio {
 
 /// Keeps the files of the last exports in a folder of its own, which goes with it. Calls from any thread.
 class Downloads {
  public:
-  Downloads();
-  ~Downloads();
-  Downloads(const Downloads&) = delete;
-  Downloads& operator=(const Downloads&) = delete;
-
   /// An empty folder for the files of one export, and its number.
   struct Folder {
     std::uint64_t number = 0;
@@ -32,7 +28,7 @@ class Downloads {
 
  private:
   mutable std::mutex mutex_;
-  std::filesystem::path folder_;  // empty until there is an export
+  std::optional<ScratchFolder> folder_;  // once there is an export
   std::deque<std::uint64_t> kept_;
   std::uint64_t count_ = 0;
 };

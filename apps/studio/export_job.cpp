@@ -41,10 +41,17 @@ GltfInstances instances_of(const ExportOptions& options) {
   return GltfInstances::automatic;
 }
 
-/// What there is already, or it grows.
-GrownDocument grown_for(const ExportSource& source, const ExportOptions& options, GrownPart part, Progress& progress) {
-  if (source.grown == nullptr) return grow_document(*source.document, progress, {.time = options.time, .up_to = part});
+/// What there is already, or it grows: also where growth is told of that was not recorded.
+GrownDocument grown_for(const ExportSource& source, const ExportOptions& options, GrownPart part, const TraceWish& wish,
+                        Progress& progress) {
+  const bool is_there =
+      source.grown != nullptr && (source.grown->traces.recorded | wish) == source.grown->traces.recorded;
+  if (!is_there) {
+    const std::optional<int> step = source.grown != nullptr ? source.grown->view.step : std::nullopt;
+    return grow_document(*source.document, progress, {.time = options.time, .up_to = part, .view = {step, wish}});
+  }
   GrownDocument grown{.plant = source.grown->plant};
+  grown.traces = source.grown->traces;
   if (part == GrownPart::plant) return grown;
   grown.meshes = mesh_detail(*source.document, grown.plant, {}, progress);
   grown.up_to = GrownPart::textures;
@@ -59,7 +66,7 @@ void write_text(const std::string& text, const std::string& path) {
 
 void write_levels(const ExportSource& source, const ExportOptions& options, const Format& format,
                   const std::string& path, Progress& progress) {
-  GrownDocument grown = grown_for(source, options, format.needs, progress);
+  GrownDocument grown = grown_for(source, options, format.needs, format.wish, progress);
   EncodedPictures pictures;
   const FormatOptions how{.instances = instances_of(options), .pictures = &pictures};
   format.write(*source.document, grown, path, how, progress);
@@ -75,7 +82,7 @@ void write_still(const ExportSource& source, const ExportOptions& options, const
                  Progress& progress) {
   const PictureOptions picture{.still = still_of(options, *source.document),
                                .view = view_of(options, *source.document)};
-  const GrownDocument grown = grown_for(source, options, GrownPart::textures, progress);
+  const GrownDocument grown = grown_for(source, options, GrownPart::textures, {}, progress);
   write_picture(take_picture(grown, source.document->scene, picture, progress), path, {});
 }
 

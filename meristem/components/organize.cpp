@@ -111,7 +111,7 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, E
   const double youngest_bare = age_of(tree, out) - tree.leaf_age;
   const auto along = static_cast<float>(math::cos(tree.leaf_angle));
   const auto aside = static_cast<float>(math::sin(tree.leaf_angle));
-  std::vector<std::uint32_t> last(skeleton.axis.empty() ? 0 : *std::ranges::max_element(skeleton.axis) + 1, 1);
+  std::vector<std::uint32_t> last(skeleton.axis_count(), 1);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     last[skeleton.axis[node]] = std::max(last[skeleton.axis[node]], static_cast<std::uint32_t>(number[node]));
   }

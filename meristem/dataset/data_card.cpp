@@ -192,7 +192,7 @@ std::string data_card(const DatasetPlan& plan, const std::string& folder, Progre
   card += fmt::format("| Author | {} |\n| Licence | {} |\n", cell(std::string(or_none(plan.author))),
                       cell(std::string(or_none(plan.licence))));
   card += fmt::format("| Grown by | Meristem {} |\n", fmt::join(versions, ", "));
-  card += fmt::format("| Plan | `plan.json`, {} |\n", plan.hash());
+  card += fmt::format("| Plan | `plan.json`, {} |\n", plan.hash);
   card += fmt::format("| Manifest | `manifest/`, {} rows per table |\n", plan.rows);
 
   card += "\n## How it was made\n\n";

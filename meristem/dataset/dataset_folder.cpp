@@ -8,18 +8,19 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
 #include <map>
-#include <mutex>
-#include <sstream>
+#include <set>
 #include <system_error>
+#include <unordered_set>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/dataset/data_card.h"
 #include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/manifest.h"
@@ -39,24 +40,12 @@ InputError refused(std::string message, std::string expected, const std::string&
   return InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .file = folder});
 }
 
-void put_file(const fs::path& path, const std::string& text) {
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error) {
-    throw MachineError(fmt::format("cannot make the folder '{}': {}", path.parent_path().string(), error.message()));
-  }
-  AtomicFile file(path.string());
-  file.write(text);
-  file.commit();
-}
-
 /// Keeps other programs out of a folder while it lives, and goes with its process whatever ends it.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder) {
     const std::string path = (folder / "partial" / "lock").string();
-    std::error_code error;
-    fs::create_directories(folder / "partial", error);
+    make_folders((folder / "partial").string());
     descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw MachineError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
     struct flock lock {};
@@ -74,6 +63,13 @@ class FolderLock {
 
  private:
   int descriptor_ = -1;
+};
+
+/// What the files with rows of a table tell.
+struct FoundInTable {
+  std::vector<std::string> faults;
+  std::vector<std::uint64_t> plants;  // that are there
+  std::vector<std::string> paths;     // of the files of all rows
 };
 
 }  // namespace
@@ -97,15 +93,25 @@ struct DatasetFolder::State {
   std::uint64_t fault_count = 0;
 
   void check_same(const DatasetInfo& before) const;
+  /// Whether a document was read from the folder itself.
+  bool is_own(const PlannedDocument& document) const {
+    const fs::path relative = fs::weakly_canonical(document.file).lexically_relative(fs::weakly_canonical(folder));
+    return !relative.empty() && *relative.begin() != "..";
+  }
   void begin();
+  void restore_documents();
+  void remove_strangers(const std::unordered_set<std::string>& known);
   void look(bool reads_all, Progress& progress);
-  void look_at(const std::string& path, std::uint64_t table, bool reads_all, std::vector<std::string>& found_faults,
-               std::vector<std::uint64_t>& found_plants) const;
+  void look_at(const std::string& path, std::uint64_t table, bool reads_all, FoundInTable& found_there,
+               Progress& progress) const;
   void tell_fault(std::string fault) {
     ++fault_count;
     if (faults.size() < kFaultsTold) faults.push_back(std::move(fault));
   }
   std::uint64_t end_of(std::uint64_t table) const { return std::min(info.plants, (table + 1) * info.rows); }
+  bool is_in(std::uint64_t plant, std::uint64_t table) const {
+    return plant >= table * info.rows && plant < end_of(table);
+  }
   void merge(std::uint64_t table);
 };
 
@@ -119,8 +125,10 @@ void DatasetFolder::State::check_same(const DatasetInfo& before) const {
     if (before.documents[k] == info.documents[k]) continue;
     throw refused(fmt::format("the document '{}' or a file that it names has changed since the data set was begun",
                               info.documents[k].name),
-                  fmt::format("the document as it was, which lies in {}, or another folder",
-                              (fs::path(folder) / "documents" / before.documents[k].name).string()),
+                  is_own(plan.documents[k])
+                      ? fmt::format("the plan that it was begun with: meristem dataset PLAN -o {} --repair", folder)
+                      : fmt::format("the document as it was, which lies in {}, or another folder",
+                                    (fs::path(documents_path(folder)) / before.documents[k].name).string()),
                   folder);
   }
   if (before.documents.size() != info.documents.size()) {
@@ -130,28 +138,67 @@ void DatasetFolder::State::check_same(const DatasetInfo& before) const {
 
 void DatasetFolder::State::begin() {
   // What it is comes last: a folder without it is not yet a data set.
+  unpack_documents(plan, documents_path(folder));
+  write_whole_file(folder_plan_path(folder), folder_plan_text(plan));
+  write_whole_file(dataset_info_path(folder), dataset_info_text(info));
+}
+
+/// The documents and the plan as they were, and nothing besides.
+void DatasetFolder::State::restore_documents() {
+  const fs::path documents(documents_path(folder));
+  std::set<std::string> known;
+  for (const PlannedDocument& document : plan.documents) {
+    for (const auto& [path, content] : document.bundle.files) {
+      const fs::path own = (fs::path(document.name) / path).lexically_normal();
+      known.insert(own.generic_string());
+      if (whole_file((documents / own).string()) == content) continue;
+      tell_fault(fmt::format("{} was missing or had changed", (documents / own).string()));
+    }
+  }
+  std::vector<std::string> strangers;
+  each_file_below(documents.string(), [&](const std::string& path, bool is_left_over) {
+    if (known.contains(path)) return;
+    strangers.push_back((documents / path).string());
+    if (!is_left_over) tell_fault(fmt::format("{} belonged to no document and was removed", strangers.back()));
+  });
+  for (const std::string& stranger : strangers) fs::remove(stranger);
+  unpack_documents(plan, documents.string());
+  if (whole_file(folder_plan_path(folder)) != folder_plan_text(plan)) {
+    write_whole_file(folder_plan_path(folder), folder_plan_text(plan));
+  }
+}
+
+/// Removes the files below plants/ that no row knows.
+void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string>& known) {
   const fs::path root(folder);
-  unpack_documents(plan, (root / "documents").string());
-  put_file(root / "plan.json", folder_plan_text(plan));
-  put_file(root / "dataset.json", dataset_info_text(info));
+  std::vector<std::string> strangers;
+  each_file_below((root / "plants").string(), [&](const std::string& path, bool is_left_over) {
+    if (known.contains("plants/" + path)) return;
+    strangers.push_back((root / "plants" / path).string());
+    if (!is_left_over) tell_fault(fmt::format("{} belonged to no row and was removed", strangers.back()));
+  });
+  for (const std::string& stranger : strangers) fs::remove(stranger);
 }
 
 /// What the rows of a file tell of plants of a table.
 void DatasetFolder::State::look_at(const std::string& path, std::uint64_t table, bool reads_all,
-                                   std::vector<std::string>& found_faults,
-                                   std::vector<std::uint64_t>& found_plants) const {
+                                   FoundInTable& found_there, Progress& progress) const {
   const RowsOfFile rows = read_manifest_rows(path, manifest_header(plan));
-  for (const std::string& fault : rows.faults) found_faults.push_back(fault);
-  for (const auto& [entry, line] : rows.rows) {
-    if (entry.number < table * info.rows || entry.number >= end_of(table)) {
-      found_faults.push_back(fmt::format("{}: the plant {} belongs to another table", path, entry.number));
+  found_there.faults.insert(found_there.faults.end(), rows.faults.begin(), rows.faults.end());
+  std::vector<std::optional<std::string>> row_faults = faults_of_rows(rows, folder, reads_all, progress);
+  for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+    const ManifestEntry& entry = rows.rows[row].first;
+    if (!is_in(entry.number, table)) {
+      found_there.faults.push_back(fmt::format("{}: the plant {} belongs to another table", path, entry.number));
       continue;
     }
-    const std::optional<std::string> fault = fault_of_files(entry, folder, reads_all);
-    if (fault) {
-      found_faults.push_back(*fault);
+    if (reads_all) {
+      for (const PlantFile& file : entry.files) found_there.paths.push_back(file.path);
+    }
+    if (row_faults[row]) {
+      found_there.faults.push_back(std::move(*row_faults[row]));
     } else {
-      found_plants.push_back(entry.number);
+      found_there.plants.push_back(entry.number);
     }
   }
 }
@@ -172,27 +219,34 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
   }
   for (auto& [table, files] : parts) std::sort(files.begin(), files.end());
   const std::uint64_t tables = info.table_count();
-  std::vector<std::vector<std::string>> table_faults(tables);
-  std::vector<std::vector<std::uint64_t>> table_plants(tables);
-  progress.begin(reads_all ? "reading what is there" : "looking at what is there", tables);
+  std::vector<FoundInTable> in_tables(tables);
+  progress.begin(reads_all ? "reading what is there" : "looking at what is there", info.plants);
   parallel_for(tables, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t table = begin; table < end; ++table) {
-      progress.advance();
+      progress.check();
       std::vector<std::string> files;
       std::error_code error;
       if (const std::string whole = manifest_path(folder, table); fs::exists(whole, error)) files.push_back(whole);
       if (const auto own = parts.find(table); own != parts.end()) {
         files.insert(files.end(), own->second.begin(), own->second.end());
       }
-      for (const std::string& file : files) look_at(file, table, reads_all, table_faults[table], table_plants[table]);
+      for (const std::string& file : files) look_at(file, table, reads_all, in_tables[table], progress);
     }
   });
 
+  if (reads_all) {
+    std::unordered_set<std::string> known;
+    for (FoundInTable& in_table : in_tables) {
+      known.insert(std::make_move_iterator(in_table.paths.begin()), std::make_move_iterator(in_table.paths.end()));
+    }
+    remove_strangers(known);
+  }
   is_there.assign(info.plants, false);
   for (std::uint64_t table = 0; table < tables; ++table) {
-    for (std::string& fault : table_faults[table]) tell_fault(std::move(fault));
+    const bool has_fault = !in_tables[table].faults.empty();
+    for (std::string& fault : in_tables[table].faults) tell_fault(std::move(fault));
     std::uint32_t left = static_cast<std::uint32_t>(end_of(table) - table * info.rows);
-    for (const std::uint64_t plant : table_plants[table]) {
+    for (const std::uint64_t plant : in_tables[table].plants) {
       if (is_there[plant]) continue;
       is_there[plant] = true;
       ++there;
@@ -201,7 +255,7 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
     missing.push_back(left);
     // All rows of a table were there, but the table was not written yet; or it has rows that are no rows.
     std::error_code error;
-    const bool is_whole = fs::exists(manifest_path(folder, table), error) && table_faults[table].empty();
+    const bool is_whole = fs::exists(manifest_path(folder, table), error) && !has_fault;
     if (left == 0 && !is_whole) merge(table);
   }
   found = there;
@@ -213,23 +267,32 @@ void DatasetFolder::State::merge(std::uint64_t table) {
   const std::string path = manifest_path(folder, table);
   std::error_code error;
   if (fs::exists(path, error)) files.push_back(path);
-  std::map<std::uint64_t, std::string> lines;
+  std::map<std::uint64_t, std::pair<ManifestEntry, std::string>> lines;
+  const Progress progress;
   for (const std::string& file : files) {
     RowsOfFile rows = read_manifest_rows(file, header);
-    for (auto& [entry, line] : rows.rows) lines.try_emplace(entry.number, std::move(line));
+    for (auto& row : rows.rows) {
+      const std::uint64_t plant = row.first.number;
+      if (!is_in(plant, table)) continue;
+      const auto [known, is_new] = lines.try_emplace(plant, row);
+      if (is_new || known->second.second == row.second) continue;
+      // A plant that was made again has a row of before as well, which does not tell what its files hold now.
+      if (fault_of_files(known->second.first, folder, true, progress)) known->second = std::move(row);
+    }
   }
   std::string text = header;
   std::uint64_t number = table * info.rows;
-  for (const auto& [key, line] : lines) {
+  for (const auto& [key, row] : lines) {
     if (key != number) break;
-    text += line + "\n";
+    text += row.second + "\n";
     ++number;
   }
   if (number != end_of(table)) {
     throw MachineError(
         fmt::format("'{}' cannot be written: the row of the plant {} has gone from the folder", path, number));
   }
-  put_file(path, text);
+  make_folders(fs::path(path).parent_path().string());
+  write_whole_file(path, text);
   for (const std::string& file : parts[table]) fs::remove(file, error);
   parts.erase(table);
 }
@@ -251,14 +314,17 @@ DatasetFolder::DatasetFolder(const DatasetPlan& plan, std::string folder, Datase
     // A start that was cut off has left nothing but these.
     for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
       const std::string name = entry.path().filename().string();
-      if (name == "documents" || name == "plan.json" || name == "partial") continue;
+      if (name == kDocumentsName || name == kFolderPlanName || name == "partial") continue;
       throw refused(fmt::format("the folder holds '{}' and no data set", name), "an empty folder", state.folder);
     }
   }
-  fs::create_directories(root, error);
-  if (error) throw MachineError(fmt::format("cannot make the folder '{}': {}", state.folder, error.message()));
+  make_folders(state.folder);
   state.lock = std::make_unique<FolderLock>(root);
-  if (!before) state.begin();
+  if (!before) {
+    state.begin();
+  } else if (opening == DatasetOpening::repair) {
+    state.restore_documents();
+  }
   state.look(opening == DatasetOpening::repair, progress);
 }
 
@@ -270,7 +336,6 @@ std::uint64_t DatasetFolder::done() const { return state_->there; }
 std::uint64_t DatasetFolder::found() const { return state_->found; }
 const std::vector<std::string>& DatasetFolder::faults() const { return state_->faults; }
 std::uint64_t DatasetFolder::fault_count() const { return state_->fault_count; }
-double DatasetFolder::seconds_per_plant() const { return state_->seconds; }
 
 std::optional<PlantRange> DatasetFolder::next(double seconds) {
   State& state = *state_;
@@ -307,7 +372,7 @@ void DatasetFolder::add(PlantRange range, double seconds) {
 void DatasetFolder::finish(Progress& progress) {
   State& state = *state_;
   const fs::path root(state.folder);
-  put_file(root / "README.md", data_card(state.plan, state.folder, progress));
+  write_whole_file((root / "README.md").string(), data_card(state.plan, state.folder, progress));
   std::error_code ignored;
   fs::remove_all(root / "partial" / "rows", ignored);
   fs::remove_all(root / "partial" / "plants", ignored);

@@ -46,8 +46,6 @@ class DatasetFolder {
   /// Tells that a range was made, which make_range or put_range has written, and how many seconds that took. Its table
   /// of the manifest appears once it was the last one of it. Throws MachineError.
   void add(PlantRange range, double seconds);
-  /// Mean seconds that a plant takes, of late; 0 where none was made.
-  double seconds_per_plant() const;
 
   /// Writes the data card and removes what was partial. All plants must be there.
   void finish(Progress& progress);

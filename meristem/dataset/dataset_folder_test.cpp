@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/parallel.h"
 #include "meristem/dataset/dataset_in_a_test.h"
 #include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/verify_dataset.h"
@@ -71,7 +72,7 @@ TEST(DatasetFolder, IsAPlanOfItsOwn) {
   make_plants(plan, folder / "rods", 5);
   const std::string file = folder / "rods/plan.json";
   const DatasetPlan again = read_dataset_plan(file_content(file), file, builtin_components());
-  EXPECT_EQ(again.hash(), plan.hash());
+  EXPECT_EQ(again.hash, plan.hash);
   make_plants(again, folder / "rods");
   make_plants(plan, folder / "whole");
   EXPECT_EQ(files_below(folder / "rods"), files_below(folder / "whole"));
@@ -131,6 +132,96 @@ TEST(DatasetFolder, FindsStrangeFilesAndChangedDocuments) {
   EXPECT_NE(faults[1].find("stranger.ply belongs to no row"), std::string::npos);
 }
 
+TEST(DatasetFolder, RepairsDocumentsAndRemovesStrangers) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  const auto whole = files_below(folder / "rods");
+  write_content(folder / "rods/documents/rod/rod.json", "{}");
+  write_content(folder / "rods/documents/rod/more.json", "{}");
+  write_content(folder / "rods/plan.json", "{");
+  write_content(folder / "rods/plants/0000/stranger.ply", "");
+  write_content(folder / "rods/plants/0000/000003.ply", "ply");
+  Progress progress;
+  {
+    const DatasetFolder opened(plan, folder / "rods", DatasetOpening::repair, progress);
+    EXPECT_EQ(opened.fault_count(), 4U);
+    EXPECT_EQ(opened.found(), 24U);
+  }
+  make_plants(plan, folder / "rods");
+  EXPECT_EQ(files_below(folder / "rods"), whole);
+  EXPECT_TRUE(verified(folder / "rods").empty());
+}
+
+TEST(DatasetFolder, FilesThatAKilledProgramLeftHalfWrittenAreNoFaults) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  const auto whole = files_below(folder / "rods");
+  write_content(folder / "rods/plants/0000/.000003.ply.4711-0.part", "ply");
+  write_content(folder / "rods/documents/rod/.rod.json.4711-1.part", "{");
+  EXPECT_TRUE(verified(folder / "rods").empty());
+  Progress progress;
+  EXPECT_EQ(DatasetFolder(plan, folder / "rods", DatasetOpening::repair, progress).fault_count(), 0U);
+  EXPECT_EQ(files_below(folder / "rods"), whole) << "they are removed";
+}
+
+TEST(DatasetFolder, TellsWhereADamagedDocumentOfItsOwnComesFrom) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  write_content(folder / "rods/documents/rod/rod.json", std::string(kRod) + " ");
+  const std::string file = folder / "rods/plan.json";
+  const DatasetPlan own = read_dataset_plan(file_content(file), file, builtin_components());
+  EXPECT_NE(fault_of(own, folder / "rods", DatasetOpening::repair).find("meristem dataset PLAN -o"), std::string::npos);
+  EXPECT_EQ(fault_of(plan, folder / "rods", DatasetOpening::repair), "");
+  EXPECT_TRUE(verified(folder / "rods").empty());
+}
+
+TEST(DatasetFolder, IsCheckedPlantByPlantAndCanBeStopped) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "seeds": 60, "files": [".csv"]})");
+  make_plants(plan, folder / "rods");
+  for (const bool repairs : {false, true}) {
+    Progress* asked = nullptr;
+    int told = 0;
+    Progress progress([&](std::string_view, double share) {
+      if (share > 0) ++told;
+      if (share >= 0.3) asked->cancel();
+    });
+    asked = &progress;
+    const ThreadLimit one(1);
+    const auto check = [&] {
+      if (repairs) {
+        const DatasetFolder opened(plan, folder / "rods", DatasetOpening::repair, progress);
+      } else {
+        verify_dataset(folder / "rods", progress);
+      }
+    };
+    EXPECT_THROW(check(), Cancelled);
+    EXPECT_GT(told, 10);
+  }
+}
+
+TEST(DatasetFolder, KeepsTheRowThatTellsWhatTheFilesAre) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(kRods);
+  make_plants(plan, folder / "rods");
+  const auto whole = files_below(folder / "rods");
+  const std::string& table = whole.at("manifest/00000.csv");
+  const std::size_t header = table.find('\n') + 1;
+  std::string stale = table.substr(0, table.find('\n', header) + 1);
+  const std::size_t hash = stale.find(',', stale.find("plants/0000") + 20);
+  std::size_t digit = stale.find_first_of("0123456789abcdef", stale.find(',', hash + 1) + 1);
+  stale[digit] = stale[digit] == '0' ? '1' : '0';
+  fs::remove(folder / "rods/manifest/00000.csv");
+  fs::create_directories(folder / "rods/partial/rows");
+  write_content(folder / "rods/partial/rows/0000000000-0000000001.csv", stale);
+  write_content(folder / "rods/partial/rows/0000000000-0000000010.csv", table);
+  EXPECT_EQ(make_plants(plan, folder / "rods"), 0U);
+  EXPECT_EQ(file_content(folder / "rods/manifest/00000.csv"), table);
+}
+
 TEST(DatasetFolder, RefusesWhatIsNotItsOwnAndChangesNothing) {
   const TemporaryFolder folder;
   const DatasetPlan plan = rod_plan(kRods);
@@ -173,7 +264,6 @@ TEST(DatasetFolder, SizesRangesByTimeWithinATable) {
   PlantMaker maker(plan, builtin_components(), {.documents = folder / "rods/documents"});
   make_range(maker, plan, {0, 1}, folder / "rods", progress);
   dataset.add({0, 1}, 0.1);
-  EXPECT_NEAR(dataset.seconds_per_plant(), 0.1, 1e-12);
   EXPECT_EQ(dataset.next(100), (PlantRange{1, 3})) << "twice the largest so far";
   make_range(maker, plan, {1, 3}, folder / "rods", progress);
   dataset.add({1, 3}, 0.2);

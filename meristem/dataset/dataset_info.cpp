@@ -33,10 +33,14 @@ std::uint64_t count_member(const Value& object, const char* name) {
 
 }  // namespace
 
+std::string dataset_info_path(const std::string& folder) { return (fs::path(folder) / kDatasetInfoName).string(); }
+std::string folder_plan_path(const std::string& folder) { return (fs::path(folder) / kFolderPlanName).string(); }
+std::string documents_path(const std::string& folder) { return (fs::path(folder) / kDocumentsName).string(); }
+
 DatasetInfo info_of(const DatasetPlan& plan) {
   DatasetInfo info{.version = std::string(version()),
                    .name = plan.name,
-                   .plan = plan.hash(),
+                   .plan = plan.hash,
                    .plants = plan.count(),
                    .rows = static_cast<std::uint64_t>(plan.rows),
                    .documents = {}};
@@ -47,7 +51,7 @@ DatasetInfo info_of(const DatasetPlan& plan) {
 }
 
 std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
-  const std::string path = (fs::path(folder) / "dataset.json").string();
+  const std::string path = dataset_info_path(folder);
   std::error_code error;
   if (!fs::exists(path, error)) return std::nullopt;
   const auto wrong = [&path](std::string what) {
@@ -80,6 +84,12 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
   return info;
 }
 
+InputError no_dataset(const std::string& folder) {
+  return InputError(Diagnostic{.message = "the folder holds no data set",
+                               .expected = fmt::format("a folder with {}", kDatasetInfoName),
+                               .file = folder});
+}
+
 std::string dataset_info_text(const DatasetInfo& info) {
   Value::List documents;
   for (const DatasetDocument& document : info.documents) {
@@ -100,7 +110,7 @@ std::string folder_plan_text(const DatasetPlan& plan) {
   Value* const documents = tree.find("documents");
   for (std::size_t k = 0; k < plan.documents.size(); ++k) {
     const PlannedDocument& document = plan.documents[k];
-    const std::string file = fmt::format("documents/{}/{}", document.name, document.bundle.document);
+    const std::string file = fmt::format("{}/{}/{}", kDocumentsName, document.name, document.bundle.document);
     Value::Object& told = *(*documents->list())[k].object();
     told.insert(told.begin(), {"file", file});
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a folder says of the data set in it, and the names of its parts:
 //
-//   dataset.json        what this data set is, written before anything else
-//   plan.json           the plan, with the documents below
 //   documents/NAME/     each document, and the files that it names
+//   plan.json           the plan, with the documents below
+//   dataset.json        what this data set is; a folder without it is none yet
 //   plants/0000/        the files of a thousand plants
 //   manifest/00000.csv  a table of the manifest, once all of its plants are made
 //   partial/            rows of other tables, and files of plants that are being made
@@ -40,11 +40,24 @@ struct DatasetInfo {
   std::uint64_t table_count() const { return (plants + rows - 1) / rows; }
 };
 
+/// Names of parts of a folder.
+inline constexpr const char* kDatasetInfoName = "dataset.json";
+inline constexpr const char* kFolderPlanName = "plan.json";
+inline constexpr const char* kDocumentsName = "documents";
+
+/// Where these lie in a folder.
+std::string dataset_info_path(const std::string& folder);
+std::string folder_plan_path(const std::string& folder);
+std::string documents_path(const std::string& folder);
+
 /// What the data set of a plan says of itself.
 DatasetInfo info_of(const DatasetPlan& plan);
 
 /// dataset.json of a folder; nothing where there is none. Throws InputError where it cannot be read as one.
 std::optional<DatasetInfo> read_dataset_info(const std::string& folder);
+
+/// Says that a folder holds no data set.
+InputError no_dataset(const std::string& folder);
 
 /// The text of dataset.json.
 std::string dataset_info_text(const DatasetInfo& info);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/hash.h"
+#include "meristem/dataset/plan_parts.h"
 #include "meristem/document/json.h"
 
 namespace meristem {
@@ -42,12 +43,7 @@ PlannedPlant DatasetPlan::plant(std::uint64_t number) const {
   plant.document = static_cast<std::size_t>(number / seed_count / settings);
   plant.seed = seeds.empty() ? first_seed + place : seeds[static_cast<std::size_t>(place)];
   const PlannedDocument& document = documents[plant.document];
-  plant.random = RandomKey(seed)
-                     .child("data set")
-                     .child(document.name)
-                     .child(setting)
-                     .child(plant.seed)
-                     .child(seeds.empty() ? 0 : place);
+  plant.random = RandomKey(seed).child("data set").child(document.name).child(setting).child(plant.seed);
 
   if (!samples.empty()) plant.values = samples[static_cast<std::size_t>(setting)];
   std::uint64_t rest = setting;
@@ -62,7 +58,7 @@ PlannedPlant DatasetPlan::plant(std::uint64_t number) const {
   return plant;
 }
 
-std::string DatasetPlan::hash() const {
+std::string hash_of_plan(const Value& tree) {
   // Names and words of the plan may change, plants and files may not.
   Value decisive = tree;
   if (Value::Object* object = decisive.object()) {

@@ -105,6 +105,8 @@ struct DatasetPlan {
   std::optional<PicturePlan> pictures;
   std::vector<std::string> measures;
   Value tree;  ///< what the plan's text says, documents by their names: what two plans are compared by
+  /// Hash of what decides on the plants and what is kept of them, the documents aside, as 32 hexadecimal digits.
+  std::string hash;
   std::vector<Diagnostic> warnings;
 
   /// How many plants it asks for.
@@ -113,8 +115,6 @@ struct DatasetPlan {
   PlannedPlant plant(std::uint64_t number) const;
   /// Sets of values: of the grid or the samples.
   std::uint64_t setting_count() const;
-  /// Hash of what decides on the plants and what is kept of them, the documents aside, as 32 hexadecimal digits.
-  std::string hash() const;
 };
 
 /// A document that a program has at hand, for the plan to take in place of those that it names.
@@ -137,7 +137,7 @@ struct PlanOptions {
 DatasetPlan read_dataset_plan(const std::string& text, const std::string& file, const Registry& registry,
                               const PlanOptions& options = {});
 
-/// The rows of a plan and of its pictures, for reading, messages and the manual.
+/// The rows of a plan and of its pictures, for reading and messages.
 const ParameterTable& plan_table();
 const ParameterTable& picture_plan_table();
 

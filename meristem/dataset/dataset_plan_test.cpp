@@ -59,6 +59,27 @@ TEST(DatasetPlan, DrawsEachPlantByItsOwnKey) {
   EXPECT_EQ(length_of(one.plant(50)), length_of(other.plant(0))) << "seed 51 of both";
 }
 
+TEST(DatasetPlan, DrawsTheSameForAListOfSeedsAndForTheirCount) {
+  const std::string rest = R"(, "files": [".csv"], "vary": {"tall": {"uniform": [0.5, 2]}}})";
+  const DatasetPlan list = rod_plan(R"({"meristem_dataset": 1, "seeds": [1, 2, 3])" + rest);
+  const DatasetPlan row = rod_plan(R"({"meristem_dataset": 1, "seeds": {"first": 1, "count": 3})" + rest);
+  for (std::uint64_t k = 0; k < 3; ++k) EXPECT_EQ(list.plant(k).values, row.plant(k).values);
+}
+
+TEST(DatasetPlan, TellsTheNearestNameOfADocumentThatIsMissing) {
+  const TemporaryFolder folder;
+  write_content(folder / "rod.json", kRod);
+  try {
+    read_dataset_plan(R"({"meristem_dataset": 1, "measures": ["height"], "documents": ["rood.json"]})",
+                      folder / "plan.json", builtin_components());
+    FAIL();
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.diagnostics().size(), 1U);
+    EXPECT_EQ(error.diagnostics()[0].path, "documents[0]");
+    EXPECT_EQ(error.diagnostics()[0].nearest, "rod.json");
+  }
+}
+
 TEST(DatasetPlan, ReadsDocumentsFromItsFolder) {
   const TemporaryFolder folder;
   write_content(folder / "rod.json", kRod);
@@ -73,10 +94,10 @@ TEST(DatasetPlan, ReadsDocumentsFromItsFolder) {
 }
 
 TEST(DatasetPlan, HasAnotherHashOnlyWhereItMakesSomethingElse) {
-  const std::string plain = rod_plan(R"({"meristem_dataset": 1, "seeds": 3, "files": [".csv"]})").hash();
-  EXPECT_EQ(rod_plan(R"({"meristem_dataset": 1, /* more */ "name": "Rods", "seeds": 3, "files": [".csv"]})").hash(),
+  const std::string plain = rod_plan(R"({"meristem_dataset": 1, "seeds": 3, "files": [".csv"]})").hash;
+  EXPECT_EQ(rod_plan(R"({"meristem_dataset": 1, /* more */ "name": "Rods", "seeds": 3, "files": [".csv"]})").hash,
             plain);
-  EXPECT_NE(rod_plan(R"({"meristem_dataset": 1, "seeds": 4, "files": [".csv"]})").hash(), plain);
+  EXPECT_NE(rod_plan(R"({"meristem_dataset": 1, "seeds": 4, "files": [".csv"]})").hash, plain);
 }
 
 TEST(DatasetPlan, TellsFaultsWithPlaceAndNearestName) {
@@ -115,6 +136,7 @@ TEST(DatasetPlan, RefusesWhatItCannotMean) {
       {head + R"("seeds": 0})", "seeds"},
       {head + R"("seeds": [1, 1]})", "seeds[1]"},
       {head + R"("seeds": {"first": 3}})", "seeds"},
+      {head + R"("seeds": {"count": "x"}})", "seeds.count"},
       {head + R"("set": {"seed": 3}})", "set.seed"},
       {head + R"("set": {"tall": 1}, "grid": {"tall": [1, 2]}})", "set.tall"},
       {head + R"("grid": {"tall": []}})", "grid.tall"},

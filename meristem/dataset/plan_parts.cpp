@@ -45,9 +45,11 @@ void read_row_of_seeds(const Value& given, const DocumentPath& path, const char*
   }
   const Value* const first = given.find("first");
   const Value* const count = given.find("count");
-  if (count == nullptr || !is_whole(*count, 1, static_cast<double>(kMostPlants))) {
-    reader.fault(path, "the seeds have no count", expected);
-    return;
+  if (count == nullptr) return reader.fault(path, "the seeds have no count", expected);
+  if (!is_whole(*count, 1, static_cast<double>(kMostPlants))) {
+    return reader.fault(DocumentPath(path, "count"),
+                        fmt::format("the count of seeds cannot be {}", count->description()),
+                        fmt::format("a whole number from 1 to {}", kMostPlants));
   }
   plan.seed_count = static_cast<std::uint64_t>(*count->number());
   if (first == nullptr) return;

@@ -11,6 +11,9 @@ namespace meristem {
 /// A distribution has at least this share of its values within its bounds, so that drawing ends.
 inline constexpr double kLeastShareWithin = 0.01;
 
+/// Hash of what a plan says, names and words aside.
+std::string hash_of_plan(const Value& tree);
+
 /// Reads the seeds of a plan into it, with faults at their places.
 void read_plan_seeds(const Value& given, const DocumentPath& path, ParameterReader& reader, DatasetPlan& plan);
 

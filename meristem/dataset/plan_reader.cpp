@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/limits.h"
+#include "meristem/base/read_file.h"
 #include "meristem/dataset/dataset_plan.h"
 #include "meristem/dataset/plan_parts.h"
 #include "meristem/dataset/plan_tables.h"
@@ -41,13 +43,7 @@ class PlanReader {
       : text_(text), file_(file), registry_(registry), options_(options), reader_({}, Limits()) {}
 
   DatasetPlan run() {
-    try {
-      plan_.tree = parse_json(text_);
-    } catch (const InputError& error) {
-      std::vector<Diagnostic> diagnostics = error.diagnostics();
-      for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file_;
-      throw InputError(std::move(diagnostics));
-    }
+    plan_.tree = parse_json_of(text_, file_);
     if (plan_.tree.object() == nullptr) {
       throw InputError(Diagnostic{.message = fmt::format("the plan is {}", plan_.tree.description()),
                                   .expected = "an object with \"meristem_dataset\": 1",
@@ -242,9 +238,9 @@ class PlanReader {
     for (const MeasureRow& row : measure_rows()) names.emplace_back(row.name);
     if (given->text() != nullptr && *given->text() == "all") {
       // The light on leaves takes longer than all else, so it is named where it is wanted.
-      std::erase_if(names,
-                    [](const std::string& name) { return name == "leaf_exposure" || name == "leaf_irradiance"; });
-      plan_.measures = names;
+      for (const MeasureRow& row : measure_rows()) {
+        if (!row.needs_light) plan_.measures.emplace_back(row.name);
+      }
       return;
     }
     if (given->list() == nullptr) {
@@ -303,10 +299,12 @@ class PlanReader {
       if (one.name.empty()) one.name = fs::path(document.file).stem().string();
       try {
         one.file = path_of(document.file);
+        if (std::error_code error; !fs::exists(one.file, error)) read_file(one.file, Limits().file_bytes);
         one.text = read_text_file(one.file);
       } catch (const InputError& error) {
         const Diagnostic& fault = error.diagnostics().front();
-        reader_.fault(own, fault.message, fault.expected, fault.nearest);
+        const fs::path nearest = fs::path(fault.nearest).lexically_relative(fs::path(file_).parent_path());
+        reader_.fault(own, fault.message, fault.expected, nearest.empty() ? fault.nearest : nearest.string());
         continue;
       } catch (const MachineError& error) {
         reader_.fault(own, error.what(), "a document, or the name of a shipped model");
@@ -489,6 +487,7 @@ class PlanReader {
       return fault.severity == Severity::error;
     });
     if (!is_faulty) {
+      plan_.hash = hash_of_plan(plan_.tree);
       plan_.warnings.insert(plan_.warnings.end(), faults.begin(), faults.end());
       return;
     }

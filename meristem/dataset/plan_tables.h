@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structs that the tables of a plan fill. What has no table (seeds, values, files) dataset_plan.cpp reads itself.
+// The structs that the tables of a plan fill. What has no table, plan_parts.h and plan_reader.cpp read.
 #pragma once
 
 #include <optional>

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <new>
+#include <optional>
 #include <span>
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/hash.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/dataset/plant_output.h"
 #include "meristem/dataset/plant_pictures.h"
 #include "meristem/measure/foliage.h"
@@ -33,9 +32,17 @@ GrownPart part_for(const DatasetPlan& plan) {
   return part;
 }
 
+TraceWish wish_for(const DatasetPlan& plan) {
+  TraceWish wish;
+  for (const PlannedFile& file : plan.files) wish = wish | file.output->wish;
+  return wish;
+}
+
 bool wants_light(const std::vector<std::string>& measures) {
-  return std::any_of(measures.begin(), measures.end(),
-                     [](const std::string& name) { return name == "leaf_exposure" || name == "leaf_irradiance"; });
+  const auto rows = measure_rows();
+  return std::any_of(rows.begin(), rows.end(), [&measures](const MeasureRow& row) {
+    return row.needs_light && std::find(measures.begin(), measures.end(), row.name) != measures.end();
+  });
 }
 
 std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& document, GrownDocument& grown,
@@ -55,12 +62,9 @@ std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& docu
 }
 
 PlantFile file_in(const fs::path& path, const std::string& name) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  const std::string bytes = std::move(content).str();
-  if (!file || file.bad()) throw MachineError(fmt::format("cannot read '{}' again", path.string()));
-  return {name, bytes.size(), hash128_hex(std::as_bytes(std::span(bytes.data(), bytes.size())))};
+  const std::optional<std::string> bytes = whole_file(path.string());
+  if (!bytes) throw MachineError(fmt::format("cannot read '{}' again", path.string()));
+  return {name, bytes->size(), hash128_hex(std::as_bytes(std::span(bytes->data(), bytes->size())))};
 }
 
 /// All faults in one line.
@@ -89,10 +93,17 @@ std::string plant_folder(const PlannedPlant& plant) {
   return fmt::format("plants/{:04}", plant.number / kPlantsPerFolder);
 }
 
-/// What makers keep from plant to plant. Growth caches are one per document: textures differ with the document.
+/// What makers keep from plant to plant: of one document, as all of its plants stand side by side in a plan.
 struct PlantMaker::Kept {
   ReadStore files;
-  std::map<std::size_t, GrowthCache> caches;
+  GrowthCache cache;
+  std::size_t document = 0;  // whose plants the cache knows
+
+  GrowthCache* cache_of(std::size_t of_document) {
+    if (of_document != document) cache.clear();
+    document = of_document;
+    return &cache;
+  }
 };
 
 PlantMaker::PlantMaker(const DatasetPlan& plan, const Registry& registry, DocumentFolders folders)
@@ -128,8 +139,7 @@ void PlantMaker::write_files(const PlannedPlant& plant, const Document& document
                              const std::string& folder, Progress& progress) {
   const std::string base = (fs::path(folder) / plant.key).string();
   for (const PlannedFile& file : plan_.files) {
-    const RandomKey random = plant.random.child("file").child(file.output->ending);
-    file.output->write({document, grown, file.settings, random}, base + file.output->ending, progress);
+    file.output->write({document, grown, file.settings}, base + file.output->ending, progress);
   }
   if (plan_.pictures) write_plant_pictures(plan_, plant, document, grown, base, progress);
 }
@@ -138,7 +148,10 @@ MadePlant PlantMaker::make(std::uint64_t number, const std::string& folder, Prog
   MadePlant made{.plant = plan_.plant(number), .files = {}, .measures = {}, .error = {}};
   try {
     const Document document = document_of(made.plant);
-    GrowthOptions options{.time = plan_.time, .up_to = part_for(plan_), .cache = &kept_->caches[made.plant.document]};
+    GrowthOptions options{.time = plan_.time,
+                          .up_to = part_for(plan_),
+                          .cache = kept_->cache_of(made.plant.document),
+                          .view = {{}, wish_for(plan_)}};
     GrownDocument grown = grow_document(document, progress, options);
     options.up_to = GrownPart::textures;
     made.measures = measured(plan_, document, grown, options, progress);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/dataset/plant_maker.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "meristem/dataset/dataset_in_a_test.h"
@@ -48,6 +50,36 @@ TEST(PlantMaker, ScansPlantsAsThePlanSays) {
   ASSERT_EQ(made.files.size(), 1U);
   EXPECT_EQ(made.files[0].path, "plants/0000/000000.scan.csv");
   EXPECT_GT(made.files[0].bytes, 100U);
+}
+
+TEST(PlantMaker, RecordsGrowthForFilesThatTellOfIt) {
+  const TemporaryFolder folder;
+  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "files": [".points.csv"]})",
+                                    R"({"meristem": 1, "components": {"tree": {"type": "colonize", "points": 30,
+    "crown": {"ellipsoid": {"centre": [0, 1, 0], "radii": [0.5, 0.5, 0.5]}}, "iterations": 3}}})");
+  const MadePlant made = make_one(plan, 0, folder);
+  EXPECT_EQ(made.error, "");
+  const std::string table = file_content(folder / "out/000000.points.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 31);
+}
+
+TEST(PlantMaker, MakesPlantsOfManyDocumentsInAnyOrder) {
+  const std::string other = R"({"meristem": 1, "components": {"rod": {"type": "simple", "shape": "sphere"}}})";
+  const DatasetPlan plan =
+      read_dataset_plan(R"({"meristem_dataset": 1, "seeds": 2, "files": [".obj"]})", "plan.json", builtin_components(),
+                        {.documents = {{.name = "rod", .text = kRod, .file = "rod.json", .set = {}},
+                                       {.name = "ball", .text = other, .file = "b.json", .set = {}}}});
+  const TemporaryFolder folder;
+  unpack_documents(plan, folder / "documents");
+  std::filesystem::create_directory(folder / "out");
+  PlantMaker maker(plan, builtin_components(), {.documents = folder / "documents"});
+  Progress progress;
+  for (const std::uint64_t number : {0, 2, 1, 3, 0}) {
+    const MadePlant alone = make_one(plan, number, folder);
+    const MadePlant made = maker.make(number, folder / "out", progress);
+    ASSERT_EQ(made.files.size(), alone.files.size());
+    for (std::size_t k = 0; k < made.files.size(); ++k) EXPECT_EQ(made.files[k].hash, alone.files[k].hash) << number;
+  }
 }
 
 TEST(PlantMaker, TellsAPlantThatItsValuesDoNotAllow) {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "meristem/base/progress.h"
-#include "meristem/base/random.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "meristem/graph/table/parameter.h"
@@ -20,7 +19,6 @@ struct PlantInHand {
   const Document& document;
   const GrownDocument& grown;  ///< up to what the output needs
   const Value& settings;       ///< what the plan says beside the ending, as the output's table has it; null: nothing
-  RandomKey random;            ///< the plant's own, for what the output draws
 };
 
 /// A kind of file.
@@ -28,6 +26,7 @@ struct PlantOutput {
   std::string ending;  ///< with its dot
   std::string doc;     ///< one sentence
   GrownPart needs = GrownPart::plant;
+  TraceWish wish{};  ///< what must be recorded of growth for it
   /// Writes the file at `path`, and what belongs to it beside it.
   std::function<void(const PlantInHand& plant, const std::string& path, Progress& progress)> write;
   /// What the plan may say beside the ending; null: nothing.

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "meristem/base/atomic_file.h"
 #include "meristem/components/camera.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/picture/truth_files.h"
@@ -34,20 +33,24 @@ View view_of(const PicturePlan& pictures, const PlannedPlant& plant, const Docum
   return seen_from(view, std::clamp(azimuth, -360.0, 360.0), std::clamp(altitude, -89.0, 89.0)).value_or(view);
 }
 
-/// The files of the truth that a plan asks for: each kind with its ending.
-std::vector<std::pair<std::string_view, std::string>> truth_endings(const PicturePlan& pictures) {
-  std::vector<std::pair<std::string_view, std::string>> endings;
+/// The files of the truth that a plan asks for, of a picture at `base`.
+std::vector<TruthFile> truth_files(const PicturePlan& pictures, const std::string& base) {
+  std::vector<TruthFile> files;
+  const auto add = [&](std::string_view name, bool is_wanted, bool is_second = false) {
+    if (!is_wanted) return;
+    const TruthFormat& format = truth_format(name);
+    files.push_back({&format, fmt::format("{}.{}{}", base, name, format.endings[is_second ? 1 : 0])});
+  };
   const auto add_map = [&](std::string_view name, PicturePlan::Map map) {
-    if (map == PicturePlan::Map::none) return;
-    endings.emplace_back(name, fmt::format(".{}.{}", name, map == PicturePlan::Map::png ? "png" : "pfm"));
+    add(name, map != PicturePlan::Map::none, map == PicturePlan::Map::pfm);
   };
   add_map("depth", pictures.depth);
   add_map("normals", pictures.normals);
-  if (pictures.organs) endings.emplace_back("organs", ".organs.png");
-  if (pictures.shoots) endings.emplace_back("shoots", ".shoots.png");
-  if (pictures.plants) endings.emplace_back("plants", ".plants.png");
-  if (pictures.coco) endings.emplace_back("coco", ".coco.json");
-  return endings;
+  add("organs", pictures.organs);
+  add("shoots", pictures.shoots);
+  add("plants", pictures.plants);
+  add("coco", pictures.coco);
+  return files;
 }
 
 }  // namespace
@@ -55,7 +58,6 @@ std::vector<std::pair<std::string_view, std::string>> truth_endings(const Pictur
 void write_plant_pictures(const DatasetPlan& plan, const PlannedPlant& plant, const Document& document,
                           const GrownDocument& grown, const std::string& base, Progress& progress) {
   const PicturePlan& pictures = *plan.pictures;
-  const auto endings = truth_endings(pictures);
   const int count = pictures.view_count();
   for (int k = 0; k < count; ++k) {
     const std::string path = count == 1 ? base : fmt::format("{}_{:0{}}", base, k, std::to_string(count - 1).size());
@@ -70,19 +72,14 @@ void write_plant_pictures(const DatasetPlan& plan, const PlannedPlant& plant, co
                                    .view = view};
       write_picture(take_picture(grown, document.scene, options, progress), picture);
     }
-    if (endings.empty()) continue;
+    const std::vector<TruthFile> files = truth_files(pictures, path);
+    if (files.empty()) continue;
     const TruthOptions options{
         .width = pictures.size[0], .height = pictures.size[1], .transparent = pictures.transparent};
-    const Truth truth = see_truth(grown, document.scene, view, options, progress);
-    const Camera camera = truth_camera(grown, document.scene, view, options);
-    const TruthContext context{.picture = std::filesystem::path(picture).filename().string(),
-                               .name = plan.name.empty() ? document.name : plan.name,
-                               .licence = plan.licence.empty() ? document.licence : plan.licence};
-    for (const auto& [name, ending] : endings) {
-      AtomicFile file(path + ending);
-      file.write(encode_truth(truth, camera, truth_format(name), path + ending, context));
-      file.commit();
-    }
+    write_truths(see_truth(grown, document.scene, view, options, progress), files,
+                 {.picture = std::filesystem::path(picture).filename().string(),
+                  .name = plan.name.empty() ? document.name : plan.name,
+                  .licence = plan.licence.empty() ? document.licence : plan.licence});
   }
 }
 

@@ -151,8 +151,6 @@ bool read_choices(const Value& whole, const Value& choices, const DocumentPath& 
 
 }  // namespace
 
-std::string_view kind_name(Variation::Kind kind) { return kVariationForms.at(static_cast<std::size_t>(kind)).name; }
-
 Value Variation::draw(RandomKey key) const {
   if (kind == Kind::choice) {
     double rest = key.uniform(0);

@@ -42,9 +42,6 @@ struct Variation {
   bool is_number() const;
 };
 
-/// The name of a kind as plans write it.
-std::string_view kind_name(Variation::Kind kind);
-
 /// Reads {"normal": [0.1, 0.02], "within": [0.05, 0.2]}, or {"choice": [1, 2, 4], "weights": [3, 2, 1]}. Nothing with
 /// faults at their places.
 std::optional<Variation> read_variation(const Value& value, const DocumentPath& path, ParameterReader& reader);

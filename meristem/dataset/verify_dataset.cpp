@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <span>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -14,6 +12,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/dataset/dataset_info.h"
 
 namespace meristem {
@@ -22,24 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> whole_content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (file.bad()) return std::nullopt;
-  return std::move(content).str();
-}
-
 /// The document as it lies in the folder.
-std::string hash_of_unpacked(const DatasetDocument& document, const fs::path& folder) {
+std::string hash_of_unpacked(const DatasetDocument& document, const std::string& folder) {
   DocumentBundle bundle{.document = document.document, .files = {}};
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (!entry.is_regular_file(error)) continue;
-    const auto content = whole_content(entry.path());
-    bundle.files.emplace_back(entry.path().lexically_relative(folder).generic_string(), content.value_or(""));
-  }
+  each_file_below(folder, [&](const std::string& path, bool is_left_over) {
+    if (is_left_over) return;
+    bundle.files.emplace_back(path, whole_file((fs::path(folder) / path).string()).value_or(""));
+  });
   std::sort(bundle.files.begin(), bundle.files.end());
   return bundle.hash();
 }
@@ -50,7 +38,7 @@ struct TableCheck {
   std::set<std::string> paths;
 };
 
-TableCheck check_table(const DatasetInfo& info, const std::string& folder, std::uint64_t table) {
+TableCheck check_table(const DatasetInfo& info, const std::string& folder, std::uint64_t table, Progress& progress) {
   TableCheck check;
   const std::string path = manifest_path(folder, table);
   const std::uint64_t begin = table * info.rows;
@@ -58,12 +46,15 @@ TableCheck check_table(const DatasetInfo& info, const std::string& folder, std::
   std::error_code error;
   if (!fs::exists(path, error)) {
     check.sums.faults.push_back(fmt::format("{} is missing: {} plants", path, end - begin));
+    progress.advance(end - begin);
     return check;
   }
   RowsOfFile rows = read_manifest_rows(path);
   check.sums.faults = std::move(rows.faults);
+  std::vector<std::optional<std::string>> faults = faults_of_rows(rows, folder, true, progress);
   std::uint64_t next = begin;
-  for (const auto& [entry, line] : rows.rows) {
+  for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+    const ManifestEntry& entry = rows.rows[row].first;
     if (entry.number != next) {
       check.sums.faults.push_back(
           fmt::format("{}: the row of the plant {} stands where that of {} should", path, entry.number, next));
@@ -76,7 +67,7 @@ TableCheck check_table(const DatasetInfo& info, const std::string& folder, std::
       check.sums.bytes += file.bytes;
       check.paths.insert(file.path);
     }
-    if (auto fault = fault_of_files(entry, folder, true)) check.sums.faults.push_back(std::move(*fault));
+    if (faults[row]) check.sums.faults.push_back(std::move(*faults[row]));
   }
   if (next != end) check.sums.faults.push_back(fmt::format("{}: rows are missing from {} on", path, next));
   return check;
@@ -86,7 +77,7 @@ TableCheck check_table(const DatasetInfo& info, const std::string& folder, std::
 
 RowsOfFile read_manifest_rows(const std::string& path, const std::string& header) {
   RowsOfFile all;
-  const auto content = whole_content(path);
+  const auto content = whole_file(path);
   if (!content) {
     all.faults.push_back(fmt::format("{} cannot be read", path));
     return all;
@@ -117,15 +108,17 @@ RowsOfFile read_manifest_rows(const std::string& path, const std::string& header
   return all;
 }
 
-std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all) {
+std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
+                                          const Progress& progress) {
   for (const PlantFile& file : entry.files) {
+    progress.check();
     const fs::path path = fs::path(folder) / file.path;
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) return fmt::format("{} is missing", path.string());
     if (size != file.bytes) return fmt::format("{} has {} bytes instead of {}", path.string(), size, file.bytes);
     if (!reads_all) continue;
-    const auto content = whole_content(path);
+    const auto content = whole_file(path.string());
     if (!content) return fmt::format("{} cannot be read", path.string());
     const auto bytes = std::as_bytes(std::span(content->data(), content->size()));
     if (hash128_hex(bytes) != file.hash) return fmt::format("{} has other bytes than were written", path.string());
@@ -133,28 +126,47 @@ std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std:
   return std::nullopt;
 }
 
+std::vector<std::optional<std::string>> faults_of_rows(const RowsOfFile& rows, const std::string& folder,
+                                                       bool reads_all, Progress& progress) {
+  constexpr std::size_t kRowsAtOnce = 8;
+  std::vector<std::optional<std::string>> faults(rows.rows.size());
+  parallel_for(rows.rows.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      faults[row] = fault_of_files(rows.rows[row].first, folder, reads_all, progress);
+      progress.advance();
+    }
+  });
+  return faults;
+}
+
+void each_file_below(const std::string& folder, FunctionRef<void(const std::string& path, bool is_left_over)> take) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
+    if (!entry.is_regular_file(error)) continue;
+    const std::string name = entry.path().filename().string();
+    take(entry.path().lexically_relative(folder).generic_string(), name.starts_with('.') && name.ends_with(".part"));
+  }
+}
+
 DatasetCheck verify_dataset(const std::string& folder, Progress& progress) {
   const std::optional<DatasetInfo> info = read_dataset_info(folder);
-  if (!info) {
-    throw InputError(Diagnostic{
-        .message = "the folder holds no data set", .expected = "a folder with dataset.json", .file = folder});
-  }
+  if (!info) throw no_dataset(folder);
   const std::uint64_t tables = info->table_count();
   std::vector<TableCheck> checks(tables);
-  progress.begin("reading all files", tables);
+  progress.begin("reading all files", info->plants);
   parallel_for(tables, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t table = begin; table < end; ++table) {
       progress.check();
-      checks[table] = check_table(*info, folder, table);
-      progress.advance();
+      checks[table] = check_table(*info, folder, table, progress);
     }
   });
 
   DatasetCheck all{.plants = info->plants, .faults = {}};
   const fs::path root(folder);
   for (const DatasetDocument& document : info->documents) {
-    if (hash_of_unpacked(document, root / "documents" / document.name) == document.hash) continue;
-    all.faults.push_back(fmt::format("{} has changed", (root / "documents" / document.name).string()));
+    if (hash_of_unpacked(document, (fs::path(documents_path(folder)) / document.name).string()) == document.hash)
+      continue;
+    all.faults.push_back(fmt::format("{} has changed", (fs::path(documents_path(folder)) / document.name).string()));
   }
   std::set<std::string> paths;
   for (TableCheck& check : checks) {
@@ -166,13 +178,11 @@ DatasetCheck verify_dataset(const std::string& folder, Progress& progress) {
     paths.merge(check.paths);
   }
   std::vector<std::string> strangers;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "plants", error)) {
-    const std::string path = entry.path().lexically_relative(root).generic_string();
-    if (entry.is_regular_file(error) && !paths.contains(path)) {
-      strangers.push_back(fmt::format("{} belongs to no row", entry.path().string()));
-    }
-  }
+  const std::string plants = (root / "plants").string();
+  each_file_below(plants, [&](const std::string& path, bool is_left_over) {
+    if (is_left_over || paths.contains("plants/" + path)) return;
+    strangers.push_back(fmt::format("{} belongs to no row", (fs::path(plants) / path).string()));
+  });
   std::sort(strangers.begin(), strangers.end());
   all.faults.insert(all.faults.end(), strangers.begin(), strangers.end());
   return all;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "meristem/base/function_ref.h"
 #include "meristem/base/progress.h"
 #include "meristem/dataset/manifest.h"
 
@@ -24,8 +25,17 @@ struct RowsOfFile {
 RowsOfFile read_manifest_rows(const std::string& path, const std::string& header = {});
 
 /// Why the files of a row are not there and right; nothing where they are. Sizes are looked at, and the hashes of all
-/// bytes where `reads_all`.
-std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all);
+/// bytes where `reads_all`. Throws Cancelled.
+std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
+                                          const Progress& progress);
+
+/// The faults of all rows, in their order. The progress counts a unit per row. Throws Cancelled.
+std::vector<std::optional<std::string>> faults_of_rows(const RowsOfFile& rows, const std::string& folder,
+                                                       bool reads_all, Progress& progress);
+
+/// Calls `take` with each file below a folder: its path from there, and whether a program that was ended has left it
+/// half written. Files may not be removed meanwhile.
+void each_file_below(const std::string& folder, FunctionRef<void(const std::string& path, bool is_left_over)> take);
 
 /// What a folder holds.
 struct DatasetCheck {

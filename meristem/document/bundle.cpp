@@ -3,34 +3,25 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/hash.h"
+#include "meristem/base/whole_file.h"
+#include "meristem/document/json.h"
 
 namespace meristem {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::string> content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (file.bad()) return std::nullopt;
-  return std::move(text).str();
-}
 
 bool is_below(const fs::path& path, const fs::path& folder) {
   const fs::path relative = path.lexically_relative(folder);
@@ -42,6 +33,32 @@ fs::path whole_path(const fs::path& path) {
   std::error_code error;
   const fs::path found = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? fs::absolute(path).lexically_normal() : found;
+}
+
+/// The absolute paths among the texts of a value.
+void add_absolute_paths(const Value& value, std::set<fs::path>& paths) {
+  if (const Value::Object* const object = value.object()) {
+    for (const auto& [name, member] : *object) add_absolute_paths(member, paths);
+  } else if (const Value::List* const list = value.list()) {
+    for (const Value& element : *list) add_absolute_paths(element, paths);
+  } else if (value.text() != nullptr && value.text()->starts_with('/')) {
+    paths.insert(fs::path(*value.text()).lexically_normal());
+  }
+}
+
+/// Those that a document and the documents that it names say, however they themselves were found.
+std::set<fs::path> said_absolute_paths(const Document& document) {
+  std::set<fs::path> paths;
+  add_absolute_paths(document.source.tree, paths);
+  for (const std::string& named : document.source.named_files) {
+    if (!named.ends_with(".json")) continue;
+    try {
+      add_absolute_paths(parse_json(whole_file(named).value_or("")), paths);
+    } catch (const InputError&) {
+      // A table that is called so names no files.
+    }
+  }
+  return paths;
 }
 
 /// How many folders up from its own folder a document's relative paths lead, at most.
@@ -61,12 +78,6 @@ std::string DocumentBundle::hash() const {
   return hash128_hex(std::as_bytes(std::span(all.data(), all.size())));
 }
 
-std::uint64_t DocumentBundle::bytes() const {
-  std::uint64_t sum = 0;
-  for (const auto& [path, content] : files) sum += content.size();
-  return sum;
-}
-
 DocumentBundle bundle_of(const Document& document, const std::string& models) {
   // Relative to the document's folder, as the document itself names them: links are not followed, or the names would
   // lead elsewhere where the bundle is unpacked.
@@ -75,10 +86,11 @@ DocumentBundle bundle_of(const Document& document, const std::string& models) {
   const bool is_shipped = !models.empty() && is_below(whole_path(file), whole_path(models));
   const fs::path shipped = models.empty() || is_shipped ? fs::path() : whole_path(models);
   std::map<fs::path, fs::path> found;  // by the path from the document's folder
+  const std::set<fs::path> is_said_absolutely = said_absolute_paths(document);
   std::size_t up = 0;
   for (const std::string& named : document.source.named_files) {
     if (is_below(whole_path(named), shipped)) continue;
-    if (fs::path(named).is_absolute() && !file.is_absolute()) continue;
+    if (is_said_absolutely.contains(fs::path(named).lexically_normal())) continue;
     const fs::path relative = fs::absolute(named).lexically_normal().lexically_relative(folder);
     if (relative.empty()) continue;
     up = std::max(up, steps_up(relative));
@@ -93,7 +105,7 @@ DocumentBundle bundle_of(const Document& document, const std::string& models) {
   bundle.document = (own / (is_file ? file.filename() : fs::path("document.json"))).generic_string();
   std::map<std::string, std::string> files{{bundle.document, document.source.text}};
   for (const auto& [relative, path] : found) {
-    std::optional<std::string> content = content_of(path);
+    std::optional<std::string> content = whole_file(path.string());
     if (!content) throw MachineError(fmt::format("cannot read '{}', which the document names", path.string()));
     files.emplace((own / relative).lexically_normal().generic_string(), std::move(*content));
   }
@@ -104,13 +116,9 @@ DocumentBundle bundle_of(const Document& document, const std::string& models) {
 void unpack(const DocumentBundle& bundle, const std::string& folder) {
   for (const auto& [path, content] : bundle.files) {
     const fs::path target = fs::path(folder) / path;
-    if (content_of(target) == content) continue;
-    std::error_code error;
-    fs::create_directories(target.parent_path(), error);
-    if (error) throw MachineError(fmt::format("cannot make '{}': {}", target.parent_path().string(), error.message()));
-    AtomicFile file(target.string());
-    file.write(content);
-    file.commit();
+    if (whole_file(target.string()) == content) continue;
+    make_folders(target.parent_path().string());
+    write_whole_file(target.string(), content);
   }
 }
 

@@ -20,12 +20,11 @@ struct DocumentBundle {
 
   /// Hash of all paths and contents as 32 hexadecimal digits.
   std::string hash() const;
-  std::uint64_t bytes() const;
 };
 
 /// Bundles a document that was read. `models` is the folder of shipped models: those are part of the program, so they
-/// are not taken along, unless the document itself is one. Files named by absolute paths are not taken along either, as
-/// they would not be sought elsewhere. Throws MachineError for files that cannot be read any more.
+/// are not taken along, unless the document itself is one. Files that the text names by absolute paths are not taken
+/// along either, as they would not be sought elsewhere. Throws MachineError for files that cannot be read any more.
 DocumentBundle bundle_of(const Document& document, const std::string& models = {});
 
 /// Writes the files below `folder`, which is made. Files that are there with the same content stay as they are. Throws

@@ -8,9 +8,12 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "meristem/document/json.h"
 
 namespace meristem {
 
@@ -277,6 +280,16 @@ void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics
     const TextPosition position = counter.at(offset);
     diagnostic->line = position.line;
     diagnostic->column = position.column;
+  }
+}
+
+Value parse_json_of(const std::string& text, const std::string& file) {
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> faults = error.diagnostics();
+    for (Diagnostic& fault : faults) fault.file = file;
+    throw InputError(std::move(faults));
   }
 }
 

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/graph/table/value.h"
 
 namespace meristem {
 
@@ -24,6 +26,9 @@ TextPosition text_position(std::string_view text, std::size_t offset);
 
 /// Where in the JSON `text` each byte of the text value at `begin` stands, escapes counted, and last its closing quote.
 std::vector<std::size_t> places_of_bytes(std::string_view text, std::size_t begin);
+
+/// The value of a JSON text whose faults say that they are of `file`. Throws InputError.
+Value parse_json_of(const std::string& text, const std::string& file);
 
 /// Fills line and column of the diagnostics that have a path, from the JSON `text` in which they arose: those of the
 /// value at the path, of the member's name (kAtName), or of a byte within the text there. Paths not in the text take

@@ -70,7 +70,10 @@ class Expansion {
         meshes_(graph.components.size()) {}
 
   Plant run() {
-    if (traces_ != nullptr) traces_->step = view_.step;
+    if (traces_ != nullptr) {
+      traces_->step = view_.step;
+      traces_->recorded = view_.wish;
+    }
     walk();
     Plant plant = assembly_.run(mesh_bytes(), progress_);
     plant.plantings = grow_plantings(graph_, std::move(planting_), results_, progress_);

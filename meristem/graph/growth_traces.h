@@ -34,6 +34,7 @@ struct GrowthTraces {
   std::vector<TracedGrowth> growths;
   int last_step = 0;        ///< of all plants; 0 where none grows by a model
   std::optional<int> step;  ///< that the plants stand at; unset: their last
+  TraceWish recorded;       ///< what was asked to be recorded, whether or not there was such a thing
 
   /// The step that the plants stand at, 0 to last_step.
   int shown_step() const;

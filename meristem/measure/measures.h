@@ -130,7 +130,8 @@ struct MeasureRow {
   std::string_view unit;  ///< "m", "°", or empty for counts and ratios
   std::string_view doc;
   MeasureValue (*value)(const Measures&);
-  bool only_whole = false;  ///< not known of each tree
+  bool only_whole = false;   ///< not known of each tree
+  bool needs_light = false;  ///< the light on organs, which takes longer than all else (MeasureOptions::organ_light)
 };
 
 /// All measures in the order in which they are shown: the one table behind text, JSON, Python and manual.

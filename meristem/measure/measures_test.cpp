@@ -231,12 +231,18 @@ TEST(Measures, LightOnOrgansIsMeasuredIfAskedFor) {
   const StandMeasures without = measure_plant(plant, meshes, {}, {}, progress);
   EXPECT_TRUE(without.organs.empty());
   EXPECT_FALSE(without.whole.leaf_exposure);
+  for (const MeasureRow& row : measure_rows()) {
+    if (!row.needs_light) continue;
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(row.value(without.whole))) << row.name;
+  }
   const StandMeasures with = measure_plant(plant, meshes, {}, {.organ_light = true}, progress);
   ASSERT_EQ(with.organs.size(), 2U);
   EXPECT_EQ(with.organs[1].exposure, 1);
   // The upper one shades the lower.
   EXPECT_DOUBLE_EQ(*with.whole.leaf_exposure, 0.5);
   EXPECT_NEAR(*with.whole.leaf_irradiance, 0.5, 1e-6);
+  const auto& all = measure_rows();
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const MeasureRow& row) { return row.needs_light; }), 2);
 }
 
 /// Two stems that fork, each with as many leaves of half a square metre as given.

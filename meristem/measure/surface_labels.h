@@ -2,9 +2,11 @@
 // Which tree, component, instance and shoot a position on a plant's surface belongs to.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "meristem/base/progress.h"
@@ -21,6 +23,8 @@ enum class SurfaceKind : std::uint8_t {
   organ,     ///< a leaf, a flower, a fruit or other geometry that stands on stems
   obstacle,  ///< a body of the scene
 };
+/// What files and arrays call the kinds, by SurfaceKind.
+inline constexpr std::array<std::string_view, 4> kSurfaceKindNames{"ground", "wood", "organ", "obstacle"};
 
 /// In place of the number of a shoot.
 inline constexpr std::uint32_t kNoShoot = 0xffffffffU;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/formats.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "meristem/base/version.h"
@@ -139,6 +141,18 @@ std::string detail_path(const Format& format, const std::string& path, int level
 std::string cards_path(const Format& format, const std::string& path) {
   const std::size_t stem = path.size() - format.ending.size();
   return fmt::format("{}_cards{}", path.substr(0, stem), path.substr(stem));
+}
+
+GrownPart needed_part(std::span<const Format* const> formats) {
+  GrownPart part = GrownPart::plant;
+  for (const Format* format : formats) part = std::max(part, format->needs);
+  return part;
+}
+
+TraceWish needed_wish(std::span<const Format* const> formats) {
+  TraceWish wish;
+  for (const Format* format : formats) wish = wish | format->wish;
+  return wish;
 }
 
 const Format& format_of(const std::string& path) {

@@ -51,6 +51,10 @@ std::string cards_path(const Format& format, const std::string& path);
 /// All formats, the default first.
 std::span<const Format> formats();
 
+/// What files of all of these formats need: what is made of the document, and what is recorded of its growth.
+GrownPart needed_part(std::span<const Format* const> formats);
+TraceWish needed_wish(std::span<const Format* const> formats);
+
 /// The format of a path by its ending, the longest that fits (capitals count as equal); "-" is standard output in the
 /// default format. Throws InputError that names the known endings, and the nearest.
 const Format& format_of(const std::string& path);

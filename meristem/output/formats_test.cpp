@@ -37,6 +37,16 @@ TEST(Formats, LevelsOfDetailStandBesideTheFile) {
   EXPECT_EQ(detail_path(format_of("oak.v2.obj"), "oak.v2.obj", 0), "oak.v2.obj");
 }
 
+TEST(Formats, FilesNeedWhatOneOfThemNeeds) {
+  const std::vector<const Format*> tables{&format_of("a.csv"), &format_of("a.points.csv")};
+  EXPECT_EQ(needed_part(tables), GrownPart::plant);
+  EXPECT_TRUE(needed_wish(tables).points);
+  const std::vector<const Format*> meshes{&format_of("a.csv"), &format_of("a.glb")};
+  EXPECT_EQ(needed_part(meshes), GrownPart::textures);
+  EXPECT_FALSE(needed_wish(meshes).any());
+  EXPECT_EQ(needed_part({}), GrownPart::plant);
+}
+
 TEST(Formats, RefusalsNameAllEndingsAndTheNearest) {
   const Diagnostic fault = refusal_of("oak.gbl");
   EXPECT_EQ(fault.message, "'.gbl' is not a format that can be written");

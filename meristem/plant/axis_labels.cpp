@@ -41,8 +41,7 @@ std::vector<std::uint32_t> axis_numbers(const Skeleton& skeleton) {
 
 std::vector<std::string> axis_labels(const Skeleton& skeleton) {
   const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
-  const auto last = std::max_element(skeleton.axis.begin(), skeleton.axis.end());
-  std::vector<std::string> labels(last == skeleton.axis.end() ? 0 : std::size_t{*last} + 1);
+  std::vector<std::string> labels(skeleton.axis_count());
   std::unordered_map<std::uint64_t, std::uint32_t> borne;  // by axis and number of what bears them
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     std::string& label = labels[skeleton.axis[node]];

@@ -189,8 +189,7 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
     stem.parts[0] = std::move(stems[k].part);
     stem.skeleton = *stems[k].skeleton;
     stem.individual_of_root = std::move(stems[k].individual_of_root);
-    const std::vector<AxisIndex>& axes = stem.skeleton.axis;
-    const AxisIndex count = axes.empty() ? 0 : *std::ranges::max_element(axes) + 1;
+    const auto count = static_cast<AxisIndex>(stem.skeleton.axis_count());
     for (AxisIndex axis = 0; axis < count; ++axis) stem.axis_names.push_back(name_of_axis(stems[k], axis));
     stems[k].skeleton = nullptr;
   }

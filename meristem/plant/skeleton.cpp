@@ -21,6 +21,11 @@ void Skeleton::reserve(std::size_t nodes) {
   for (auto& [name, values] : extra) values.reserve(nodes);
 }
 
+std::size_t Skeleton::axis_count() const {
+  const auto last = std::max_element(axis.begin(), axis.end());
+  return last == axis.end() ? 0 : std::size_t{*last} + 1;
+}
+
 std::uint64_t Skeleton::bytes() const {
   const auto bytes_of = [](const auto& column) {
     return column.capacity() * sizeof(typename std::decay_t<decltype(column)>::value_type);
@@ -50,7 +55,7 @@ void Skeleton::append(Skeleton more) {
     return;
   }
   const auto first = static_cast<NodeIndex>(node_count());
-  const AxisIndex first_axis = *std::max_element(axis.begin(), axis.end()) + 1;
+  const auto first_axis = static_cast<AxisIndex>(axis_count());
   for (NodeIndex& node : more.parent) node = node == kNoNode ? kNoNode : first + node;
   for (AxisIndex& index : more.axis) index += first_axis;
   const auto join = [](auto& column, const auto& rest) { column.insert(column.end(), rest.begin(), rest.end()); };
@@ -86,11 +91,10 @@ Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 
 }
 
 Axes::Axes(const Skeleton& skeleton) {
-  AxisIndex axes = 0;
-  for (const AxisIndex axis : skeleton.axis) axes = std::max(axes, axis + 1);
+  const std::size_t axes = skeleton.axis_count();
   first.assign(axes + 1, 0);
   for (const AxisIndex axis : skeleton.axis) ++first[axis + 1];
-  for (AxisIndex axis = 0; axis < axes; ++axis) first[axis + 1] += first[axis];
+  for (std::size_t axis = 0; axis < axes; ++axis) first[axis + 1] += first[axis];
   node.resize(skeleton.node_count());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (NodeIndex index = 0; index < skeleton.node_count(); ++index) node[next[skeleton.axis[index]]++] = index;

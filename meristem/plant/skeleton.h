@@ -34,6 +34,7 @@ struct Skeleton {
   std::vector<OperationRecord> operations;  ///< what people did to it as it grew, one tree after another
 
   std::size_t node_count() const { return parent.size(); }
+  std::size_t axis_count() const;
   std::uint64_t bytes() const;  ///< of memory, in all columns
   bool is_root(NodeIndex node) const { return parent[node] == kNoNode; }
 

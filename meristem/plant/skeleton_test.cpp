@@ -26,6 +26,11 @@ Skeleton two_plants() {
   return skeleton;
 }
 
+TEST(Skeleton, CountsItsAxes) {
+  EXPECT_EQ(Skeleton().axis_count(), 0U);
+  EXPECT_EQ(two_plants().axis_count(), 3U);
+}
+
 TEST(Skeleton, AddsNodesWithEveryColumn) {
   Skeleton skeleton;
   skeleton.extra["light"];

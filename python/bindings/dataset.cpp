@@ -12,6 +12,7 @@
 #include "document.h"
 #include "errors.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/dataset/dataset_folder.h"
 #include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/dataset_plan.h"
@@ -27,27 +28,6 @@ namespace meristem::python {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that goes with its owner.
-class TemporaryDocuments {
- public:
-  explicit TemporaryDocuments(const std::string& parent) {
-    std::string name = (fs::path(parent) / "meristem-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw MachineError(fmt::format("cannot make a folder in '{}'", parent));
-    path_ = name;
-  }
-  ~TemporaryDocuments() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryDocuments(const TemporaryDocuments&) = delete;
-  TemporaryDocuments& operator=(const TemporaryDocuments&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// A plan with its documents by content, and the makers of its plants, one for each thread that makes some.
 class PlanInPython {
@@ -69,7 +49,7 @@ class PlanInPython {
     if (sees_dataset(plan, folder)) {
       make_range(*maker, plan, range, folder, progress);
     } else {
-      apart = make_range_apart(*maker, plan, range, (documents_->path() / "plants").string(), progress);
+      apart = make_range_apart(*maker, plan, range, (fs::path(documents_->path()) / "plants").string(), progress);
     }
     give_back(std::move(maker));
     return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), std::move(apart)};
@@ -79,14 +59,13 @@ class PlanInPython {
   std::unique_ptr<PlantMaker> borrow() {
     const std::scoped_lock lock(mutex_);
     if (documents_ == nullptr) {
-      auto folder = std::make_unique<TemporaryDocuments>(scratch_);
-      unpack_documents(plan, (folder->path() / "documents").string());
+      auto folder = std::make_unique<ScratchFolder>(scratch_, "meristem-");
+      unpack_documents(plan, documents_path(folder->path()));
       documents_ = std::move(folder);
     }
     if (makers_.empty()) {
       return std::make_unique<PlantMaker>(
-          plan, component_types(),
-          DocumentFolders{.documents = (documents_->path() / "documents").string(), .models = models_});
+          plan, component_types(), DocumentFolders{.documents = documents_path(documents_->path()), .models = models_});
     }
     std::unique_ptr<PlantMaker> maker = std::move(makers_.back());
     makers_.pop_back();
@@ -100,7 +79,7 @@ class PlanInPython {
   std::string models_;
   std::string scratch_;
   std::mutex mutex_;
-  std::unique_ptr<TemporaryDocuments> documents_;
+  std::unique_ptr<ScratchFolder> documents_;
   std::vector<std::unique_ptr<PlantMaker>> makers_;
 };
 
@@ -141,22 +120,30 @@ py::tuple plan_state(const PlanPointer& plan) {
   return py::make_tuple(folder_plan_text(plan->plan), documents);
 }
 
+/// Paths and bytes.
+std::vector<std::pair<std::string, std::string>> files_of(const py::handle& list) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const py::handle& file : list) {
+    const auto pair = file.cast<py::tuple>();
+    files.emplace_back(pair[0].cast<std::string>(), pair[1].cast<std::string>());
+  }
+  return files;
+}
+
 PlanPointer plan_from_state(const py::tuple& state) {
   if (state.size() != 2) throw py::value_error("the state of a DatasetPlan has two parts");
   const std::string scratch = scratch_folder();
-  const TemporaryDocuments folder(scratch);  // until the documents are read
+  const ScratchFolder folder(scratch, "meristem-");  // until the documents are read
   std::vector<GivenDocument> given;
   for (const py::handle& one : state[1]) {
     const auto document = one.cast<py::tuple>();
-    DocumentBundle bundle{.document = document[1].cast<std::string>(), .files = {}};
+    const DocumentBundle bundle{.document = document[1].cast<std::string>(), .files = files_of(document[2])};
     std::string text;
-    for (const py::handle& file : document[2]) {
-      const auto pair = file.cast<py::tuple>();
-      bundle.files.emplace_back(pair[0].cast<std::string>(), pair[1].cast<std::string>());
-      if (bundle.files.back().first == bundle.document) text = bundle.files.back().second;
+    for (const auto& [path, content] : bundle.files) {
+      if (path == bundle.document) text = content;
     }
     const auto name = document[0].cast<std::string>();
-    const fs::path own = folder.path() / name;
+    const fs::path own = fs::path(folder.path()) / name;
     unpack(bundle, own.string());
     given.push_back({name, text, (own / bundle.document).string(), path_values(to_overrides(document[3]))});
   }
@@ -198,9 +185,14 @@ using FolderPointer = std::shared_ptr<FolderInPython>;
 
 FolderPointer open_folder(const PlanPointer& plan, const py::object& path, const std::string& opening,
                           const py::object& progress) {
-  const DatasetOpening how = opening == "repair"  ? DatasetOpening::repair
-                             : opening == "fresh" ? DatasetOpening::fresh
-                                                  : DatasetOpening::resume;
+  DatasetOpening how = DatasetOpening::resume;
+  if (opening == "repair") {
+    how = DatasetOpening::repair;
+  } else if (opening == "fresh") {
+    how = DatasetOpening::fresh;
+  } else if (opening != "resume") {
+    throw py::value_error(fmt::format("opening is '{}'; expected resume, repair or fresh", opening));
+  }
   const std::string folder = path_of(path);
   return run_call(progress, 1,
                   [&](Progress& inner) { return std::make_shared<FolderInPython>(plan, folder, how, inner); });
@@ -211,11 +203,7 @@ void add_range(const FolderPointer& folder, std::uint64_t begin, std::uint64_t e
   const PlantRange range{begin, end};
   if (!apart.is_none()) {
     const auto pair = apart.cast<py::tuple>();
-    MadeRange made{.range = range, .rows = pair[0].cast<std::string>(), .files = {}};
-    for (const py::handle& file : pair[1]) {
-      const auto one = file.cast<py::tuple>();
-      made.files.emplace_back(one[0].cast<std::string>(), one[1].cast<std::string>());
-    }
+    const MadeRange made{.range = range, .rows = pair[0].cast<std::string>(), .files = files_of(pair[1])};
     const py::gil_scoped_release released;
     put_range(made, folder->plan->plan, folder->folder.path());
   }
@@ -226,6 +214,18 @@ void add_range(const FolderPointer& folder, std::uint64_t begin, std::uint64_t e
 py::object next_range(const FolderPointer& folder, double seconds) {
   const auto range = folder->folder.next(seconds);
   return range ? py::object(py::make_tuple(range->begin, range->end)) : py::none();
+}
+
+/// Throws InputError unless the data set in a folder has as many plants as rows were found.
+void require_finished(const py::object& path, std::uint64_t rows) {
+  const std::string folder = path_of(path);
+  const std::optional<DatasetInfo> info = read_dataset_info(folder);
+  if (!info) throw no_dataset(folder);
+  if (info->plants == rows) return;
+  throw InputError(
+      Diagnostic{.message = fmt::format("the manifest has rows of {} of {} plants", rows, info->plants),
+                 .expected = "a data set that is finished: meristem.dataset, or the command of that name, goes on",
+                 .file = folder});
 }
 
 py::dict check_of(const py::object& path, int threads, const py::object& progress) {
@@ -262,7 +262,7 @@ the plan names. Raises InputError with all that is wrong.)")
 
 Where this process does not see the folder of the data set, gives (seconds, what DatasetFolder.add() takes).)")
       .def_property_readonly(
-          "hash", [](const PlanPointer& plan) { return plan->plan.hash(); }, "What two plans are compared by.")
+          "hash", [](const PlanPointer& plan) { return plan->plan.hash; }, "What two plans are compared by.")
       .def_property_readonly(
           "name", [](const PlanPointer& plan) { return plan->plan.name; }, "Its name.")
       .def_property_readonly(
@@ -303,11 +303,16 @@ else, MachineError where the disk refuses or another program is at work in it.)"
           "How many plants were there when it was opened.")
       .def_property_readonly(
           "faults", [](const FolderPointer& folder) { return folder->folder.faults(); },
-          "What was there and not right, and is made again: one line each, the first hundred.")
-      .def_property_readonly(
-          "seconds_per_plant", [](const FolderPointer& folder) { return folder->folder.seconds_per_plant(); },
-          "How long a plant takes, of late.");
+          "What was there and not right, and is made again: one line each, the first hundred.");
 
+  module.def(
+      "unpack_files",
+      [](const py::list& files, const py::object& folder) {
+        unpack({.document = {}, .files = files_of(files)}, path_of(folder));
+      },
+      py::arg("files"), py::arg("folder"), "Writes the files of Document.bundle() below a folder, which is made.");
+  module.def("require_finished", &require_finished, py::arg("folder"), py::arg("rows"),
+             "Raises InputError unless the data set in a folder has this number of plants.");
   module.def("verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("threads") = 0,
              py::arg("progress") = py::none(),
              R"(Reads every file of the data set in a folder and compares it with the manifest.

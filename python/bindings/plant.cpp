@@ -484,6 +484,11 @@ std::string repr(const PlantInPython& plant) {
 }  // namespace
 
 void bind_plant(py::module_& module) {
+  py::list need_light;
+  for (const MeasureRow& row : measure_rows()) {
+    if (row.needs_light) need_light.append(row.name);
+  }
+  module.attr("LIGHT_MEASURES") = py::module_::import("builtins").attr("frozenset")(need_light);
   bind_parts(module);
   py::class_<PlantInPython, PlantPointer>(
       module, "Plant", R"(A document that has grown: skeletons, organs and the meshes that clothe them.

@@ -108,7 +108,7 @@ py::dict columns_of(const std::shared_ptr<const Scan>& scan) {
   py::list components;
   for (const std::string& component : scan->components) components.append(component);
   py::list kinds;
-  for (const char* kind : {"ground", "wood", "organ", "obstacle"}) kinds.append(kind);
+  for (const std::string_view kind : kSurfaceKindNames) kinds.append(kind);
   py::dict made;
   made["position"] = column<float>(scan, [](const ScanPoint& point) { return &point.position; }, {3});
   made["range"] = column<float>(scan, [](const ScanPoint& point) { return &point.range; });

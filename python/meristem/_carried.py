@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ._core import Document
+from ._core import Document, unpack_files
 
 
 class Carried:
@@ -35,8 +35,5 @@ def _read(text: str, file: str, overrides: dict[str, Any], seed: int | None) -> 
 def _unpacked(name: str, files: list[tuple[str, bytes]], overrides: dict[str, Any], seed: int | None) -> Document:
     folder = Path(tempfile.mkdtemp(prefix="meristem-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    for path, content in files:
-        target = folder / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(content)
+    unpack_files(files, folder)
     return _read((folder / name).read_text(encoding="utf-8"), str(folder / name), overrides, seed)

@@ -16,7 +16,7 @@ from typing import Any, Union
 import numpy as np
 
 from ._batch import check_processes
-from ._core import DatasetFolder, DatasetPlan, Document, Progress, read, verify_dataset
+from ._core import DatasetFolder, DatasetPlan, Document, Progress, read, require_finished, verify_dataset
 from ._job import add_note
 from ._pool import refuse_unguarded_program
 from ._progress import ProgressCallback, teller
@@ -152,12 +152,12 @@ def dataset(
 
 
 def open_dataset(folder: str | os.PathLike[str]) -> Dataset:
-    """The data set in a folder, as dataset() gives it, without its plan. Raises InputError where there is none."""
-    plants = 0
-    for _ in _rows_of(Path(folder)):
-        plants += 1
-    if plants == 0:
-        verify_dataset(folder)  # tells that there is none
+    """The data set in a folder, as dataset() gives it, without its plan.
+
+    Raises InputError where there is none, or where plants are still missing: then dataset() goes on with it.
+    """
+    plants = sum(1 for _ in _rows_of(Path(folder)))
+    require_finished(folder, plants)
     return Dataset(Path(folder), plants, plants, ())
 
 

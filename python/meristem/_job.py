@@ -8,13 +8,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Union
 
-from ._core import Document, Plant, Progress
+from ._core import LIGHT_MEASURES, Document, Plant, Progress
 from ._errors import InputError
 
 #: Names of measures; None for all that need no light on leaves; or a function of the plant.
 Measure = Union[None, "tuple[str, ...]", Callable[[Plant], Any]]
-
-_NEED_LIGHT = frozenset({"leaf_exposure", "leaf_irradiance"})
 
 
 @dataclass(frozen=True)
@@ -77,7 +75,7 @@ def refuse_seed(values: Mapping[str, Any]) -> None:
 def _measure(plant: Plant, measure: Measure, progress: Progress | None) -> Any:
     if callable(measure):
         return measure(plant)
-    light = measure is not None and not _NEED_LIGHT.isdisjoint(measure)
+    light = measure is not None and not LIGHT_MEASURES.isdisjoint(measure)
     measures: dict[str, Any] = plant.measure(light=light, threads=1, progress=progress)
     return measures if measure is None else {name: measures[name] for name in measure}
 

@@ -153,3 +153,20 @@ def test_progress_tells_plants_and_words(tmp_path: Path, capsys: pytest.CaptureF
     assert told[-1] == (30, 30) and told == sorted(told)
     meristem.dataset(rod(), plan(30), tmp_path / "b", processes=1, progress=True)
     assert capsys.readouterr().err.splitlines()[-1] == "30 of 30 plants"
+
+
+def test_opens_only_what_is_finished(tmp_path: Path) -> None:
+    with pytest.raises(meristem.InputError, match="holds no data set"):
+        meristem.open_dataset(tmp_path)
+    meristem.dataset(rod(), {**plan(20), "rows": 5}, tmp_path / "rods", processes=1)
+    assert meristem.open_dataset(tmp_path / "rods").plants == 20
+    (tmp_path / "rods/manifest/00002.csv").unlink()
+    with pytest.raises(meristem.InputError, match="15 of 20 plants"):
+        meristem.open_dataset(tmp_path / "rods")
+
+
+def test_refuses_an_unknown_way_to_open(tmp_path: Path) -> None:
+    made = meristem.DatasetPlan({"meristem_dataset": 1, "measures": ["height"]}, documents={"rod": rod()})
+    with pytest.raises(ValueError, match="expected resume, repair or fresh"):
+        meristem.DatasetFolder(made, tmp_path / "rods", opening="mend")
+    assert not (tmp_path / "rods").exists()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -87,3 +88,11 @@ def test_nothing_is_recorded_unless_asked() -> None:
     assert trace is not None
     with pytest.raises(ValueError, match=f"step must be 0 to {trace.steps}"):
         trace.points(trace.steps + 1)
+
+
+def test_points_are_a_table_of_a_growth_that_was_recorded(tmp_path: Path) -> None:
+    colonizing().grow(trace=True).save(tmp_path / "tree.points.csv")
+    assert len((tmp_path / "tree.points.csv").read_text().splitlines()) == 91
+    with pytest.raises(meristem.InputError, match="trace=True"):
+        colonizing().grow().save(tmp_path / "other.points.csv")
+    assert not (tmp_path / "other.points.csv").exists()

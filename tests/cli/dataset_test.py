@@ -95,7 +95,10 @@ class DataSets(cli_case.Case):
         self.assertIn("60 plants, 58 of them were there", done)
         self.assertEqual(self.content("rods"), whole)
         self.write("rods/plants/0000/000031.mtg", whole["plants/0000/000031.mtg"].decode().replace("A1", "A2", 1))
-        self.assert_ends(DONE, "dataset", "rods", "--repair", "-q")
+        self.write("rods/documents/rod/more.json", "{}")
+        self.write("rods/plants/0000/.000003.mtg.4711-0.part", "half")
+        self.assertIn("more.json belonged to no document and was removed",
+                      self.assert_ends(DONE, "dataset", "rods", "--repair"))
         done = self.assert_ends(DONE, "dataset", "rods", "--verify")
         self.assertIn("60 of 60 plants, 0 failed, 60 files", done)
         self.assertEqual(self.content("rods"), whole)
@@ -123,7 +126,10 @@ class DataSets(cli_case.Case):
                  (("plan.json", "-o", "rods", "--fresh"), "holds a data set already"),
                  (("plan.json",), "no folder for the data set is given"),
                  (("rod.json", "-o", "x"), "'meristem' is not a parameter of a plan"),
-                 (("nothing", "--verify"), "holds no data set")]
+                 (("nothing", "--verify"), "holds no data set"),
+                 (("plann.json", "-o", "x"), "did you mean 'plan.json'?"),
+                 (("empty", "-o", "x"), "empty: the folder holds no data set")]
+        os.mkdir(os.path.join(self.folder, "empty"))
         for arguments, message in cases:
             done = self.assert_ends(WRONG_INPUT, "dataset", *arguments)
             self.assertIn(message, done)
@@ -160,6 +166,14 @@ class DataSets(cli_case.Case):
         done = self.assert_ends(WRONG_INPUT, "render", "rod.json", "--depth", "a.jpg")
         self.assertIn("a file that ends in .png or .pfm", done)
         self.assert_ends(WRONG_INPUT, "render", "rod.json", "--depth", "a.png", "--cards", "2")
+        for other in (["--show", "scale"], ["--show", "scale", "--no-plant"], ["--hull"], ["--lod", "1"]):
+            done = self.assert_ends(WRONG_INPUT, "render", "rod.json", "-o", "b.png", "--depth", "c.png", *other)
+            self.assertIn(f"expected no {other[0]}", done)
+        for twice in (["-o", "b.png", "--organs", "./b.png"], ["--depth", "b.png", "--organs", "b.png"],
+                      ["--depth", "b.png", "--organs", "c.png", "--shoots", f"{self.folder}/b.png"]):
+            done = self.assert_ends(WRONG_INPUT, "render", "rod.json", *twice)
+            self.assertIn("would be written twice", done)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "b.png")))
         self.assert_ends(DONE, "render", "rod.json", "--plants", "p.png", "--turntable", "2", "--size", "20x20", "-q")
         self.assertEqual(sorted(name for name in os.listdir(self.folder) if name.startswith("p_")),
                          ["p_000.png", "p_001.png"])

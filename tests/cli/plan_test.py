@@ -49,6 +49,13 @@ class Plan(cli_case.Case):
         for place, height in left.items():
             self.assertEqual(places[place]["y"], height)
 
+    def test_records_the_growth_for_tables_that_tell_of_it(self):
+        shrub = {"type": "colonize", "points": 30, "iterations": 3, "crown": {"profile": [[0.2, 0.5], [0.5, 1], [0, 1.5]]}}
+        self.write("both.json", json.dumps({"meristem": 1, "components": {"tree": TREE, "shrub": shrub}}))
+        self.assert_ends(DONE, "plan", "both.json", "-q", "--before", "b.points.csv", "--after", "a.points.csv")
+        self.assertEqual(len(self.rows("b.points.csv")), 30)
+        self.assertEqual(self.rows("a.points.csv"), self.rows("b.points.csv"))
+
     def test_takes_a_rule(self):
         rule = '{"do": "girdle", "shoots": "rank == 1", "share": 0.5}'
         self.assert_ends(DONE, "plan", "pruned.json", "--rule", rule, "-o", "cuts.csv", "-q")

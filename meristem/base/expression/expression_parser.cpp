@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/counted.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/expression/expression_functions.h"
 #include "meristem/base/expression/expression_lexer.h"
@@ -305,8 +306,7 @@ Operand Parser::parse_arguments(const ExpressionFunction& function, const Expres
   }
   if (!accept(")")) fail_unclosed(opening, count == 0 ? "')'" : "',' or ')'");
   if (!function.takes(count)) {
-    fail(name.offset, fmt::format("'{}' has {} argument{}", name.text, count, count == 1 ? "" : "s"),
-         function.signature);
+    fail(name.offset, fmt::format("'{}' has {}", name.text, counted(count, "argument")), function.signature);
   }
   return emitter_.apply(function.op_for(count), std::span(operands).first(held), place);
 }

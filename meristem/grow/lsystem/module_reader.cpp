@@ -7,16 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/counted.h"
+
 namespace meristem {
 
 namespace {
 
 bool is_structural(std::string_view symbol) {
   return symbol == "(" || symbol == ")" || symbol == "<" || symbol == ">" || symbol == ":" || symbol == kArrow;
-}
-
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -86,7 +84,7 @@ LetterIndex ModuleReader::letter_of(const ModuleText& module) {
   const std::size_t arity = module.arguments.size();
   const bool is_fixed = module.symbol == "[" || module.symbol == "]" || module.symbol == "%";
   if (is_fixed && arity > 0) {
-    faults_.add(module.all, fmt::format("'{}' has {}", module.symbol, plural(arity, "parameter")), "no parameters");
+    faults_.add(module.all, fmt::format("'{}' has {}", module.symbol, counted(arity, "parameter")), "no parameters");
     return kNoLetter;
   }
   if (arity > kMostVariables) {

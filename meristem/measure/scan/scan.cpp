@@ -16,6 +16,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -102,14 +103,12 @@ struct Scanner::Parts {
   double reach = 0;     // of the outermost ray, in radii
   double aperture = 0;  // metres: radius of the beam where it leaves
 
-  /// `whole` is the box around all meshes, `plants` that around the plants.
-  Parts(const Plant& plant, const MeshScene& meshes, const ScanOptions& given, const Box& whole, const Box& plants,
+  /// `whole` is the box around all meshes.
+  Parts(const Plant& plant, const MeshScene& meshes, const ScanOptions& given, const Box& whole, ScanPattern ways,
         Progress& progress)
       : options(given),
         box(whole),
-        pattern(given.instrument,
-                given.stations.empty() ? stations_around(plants, given.around, given.instrument) : given.stations,
-                given.target.value_or(plants.is_empty() ? Vec3(0) : plants.centre()), plants),
+        pattern(std::move(ways)),
         labels(plant, meshes, progress),
         rays(meshes, progress),
         has_meshes(!meshes.meshes.empty()),
@@ -241,11 +240,17 @@ Scanner::Scanner(const Plant& plant, const MeshScene& meshes, const ScanOptions&
                    .expected = "an altitude above it",
                    .path = "instrument.altitude"});
   }
-  parts_ = std::make_unique<const Parts>(plant, meshes, options, box, bounds_of_plants(meshes, box), progress);
-  if (parts_->pattern.pulse_count() <= kMostPulses) return;
-  throw InputError(Diagnostic{.message = fmt::format("{} pulses are too many", parts_->pattern.pulse_count()),
-                              .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
-                              .path = "instrument.step"});
+  const Box plants = bounds_of_plants(meshes, box);
+  ScanPattern pattern(
+      options.instrument,
+      options.stations.empty() ? stations_around(plants, options.around, options.instrument) : options.stations,
+      options.target.value_or(plants.is_empty() ? Vec3(0) : plants.centre()), plants);
+  if (pattern.pulse_count() > kMostPulses) {
+    throw InputError(Diagnostic{.message = fmt::format("{} pulses are too many", pattern.pulse_count()),
+                                .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
+                                .path = "instrument.step"});
+  }
+  parts_ = std::make_unique<const Parts>(plant, meshes, options, box, std::move(pattern), progress);
 }
 
 Scanner::~Scanner() = default;

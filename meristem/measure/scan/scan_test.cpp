@@ -293,6 +293,18 @@ TEST(Scan, OfNothingHasNoPoints) {
   EXPECT_TRUE(scan_of({}, {.instrument = scanner}).points.empty());
 }
 
+TEST(Scan, RefusesTooManyPulsesBeforeItPreparesAnything) {
+  Plant plant;
+  add_organ(plant, "wall", make_box({4, 4, 0.1F}), {0, 0, 0});
+  Progress growing;
+  const MeshScene meshes = make_mesh_scene(plant, {}, growing);
+  Instrument scanner = instrument_of(ScannerClass::terrestrial);
+  scanner.step = radians(0.002);
+  Progress stopped;
+  stopped.cancel();  // ends all preparations
+  EXPECT_THROW(Scanner(plant, meshes, {.instrument = scanner}, stopped), InputError);
+}
+
 TEST(Scan, StopsWhenItIsCancelledAndAtTheMostPoints) {
   Plant plant;
   add_organ(plant, "wall", make_box({4, 4, 0.1F}), {0, 0, 0});

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/counted.h"
 #include "meristem/output/overlay/overlay_makers.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/scene/brighter_way.h"
@@ -25,11 +26,6 @@ constexpr Vec3 kCut{0.82F, 0.16F, 0.12F};
 
 constexpr std::size_t kMostWays = 90;  // more could not be told apart
 constexpr double kWayShare = 0.06;     // length of an arrow, of the longest side of the plant
-
-/// "1 point", "12 points".
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 void show_places(const std::vector<TracedPlace>& places, const std::array<Vec3, 3>& colours,
                  const std::array<const char*, 3>& texts, const char* what, OverlayLayer& layer) {

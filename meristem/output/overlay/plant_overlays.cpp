@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/counted.h"
 #include "meristem/measure/tree_form.h"
 #include "meristem/output/overlay/hull_edges.h"
 #include "meristem/output/overlay/overlay_makers.h"
@@ -107,7 +108,7 @@ void show_skeleton(const OverlaySubject& subject, OverlayLayer& layer) {
     for_each_segment(stem.skeleton, [&](NodeIndex, Vec3 from, Vec3 to) { layer.lines.push_back({from, to, kWood}); });
     for (const Vec3 position : stem.skeleton.position) layer.points.push_back({position, kWood});
   }
-  if (nodes > 0) layer.legend.push_back({kWood, fmt::format("{} node{}", nodes, nodes == 1 ? "" : "s")});
+  if (nodes > 0) layer.legend.push_back({kWood, counted(nodes, "node")});
 }
 
 void show_light(const OverlaySubject& subject, OverlayLayer& layer) {

@@ -5,12 +5,17 @@
 #include <array>
 
 #include "meristem/base/atomic_file.h"
+#include "meristem/base/diagnostic.h"
 #include "meristem/output/write/csv.h"
 
 namespace meristem {
 
 void write_points_csv(const GrowthTraces& traces, const std::string& path, Progress& progress) {
   static constexpr std::array<const char*, 3> kStates{"free", "used", "removed"};
+  if (!traces.recorded.points) {
+    throw InputError(Diagnostic{.message = "the growth of the plants was not recorded, so their points are not known",
+                                .expected = "a growth that records points: in Python, document.grow(trace=True)"});
+  }
   progress.begin("writing CSV", traces.growths.size());
   std::string text = "component,instance,number,x,y,z,state,used_in\n";
   for (const TracedGrowth& growth : traces.growths) {

@@ -135,34 +135,26 @@ class Census {
   Numbers<OrganKey> organs_;
 };
 
-Camera camera_over(const MeshScene& framed, const View& view, const TruthOptions& options) {
-  return place_camera(framed, view, static_cast<double>(options.width) / options.height);
-}
-
 }  // namespace
-
-Camera truth_camera(const GrownDocument& grown, const Scene& scene, const View& view, const TruthOptions& options) {
-  const bool shows_obstacles = grown.meshes.meshes.empty() && !options.transparent && has_visible(scene.obstacles);
-  return camera_over(shows_obstacles ? with_obstacles(grown.meshes, scene.obstacles) : grown.meshes, view, options);
-}
 
 Truth see_truth(const GrownDocument& grown, const Scene& scene, const View& view, const TruthOptions& options,
                 Progress& progress) {
   check_still_options({.width = options.width, .height = options.height});
-  const std::size_t pixels = std::size_t{1} * options.width * options.height;
-  Truth truth{.width = options.width,
-              .height = options.height,
-              .depth = std::vector<float>(pixels, kSky),
-              .normal = std::vector<Vec3>(pixels, Vec3(0)),
-              .masks = {}};
-  for (TruthMask& mask : truth.masks) mask.number.assign(pixels, 0);
   // The scene and the camera are those of the picture.
   const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
   const MeshScene meshes_around = shows_obstacles ? with_obstacles(grown.meshes, scene.obstacles) : MeshScene();
   const MeshScene& shown = shows_obstacles ? meshes_around : grown.meshes;
   const MeshScene& framed = grown.meshes.meshes.empty() ? shown : grown.meshes;
   const RayScene rays(shown, progress);
-  const Camera camera = camera_over(framed, view, options);
+  const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
+  const std::size_t pixels = std::size_t{1} * options.width * options.height;
+  Truth truth{.width = options.width,
+              .height = options.height,
+              .depth = std::vector<float>(pixels, kSky),
+              .normal = std::vector<Vec3>(pixels, Vec3(0)),
+              .masks = {},
+              .camera = camera};
+  for (TruthMask& mask : truth.masks) mask.number.assign(pixels, 0);
   const Ground ground = ground_below(framed, scene);
   const ExpandedPlant plant(grown.plant, progress);
   const SurfaceLabels labels(grown.plant, shown, progress);

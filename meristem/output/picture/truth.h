@@ -49,6 +49,7 @@ struct Truth {
   /// sky.
   std::vector<Vec3> normal;
   TruthMask masks[kTruthLevels];  ///< by TruthLevel
+  Camera camera;                  ///< which sees it: that of take_picture for the same view and size
 
   const TruthMask& mask(TruthLevel level) const { return masks[static_cast<int>(level)]; }
 };
@@ -59,9 +60,6 @@ struct TruthOptions {
   int height = 1200;
   bool transparent = false;  ///< without ground and obstacles, as in StillOptions
 };
-
-/// The camera that take_picture has for this view and size.
-Camera truth_camera(const GrownDocument& grown, const Scene& scene, const View& view, const TruthOptions& options);
 
 /// The truth behind the picture that render_still makes of what has grown, up to meshes; where textures have holes,
 /// these must be painted (has_holes, foliage.h). A shoot's wood is told by the axis whose surface is nearest, an

@@ -15,6 +15,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/version.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/document/json.h"
 #include "meristem/output/write/names.h"
 #include "meristem/output/write/png.h"
@@ -24,12 +25,12 @@ namespace meristem {
 namespace {
 
 constexpr std::array<TruthFormat, 6> kTruthFormats{{
-    {"depth", ".depth.png", "Distance of each pixel's surface from the camera, along the way that it looks."},
-    {"normals", ".normals.png", "Direction in which each pixel's surface faces, as the camera sees it."},
-    {"organs", ".organs.png", "Number of the leaf, flower, fruit or wood of a shoot in each pixel."},
-    {"shoots", ".shoots.png", "Number of the shoot in each pixel, with the organs on it."},
-    {"plants", ".plants.png", "Number of the plant in each pixel."},
-    {"coco", ".coco.json", "Outline, box, area and kind of each thing that is seen, in the format of COCO data sets."},
+    {"depth", {".png", ".pfm"}, "Distance of each pixel's surface from the camera, along the way that it looks."},
+    {"normals", {".png", ".pfm"}, "Direction in which each pixel's surface faces, as the camera sees it."},
+    {"organs", {".png"}, "Number of the leaf, flower, fruit or wood of a shoot in each pixel."},
+    {"shoots", {".png"}, "Number of the shoot in each pixel, with the organs on it."},
+    {"plants", {".png"}, "Number of the plant in each pixel."},
+    {"coco", {".json"}, "Outline, box, area and kind of each thing that is seen, in the format of COCO data sets."},
 }};
 
 constexpr std::array<const char*, kTruthLevels> kLevelNames{"organ", "shoot", "plant"};
@@ -145,7 +146,8 @@ Category category_of(int level, const SeenThing& thing) { return {level, thing.c
 
 Value list_of(Vec3 v) { return Value::List{double{v.x}, double{v.y}, double{v.z}}; }
 
-std::string coco(const Truth& truth, const Camera& camera, const TruthContext& context) {
+std::string coco(const Truth& truth, const TruthContext& context) {
+  const Camera& camera = truth.camera;
   // Categories are numbered by level and name, so that equal plants have equal numbers.
   std::map<Category, int> categories;
   for (int level = 0; level < kTruthLevels; ++level) {
@@ -221,18 +223,19 @@ const TruthFormat& truth_format(std::string_view name) {
                               .nearest = nearest_name(name, names)});
 }
 
-void check_truth_file(const TruthFormat& format, const std::string& path) {
-  const bool is_map = format.name == "depth" || format.name == "normals";
-  const bool fits = format.name == "coco" ? has_ending(path, ".json")
-                                          : has_ending(path, ".png") || (is_map && has_ending(path, ".pfm"));
-  if (fits) return;
-  throw InputError(Diagnostic{.message = fmt::format("{} cannot be written to '{}'", format.name, path),
-                              .expected = fmt::format("a file that ends in {}", format.name == "coco" ? ".json"
-                                                                                : is_map              ? ".png or .pfm"
-                                                                                                      : ".png")});
+std::string TruthFormat::ending_list() const {
+  return endings[1].empty() ? std::string(endings[0]) : fmt::format("{} or {}", endings[0], endings[1]);
 }
 
-std::string encode_truth(const Truth& truth, const Camera& camera, const TruthFormat& format, const std::string& path,
+void check_truth_file(const TruthFormat& format, const std::string& path) {
+  for (const std::string_view ending : format.endings) {
+    if (!ending.empty() && has_ending(path, ending)) return;
+  }
+  throw InputError(Diagnostic{.message = fmt::format("{} cannot be written to '{}'", format.name, path),
+                              .expected = "a file that ends in " + format.ending_list()});
+}
+
+std::string encode_truth(const Truth& truth, const TruthFormat& format, const std::string& path,
                          const TruthContext& context) {
   check_truth_file(format, path);
   const bool is_pfm = has_ending(path, ".pfm");
@@ -240,13 +243,19 @@ std::string encode_truth(const Truth& truth, const Camera& camera, const TruthFo
   if (format.name == "normals") {
     return is_pfm ? pfm(truth, 3, &truth.normal[0].x) : encode_png(normals_image(truth), PixelKind::numbers);
   }
-  if (format.name == "coco") return coco(truth, camera, context);
+  if (format.name == "coco") return coco(truth, context);
   for (int level = 0; level < kTruthLevels; ++level) {
     if (format.name.starts_with(kLevelNames[level])) {
       return encode_png(mask_image(truth, truth.masks[level]), PixelKind::numbers);
     }
   }
   return {};
+}
+
+void write_truths(const Truth& truth, std::span<const TruthFile> files, const TruthContext& context) {
+  for (const TruthFile& file : files) {
+    write_whole_file(file.path, encode_truth(truth, *file.format, file.path, context));
+  }
 }
 
 std::string coco_counts(const TruthMask& mask, int width, int height, std::uint32_t number) {

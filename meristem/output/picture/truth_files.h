@@ -2,6 +2,7 @@
 // The truth behind a picture as files: what tools for pictures, robots and detectors read.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,9 +13,17 @@ namespace meristem {
 
 /// One kind of file about a picture.
 struct TruthFormat {
-  std::string_view name;    ///< what options and plans call it: "depth"
-  std::string_view ending;  ///< that its files have unless another is asked for: ".depth.png"
-  std::string_view doc;     ///< one sentence
+  std::string_view name;                    ///< what options and plans call it: "depth"
+  std::array<std::string_view, 2> endings;  ///< of its files, the usual one first; the second is empty where one is all
+  std::string_view doc;                     ///< one sentence
+
+  std::string ending_list() const;  ///< ".png or .pfm"
+};
+
+/// A file about a picture that is to be written.
+struct TruthFile {
+  const TruthFormat* format = nullptr;
+  std::string path;  ///< with one of the format's endings
 };
 
 /// What a file about a picture says besides the pixels.
@@ -30,8 +39,7 @@ std::span<const TruthFormat> truth_formats();
 /// The kind of that name. Throws InputError with the nearest.
 const TruthFormat& truth_format(std::string_view name);
 
-/// Throws InputError unless files of this kind can end as `path` does: depth and normals in .png or .pfm, masks in
-/// .png, annotations in .json.
+/// Throws InputError unless files of this kind can end as `path` does.
 void check_truth_file(const TruthFormat& format, const std::string& path);
 
 /// The bytes of a file of this kind, in the format of the path's ending; the same truth gives the same bytes.
@@ -45,8 +53,11 @@ void check_truth_file(const TruthFormat& format, const std::string& path);
 /// - annotations, JSON: the format of the COCO data sets. Organs, shoots and plants are annotations whose masks are
 ///   run-length encoded; the ids of each level are the numbers of its mask (`number`), those of annotations run
 ///   through.
-std::string encode_truth(const Truth& truth, const Camera& camera, const TruthFormat& format, const std::string& path,
+std::string encode_truth(const Truth& truth, const TruthFormat& format, const std::string& path,
                          const TruthContext& context);
+
+/// Writes the files, each whole or not at all. Throws MachineError.
+void write_truths(const Truth& truth, std::span<const TruthFile> files, const TruthContext& context);
 
 /// Run lengths of one thing's pixels, column by column from the left and each from the top, as the text that COCO's
 /// tools read ("counts").

@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 #include "meristem/output/picture/still.h"
 #include "meristem/output/picture/truth_files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem::truth_test {
 
@@ -33,7 +35,6 @@ struct Seen {
   Document document;
   GrownDocument grown;
   Truth truth;
-  Camera camera;
 };
 
 Seen look(const char* text, const View& view, int width, int height, bool transparent = false) {
@@ -42,8 +43,7 @@ Seen look(const char* text, const View& view, int width, int height, bool transp
   GrownDocument grown = grow_document(document, progress);
   const TruthOptions options{.width = width, .height = height, .transparent = transparent};
   Truth truth = see_truth(grown, document.scene, view, options, progress);
-  const Camera camera = truth_camera(grown, document.scene, view, options);
-  return {std::move(document), std::move(grown), std::move(truth), camera};
+  return {std::move(document), std::move(grown), std::move(truth)};
 }
 
 View ball_view() {
@@ -153,23 +153,36 @@ TEST(TruthFiles, WritesDepthInMillimetresAndMetres) {
                     .height = 2,
                     .depth = {1.2345F, 70, INFINITY, 0.5F},
                     .normal = std::vector<Vec3>(4, Vec3(0, 0, 1)),
-                    .masks = {}};
-  const Camera camera(Vec3(0), Vec3(0, 0, -1), 0.6, 1);
-  const std::string pfm = encode_truth(truth, camera, truth_format("depth"), "a.pfm", {});
+                    .masks = {},
+                    .camera = Camera(Vec3(0), Vec3(0, 0, -1), 0.6, 1)};
+  const std::string pfm = encode_truth(truth, truth_format("depth"), "a.pfm", {});
   ASSERT_EQ(pfm.size(), 12 + 16U);
   EXPECT_TRUE(pfm.starts_with("Pf\n2 2\n-1.0\n"));
   float lower_left = 0;
   std::memcpy(&lower_left, pfm.data() + pfm.size() - 16, sizeof(float));
   EXPECT_TRUE(std::isinf(lower_left)) << "rows from the bottom";
-  EXPECT_TRUE(encode_truth(truth, camera, truth_format("depth"), "a.png", {}).starts_with("\x89PNG"));
+  EXPECT_TRUE(encode_truth(truth, truth_format("depth"), "a.png", {}).starts_with("\x89PNG"));
   EXPECT_THROW(check_truth_file(truth_format("depth"), "a.jpg"), InputError);
   EXPECT_THROW(check_truth_file(truth_format("coco"), "a.png"), InputError);
   EXPECT_THROW(truth_format("deep"), InputError);
 }
 
+TEST(TruthFiles, WritesWhatWasAskedFor) {
+  const TemporaryFolder folder;
+  const Seen seen = look(kBall, ball_view(), 8, 6);
+  EXPECT_EQ(seen.truth.camera.position(), *ball_view().position);
+  const std::vector<TruthFile> files{{&truth_format("depth"), folder / "a.pfm"},
+                                     {&truth_format("coco"), folder / "a.json"}};
+  write_truths(seen.truth, files, {.picture = "a.png", .name = {}, .licence = {}});
+  for (const TruthFile& file : files) {
+    EXPECT_EQ(whole_file(file.path),
+              encode_truth(seen.truth, *file.format, file.path, {.picture = "a.png", .name = {}, .licence = {}}));
+  }
+}
+
 TEST(TruthFiles, AnnotatesWhatIsSeen) {
   const Seen seen = look(kTwins, View(), 160, 120);
-  const Value coco = parse_json(encode_truth(seen.truth, seen.camera, truth_format("coco"), "a.json",
+  const Value coco = parse_json(encode_truth(seen.truth, truth_format("coco"), "a.json",
                                              {.picture = "a.png", .name = "Twins", .licence = "CC0-1.0"}));
   EXPECT_EQ(*(*coco.find("images")->list())[0].find("file_name")->text(), "a.png");
   EXPECT_EQ(coco.find("categories")->list()->size(), 4U) << "leaf, wood of stem, shoot, plant";

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <string_view>
 
 #include "meristem/output/scan/scan_writer.h"
@@ -11,7 +10,6 @@ namespace {
 
 constexpr std::string_view kScanHeader =
     "x,y,z,range,true_range,intensity,return,returns,station,pulse,kind,tree,component,instance,shoot,label,order\n";
-constexpr std::array<std::string_view, 4> kKindNames{"ground", "wood", "organ", "obstacle"};
 
 class ScanCsv : public ScanWriter {
  public:
@@ -44,7 +42,7 @@ class ScanCsv : public ScanWriter {
     append_number(int{point.count}, out);
     append_number(point.station, out);
     append_number(point.pulse, out);
-    out += kKindNames[static_cast<std::size_t>(label.kind)];
+    out += kSurfaceKindNames[static_cast<std::size_t>(label.kind)];
     out += ',';
     if (label.tree != kNoTree) append_csv_number(label.tree, out);
     out += ',';

@@ -23,8 +23,8 @@ struct ScanFormat {
 /// | ending | what it holds |
 /// | --- | --- |
 /// | `.ply` | binary little-endian PLY, y up: vertices with all columns, and an element `shoot` with the labels |
-/// | `.las` | ASPRS LAS 1.4, point format 6, z up (x east, y north), with extra bytes; labels in records of `meristem`
-/// | | `.csv` | a row per point, y up, with components and labels as texts |
+/// | `.las` | ASPRS LAS 1.4, point format 6, z up (x east, y north), extra bytes; labels in records of `meristem` |
+/// | `.csv` | a row per point, y up, with components and labels as texts |
 std::span<const ScanFormat> scan_formats();
 
 /// The format of a path by its ending (capitals count as equal); "-" is standard output in the default format. Throws

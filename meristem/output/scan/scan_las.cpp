@@ -13,8 +13,8 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/output/scan/scan_writer.h"
-#include "meristem/output/skeleton/cylinders.h"
 #include "meristem/output/write/append_bytes.h"
+#include "meristem/output/write/z_up.h"
 
 namespace meristem {
 
@@ -45,7 +45,7 @@ constexpr std::array<ExtraBytes, 8> kExtraBytes{{{"range", "measured distance, m
                                                  {"instance", "number within the component", 5, 4},
                                                  {"shoot", "number of the axis", 5, 4, true},
                                                  {"order", "branching order of the shoot", 3, 2},
-                                                 {"kind", "0 ground 1 wood 2 organ 3 body", 1, 1}}};
+                                                 {"kind", "ground, wood, organ, obstacle", 1, 1}}};
 
 constexpr std::size_t extra_size() {
   std::size_t bytes = 0;

@@ -62,7 +62,9 @@ class ScanPly : public ScanWriter {
     for (std::size_t k = 0; k < components.size(); ++k) {
       text += fmt::format("comment component {} {}\n", k, single_line(components[k]));
     }
-    text += "comment kind 0 ground\ncomment kind 1 wood\ncomment kind 2 organ\ncomment kind 3 obstacle\n";
+    for (std::size_t k = 0; k < kSurfaceKindNames.size(); ++k) {
+      text += fmt::format("comment kind {} {}\n", k, kSurfaceKindNames[k]);
+    }
     for (std::size_t k = 0; k < scanner.stations().size(); ++k) {
       const Vec3 station = scanner.stations()[k];
       text += fmt::format("comment station {} {} {} {}\n", k, station.x, station.y, station.z);

@@ -152,6 +152,11 @@ ScanPlan plan_scan(const Value& request, std::uint64_t seed) {
   if (request.is_null()) return plan;
   ParameterReader reader({}, Limits());
   reader.read(scan_table(), &plan, request, DocumentPath());
+  if (plan.options.instrument.kind == ScannerClass::drone && request.find("around") != nullptr) {
+    const DocumentPath top;
+    reader.fault(DocumentPath(top, "around"), "a drone flies lines over the plants and has no stations around them",
+                 "the instrument's altitude, line_spacing and heading instead");
+  }
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   return plan;
 }

@@ -45,6 +45,8 @@ TEST(ScanRequest, FaultsHaveTheirPaths) {
             "instrument.farthest: no distance would be within the range");
   EXPECT_EQ(fault_of(R"({"instrument": "drone", "stations": [[0, 1, 2]]})"),
             "stations: a drone flies lines over the plants and has no stations");
+  EXPECT_EQ(fault_of(R"({"instrument": "drone", "around": 3})"),
+            "around: a drone flies lines over the plants and has no stations around them");
   EXPECT_EQ(fault_of(R"({"target": [0, 1, 2]})"), "target: only depth cameras look at a target");
   EXPECT_NE(fault_of(R"({"stations": [[0, 1, 2]], "around": 3})"), "no fault");
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/skeleton/cylinders.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "meristem/output/write/z_up.h"
 
 namespace meristem {
 
@@ -10,6 +11,12 @@ float radius_of_equal_volume(float begin, float end) {
   const double a = begin;
   const double b = end;
   return static_cast<float>(std::sqrt((a * a + a * b + b * b) / 3));
+}
+
+float cylinder_radius(const Skeleton& skeleton, NodeIndex node) {
+  const NodeIndex parent = skeleton.parent[node];
+  if (parent == kNoNode || skeleton.axis[parent] != skeleton.axis[node]) return skeleton.radius[node];
+  return radius_of_equal_volume(skeleton.radius[parent], skeleton.radius[node]);
 }
 
 std::vector<Cylinder> cylinders_of(const Plant& plant) {
@@ -20,17 +27,14 @@ std::vector<Cylinder> cylinders_of(const Plant& plant) {
   for (const Stem& stem : plant.stems) {
     const Skeleton& skeleton = stem.skeleton;
     number.assign(skeleton.node_count(), kNoCylinder);
-    std::uint32_t axes = 0;
     for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
       const AxisIndex axis = skeleton.axis[node];
-      axes = std::max(axes, axis + 1);
       const NodeIndex parent = skeleton.parent[node];
       if (parent == kNoNode) continue;
       const bool begins = skeleton.axis[parent] != axis;
       Cylinder made{.begin = z_up(skeleton.position[parent]),
                     .end = z_up(skeleton.position[node]),
-                    .radius = begins ? skeleton.radius[node]
-                                     : radius_of_equal_volume(skeleton.radius[parent], skeleton.radius[node]),
+                    .radius = cylinder_radius(skeleton, node),
                     .parent = number[parent],
                     .axis = first_axis + axis,
                     .order = skeleton.order[node]};
@@ -41,7 +45,7 @@ std::vector<Cylinder> cylinders_of(const Plant& plant) {
       }
       cylinders.push_back(made);
     }
-    first_axis += axes;
+    first_axis += static_cast<std::uint32_t>(skeleton.axis_count());
   }
   return cylinders;
 }

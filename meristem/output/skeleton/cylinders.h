@@ -25,14 +25,14 @@ struct Cylinder {
   std::uint16_t order = 0;                ///< branching order of its axis
 };
 
-/// Where the axes of others point: x east, y north, z up.
-inline Vec3 z_up(Vec3 position) { return {position.x, 0 - position.z, position.y}; }
-
 /// The radius that gives a cylinder the volume of a cone of the same length.
 float radius_of_equal_volume(float begin, float end);
 
-/// A cylinder for each node that has a parent, in the order of SkeletonTable. The first cylinder of a lateral axis is
-/// as thick as the axis's first node.
+/// The radius of the cylinder that ends in a node: of the volume of the cone along an axis; the first one of a lateral
+/// axis is as thick as the axis's first node.
+float cylinder_radius(const Skeleton& skeleton, NodeIndex node);
+
+/// A cylinder for each node that has a parent, in the order of SkeletonTable.
 std::vector<Cylinder> cylinders_of(const Plant& plant);
 
 }  // namespace meristem

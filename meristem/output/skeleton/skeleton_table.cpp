@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/skeleton/skeleton_table.h"
 
-#include <algorithm>
 #include <array>
 #include <iterator>
 #include <limits>
@@ -32,11 +31,6 @@ constexpr std::array<std::pair<const char*, Kind>, first_extra> kColumns{{{"comp
                                                                           {"order", Kind::index},
                                                                           {"birth", Kind::number}}};
 
-std::size_t axis_count(const Skeleton& skeleton) {
-  const auto last = std::max_element(skeleton.axis.begin(), skeleton.axis.end());
-  return last == skeleton.axis.end() ? 0 : std::size_t{*last} + 1;
-}
-
 }  // namespace
 
 SkeletonTable::SkeletonTable(const Plant& plant) : plant_(plant) {
@@ -61,7 +55,7 @@ SkeletonTable::SkeletonTable(const Plant& plant) : plant_(plant) {
     }
     first_row_.push_back(first_row_.back() + stem.skeleton.node_count());
     first_axis_.push_back(axes);
-    axes += axis_count(stem.skeleton);
+    axes += stem.skeleton.axis_count();
     if (has_labels) {
       std::vector<std::string> labels = axis_labels(stem.skeleton);
       std::move(labels.begin(), labels.end(), std::back_inserter(labels_));

@@ -4,7 +4,6 @@
 // Based on: the tree files of T. Lowe, treetools (CSIRO), which describe branches as chains of cylinders.
 #include "meristem/output/skeleton/tree_file.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "meristem/output/skeleton/cylinders.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/z_up.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
@@ -51,14 +51,11 @@ void append_trees(const Skeleton& skeleton, std::uint32_t first_axis, std::vecto
     TreeFileNode& made = nodes[first[tree[node]] + number[node]];
     const NodeIndex parent = skeleton.parent[node];
     made.position = z_up(skeleton.position[node]);
-    made.radius = skeleton.radius[node];
+    made.radius = cylinder_radius(skeleton, node);
     made.branch = first_axis + skeleton.axis[node];
     made.order = skeleton.order[node];
     made.begins_line = parent == kNoNode;
-    if (parent == kNoNode) continue;
-    made.parent = static_cast<std::int32_t>(number[parent]);
-    if (skeleton.axis[parent] != skeleton.axis[node]) continue;
-    made.radius = radius_of_equal_volume(skeleton.radius[parent], skeleton.radius[node]);
+    if (parent != kNoNode) made.parent = static_cast<std::int32_t>(number[parent]);
   }
 }
 
@@ -68,9 +65,7 @@ std::vector<TreeFileNode> nodes_of(const Plant& plant) {
   std::uint32_t first_axis = 0;
   for (const Stem& stem : plant.stems) {
     append_trees(stem.skeleton, first_axis, nodes);
-    std::uint32_t axes = 0;
-    for (const AxisIndex axis : stem.skeleton.axis) axes = std::max(axes, axis + 1);
-    first_axis += axes;
+    first_axis += static_cast<std::uint32_t>(stem.skeleton.axis_count());
   }
   return nodes;
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of a program's own, whole in memory. What an input names, read_file reads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace meristem {
+
+/// The bytes of a file, which may be none; nothing where it cannot be read.
+std::optional<std::string> whole_file(const std::string& path);
+
+/// Writes a file: whole, or not at all. Throws MachineError.
+void write_whole_file(const std::string& path, std::string_view content);
+
+/// Makes a folder and those above it, where they are not there. Throws MachineError.
+void make_folders(const std::string& folder);
+
+/// A new folder that nobody else reads, which goes with its owner.
+class ScratchFolder {
+ public:
+  /// In `parent`, which is made, with a name that begins with `prefix`. Throws MachineError.
+  ScratchFolder(const std::string& parent, std::string_view prefix);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace meristem

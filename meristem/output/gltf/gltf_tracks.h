@@ -19,8 +19,8 @@ struct NodePose {
   Vec3 scale{1};
 };
 
-/// The pose of one of the instances at a key. Where it has no size, it is turned as at the nearest key at which it has
-/// some: the next one, or else the last before.
-NodePose pose_at(const GltfSharedMesh& shared, std::size_t row, std::size_t key);
+/// The pose of one of the instances at each key. Where it has no size, it is turned as at the nearest key at which it
+/// has some: the next one, or else the last before.
+std::vector<NodePose> poses_of(const GltfSharedMesh& shared, std::size_t row);
 
 }  // namespace meristem

@@ -26,6 +26,7 @@
 #include "meristem/shape/mesh/tangents.h"
 #include "meristem/shape/moving/moving_blade.h"
 #include "meristem/shape/moving/moving_tube.h"
+#include "meristem/shape/moving/nearest_keys.h"
 #include "meristem/shape/stem_looks.h"
 #include "meristem/shape/stem_tubes.h"
 
@@ -59,17 +60,24 @@ struct PartKey {
 struct MovingPart {
   MovingLook look;
   std::vector<PartKey> keys;
+
+  /// By key: the nearest one at which it is there.
+  std::vector<std::size_t> nearest() const {
+    return nearest_keys(keys.size(), [this](std::size_t key) { return keys[key].mesh != nullptr; });
+  }
 };
 
 struct AxisTrack {
   MovingLook look;
   std::vector<std::optional<TubeShape>> shapes;
   std::vector<Vec3> tints;
+
+  std::vector<std::size_t> nearest() const {
+    return nearest_keys(shapes.size(), [this](std::size_t key) { return shapes[key].has_value(); });
+  }
 };
 
 bool are_one_frame(const Frame& a, const Frame& b) { return a.axes == b.axes && a.origin == b.origin; }
-
-bool has_any_size(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) > 0; }
 
 /// Made of turn, shift and scale alone, so that a node can hold it.
 bool is_rigid_frame(const Frame& frame) {
@@ -147,8 +155,6 @@ struct MovingSceneMaker::State {
   void count_rigid();
   Vec3 tint_at(const MovingLook& look, Vec3 tint, std::size_t key) const;
   Vec3 tint_at(const MovingPart& part, std::size_t key) const { return tint_at(part.look, part.keys[key].tint, key); }
-  Frame frame_at(const MovingPart& part, std::size_t key) const;
-  static std::size_t nearest_there(const MovingPart& part, std::size_t key);
   MeshMotion::Kind kind_of(const MovingPart& part) const;
   bool can_be_rigid(const MovingPart& part) const;
   bool changes_tint(const MovingPart& part) const;
@@ -344,17 +350,6 @@ void MovingSceneMaker::State::add(double time, const Plant& plant, Progress& pro
 
 // Taking.
 
-/// The key nearest to a key at which the part is there: itself, the next one, or the last one before.
-std::size_t MovingSceneMaker::State::nearest_there(const MovingPart& part, std::size_t key) {
-  for (std::size_t k = key; k < part.keys.size(); ++k) {
-    if (part.keys[k].mesh != nullptr) return k;
-  }
-  for (std::size_t k = key; k-- > 0;) {
-    if (part.keys[k].mesh != nullptr) return k;
-  }
-  return key;
-}
-
 /// The tint as a factor on the colour that the scene's material has.
 Vec3 MovingSceneMaker::State::tint_at(const MovingLook& look, Vec3 tint, std::size_t key) const {
   const std::optional<Vec3>& then = colours[look.material][key];
@@ -363,14 +358,8 @@ Vec3 MovingSceneMaker::State::tint_at(const MovingLook& look, Vec3 tint, std::si
   return *then == shown ? tint : tint * *then / glm::max(shown, Vec3(kLeastColour));
 }
 
-Frame MovingSceneMaker::State::frame_at(const MovingPart& part, std::size_t key) const {
-  if (part.keys[key].mesh != nullptr) return part.keys[key].frame;
-  return {Mat3(0), part.keys[nearest_there(part, key)].frame.origin};
-}
-
 bool MovingSceneMaker::State::changes_tint(const MovingPart& part) const {
-  const std::size_t last = nearest_there(part, key_count - 1);
-  const Vec3 shown = tint_at(part, last);
+  const Vec3 shown = tint_at(part, part.nearest().back());
   for (std::size_t k = 0; k < key_count; ++k) {
     if (part.keys[k].mesh != nullptr && tint_at(part, k) != shown) return true;
   }
@@ -379,7 +368,7 @@ bool MovingSceneMaker::State::changes_tint(const MovingPart& part) const {
 
 MeshMotion::Kind MovingSceneMaker::State::kind_of(const MovingPart& part) const {
   using Kind = MeshMotion::Kind;
-  const PartKey& first = part.keys[nearest_there(part, 0)];
+  const PartKey& first = part.keys[part.nearest().front()];
   bool is_still = !changes_tint(part);
   bool is_one_mesh = true;
   for (const PartKey& key : part.keys) {
@@ -431,7 +420,12 @@ void MovingSceneMaker::State::add_part(const MovingPart& part) {
   if (kind == Kind::shown) return add_shown(part);
   if (kind == Kind::rigid && !(rigid.contains(part.look) && can_be_rigid(part))) kind = Kind::shape;
   const bool has_tints = kind == Kind::shape && changes_tint(part);
-  const std::size_t last = nearest_there(part, key_count - 1);
+  const std::vector<std::size_t> nearest = part.nearest();
+  const std::size_t last = nearest.back();
+  const auto frame_at = [&](std::size_t k) {
+    const Frame& there = part.keys[nearest[k]].frame;
+    return nearest[k] == k ? there : Frame{Mat3(0), there.origin};
+  };
 
   // Parts with the same meshes at all keys are instances of one.
   bool is_one_mesh = true;
@@ -439,7 +433,7 @@ void MovingSceneMaker::State::add_part(const MovingPart& part) {
       fmt::format("{} {} {} {}", part.look.component, part.look.material, static_cast<int>(kind), has_tints);
   std::vector<SharedMesh> of_keys;
   for (std::size_t k = 0; k < key_count; ++k) {
-    of_keys.push_back(part.keys[nearest_there(part, k)].mesh);
+    of_keys.push_back(part.keys[nearest[k]].mesh);
     is_one_mesh = is_one_mesh && of_keys.back() == of_keys.front();
   }
   for (const SharedMesh& mesh : of_keys) {
@@ -447,7 +441,7 @@ void MovingSceneMaker::State::add_part(const MovingPart& part) {
     if (is_one_mesh) break;
   }
   Moving& all = group(key, part.look, part.keys[last].mesh, kind);
-  all.instances.frames.push_back(frame_at(part, key_count - 1));
+  all.instances.frames.push_back(frame_at(key_count - 1));
   all.instances.tints.push_back(tint_at(part, last));
   all.instances.individuals.push_back(part.look.individual);
   if (kind == Kind::still) return;
@@ -460,11 +454,11 @@ void MovingSceneMaker::State::add_part(const MovingPart& part) {
   all.motion.frames.resize(key_count);
   if (has_tints) all.motion.tints.resize(key_count);
   for (std::size_t k = 0; k < key_count; ++k) {
-    const Frame frame = frame_at(part, k);
-    const bool are_seen = has_any_size(frame) && has_any_size(part.keys[last].frame);
+    const Frame frame = frame_at(k);
+    const bool are_seen = is_there(frame) && is_there(part.keys[last].frame);
     if (are_seen && are_turned(frame, part.keys[last].frame)) all.motion.turns = true;
     all.motion.frames[k].push_back(frame);
-    if (has_tints) all.motion.tints[k].push_back(tint_at(part, nearest_there(part, k)));
+    if (has_tints) all.motion.tints[k].push_back(tint_at(part, nearest[k]));
   }
 }
 
@@ -535,18 +529,13 @@ void MovingSceneMaker::State::take_tubes(Progress& progress) {
   std::map<std::pair<MovingLook, std::string>, std::vector<AxisTrack*>> groups;
   std::vector<std::pair<MovingLook, std::string>> order;
   for (AxisTrack& track : axes) {
+    const std::vector<std::size_t> nearest = track.nearest();
     std::string tints;
-    for (std::size_t k = 0; k < key_count; ++k) {
-      const Vec3 tint = track.shapes[k] ? tint_at(track.look, track.tints[k], k) : Vec3(-1);
-      if (track.shapes[k]) tints.append(reinterpret_cast<const char*>(&tint), sizeof(tint));
+    for (const std::size_t there : nearest) {
+      const Vec3 tint = tint_at(track.look, track.tints[there], there);
+      tints.append(reinterpret_cast<const char*>(&tint), sizeof(tint));
     }
-    // One that does not change is the same however many keys it is there at.
-    const std::string first = tints.substr(0, sizeof(Vec3));
-    bool is_one = true;
-    for (std::size_t at = 0; at < tints.size(); at += sizeof(Vec3)) {
-      is_one = is_one && tints.compare(at, sizeof(Vec3), first) == 0;
-    }
-    const std::pair key(track.look, is_one ? first : tints);
+    const std::pair key(track.look, tints);
     if (groups[key].empty()) order.push_back(key);
     groups[key].push_back(&track);
   }
@@ -555,8 +544,10 @@ void MovingSceneMaker::State::take_tubes(Progress& progress) {
 
 void MovingSceneMaker::State::take_tubes(std::span<AxisTrack* const> of_group, Progress& progress) {
   std::vector<std::size_t> model(of_group.size());
+  std::vector<std::vector<std::size_t>> nearest(of_group.size());
   Mesh whole;
   for (std::size_t a = 0; a < of_group.size(); ++a) {
+    nearest[a] = of_group[a]->nearest();
     model[a] = fullest_shape(of_group[a]->shapes);
     const TubeShape& tube = *of_group[a]->shapes[model[a]];
     add_tube_triangles(tube, static_cast<std::uint32_t>(whole.uvs.size()), whole);
@@ -575,12 +566,7 @@ void MovingSceneMaker::State::take_tubes(std::span<AxisTrack* const> of_group, P
           add_tube_vertices(*shapes[k], own_model, of_key[k]);
           continue;
         }
-        std::size_t there = k;
-        while (there < key_count && !shapes[there]) ++there;
-        if (there == key_count) {
-          for (there = k; !shapes[there];) --there;
-        }
-        add_collapsed_vertices(*shapes[there], own_model, of_key[k]);
+        add_collapsed_vertices(*shapes[nearest[a][k]], own_model, of_key[k]);
       }
     }
   });
@@ -592,11 +578,7 @@ void MovingSceneMaker::State::take_tubes(std::span<AxisTrack* const> of_group, P
   all.instances.individuals = {look.individual};
   const auto& first = *of_group[0];
   const auto tint = [&](std::size_t key) {
-    std::size_t there = key;
-    while (there < key_count && !first.shapes[there]) ++there;
-    if (there == key_count) {
-      for (there = key; !first.shapes[there];) --there;
-    }
+    const std::size_t there = nearest[0][key];
     return tint_at(look, first.tints[there], there);
   };
   all.instances.tints = {tint(key_count - 1)};

@@ -8,9 +8,12 @@
 // grown yet lies together at its tip, and what is not there at its base, so that it grows out of nothing.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
+
+#include <glm/matrix.hpp>
 
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
@@ -37,6 +40,9 @@ struct MeshMotion {
   bool turns = false;        ///< normals change, not positions alone
   std::size_t shown_at = 0;  ///< key
 };
+
+/// Whether a frame of a motion has a size, so that its instance is there.
+inline bool is_there(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) > 0; }
 
 /// The scene is what stands at the last key, and what has gone by then without size.
 struct MovingScene {

@@ -89,6 +89,35 @@ TEST(MovingScene, AColourThatChangesIsATint) {
   EXPECT_EQ(scene.motions[0].tints[1][0], Vec3(1));
 }
 
+/// One more axis, straight up, of this colour and name.
+void add_axis(float x, Vec3 tint, std::uint64_t name, Plant& plant) {
+  Stem stem;
+  stem.skeleton.add_node(kNoNode, {x, 0, 0}, 0);
+  stem.skeleton.add_node(0, {x, 1, 0}, 0);
+  stem.skeleton.radius = {0.1F, 0.1F};
+  stem.parts = {{.component = "stem", .tint = tint}};
+  stem.axis_names = {name};
+  plant.stems.push_back(std::move(stem));
+}
+
+TEST(MovingScene, AxesKeepTheirColoursThoughTheyAreThereAtOtherTimes) {
+  const Vec3 green(0.2F, 0.8F, 0.2F), brown(0.6F, 0.4F, 0.2F);
+  std::vector<Plant> plants(3);
+  for (Plant& plant : plants) plant.materials.resize(1);
+  add_axis(0, green, 1, plants[0]);
+  add_axis(0, brown, 1, plants[1]);
+  add_axis(5, green, 2, plants[1]);
+  add_axis(5, brown, 2, plants[2]);
+  const MovingScene scene = scene_of(plants);
+  ASSERT_EQ(scene.motions.size(), 2U) << "the second is still green when the first has turned brown";
+  const auto tints_at = [&](std::size_t key) {
+    return std::pair(scene.motions[0].tints[key][0], scene.motions[1].tints[key][0]);
+  };
+  EXPECT_EQ(tints_at(0), std::pair(green, green));
+  EXPECT_EQ(tints_at(1), std::pair(brown, green));
+  EXPECT_EQ(tints_at(2), std::pair(brown, brown));
+}
+
 TEST(MovingScene, ManyPartsMoveByTheirVertices) {
   const Mesh mesh = make_cylinder(1, 1, 6);
   Plant before = one_organ(mesh, at(0));

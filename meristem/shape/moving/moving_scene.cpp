@@ -24,8 +24,8 @@ MovingSceneMaker::MovingSceneMaker(const Limits& limits, const MovingLimits& mov
 
 MovingSceneMaker::~MovingSceneMaker() = default;
 
-void MovingSceneMaker::add(double time, const Plant& plant, Progress& progress) {
-  state_->parts.add(time, plant, progress);
+void MovingSceneMaker::add(std::size_t key, double time, const Plant& plant, Progress& progress) {
+  state_->parts.add(key, time, plant, progress);
 }
 
 MovingScene MovingSceneMaker::take(Progress& progress) {

@@ -53,8 +53,9 @@ struct MovingScene {
 
 /// What a moving scene may take.
 struct MovingLimits {
-  std::uint64_t bytes = 500'000'000;   ///< of positions, normals and colours that change, with all keys
-  std::size_t rigid_instances = 1000;  ///< that move as nodes; more of them move by their vertices
+  std::uint64_t bytes = 500'000'000;     ///< of positions, normals and colours that change, with all keys
+  std::uint64_t part_keys = 20'000'000;  ///< organs and bodies, times the keys at which each is noted
+  std::size_t rigid_instances = 1000;    ///< that move as nodes; more of them move by their vertices
 };
 
 /// Puts a moving scene together from a plant at one time after another.
@@ -64,11 +65,12 @@ class MovingSceneMaker {
   MovingSceneMaker(const Limits& limits, const MovingLimits& moving, std::size_t keys);
   ~MovingSceneMaker();
 
-  /// The plant at the next time, with pictures in its materials and without plantings (`expanded`). Throws as
-  /// make_mesh_scene does, and InputError where what moves takes more bytes than it may, naming `--keys`.
-  void add(double time, const Plant& plant, Progress& progress);
+  /// The plant at one of the keys, each once and in any order, with pictures in its materials and without plantings
+  /// (`expanded`). Throws as make_mesh_scene does, and InputError at the key "animation" where what moves takes more
+  /// than it may: most is told after two plants where the first and the last come first.
+  void add(std::size_t key, double time, const Plant& plant, Progress& progress);
 
-  /// The scene, once all plants have been added.
+  /// The scene, once the plants of all keys have been added. Throws InputError as add() does.
   MovingScene take(Progress& progress);
 
  private:

@@ -124,6 +124,7 @@ void save_animated(const DocumentPointer& document, const py::object& path, int 
     throw py::value_error(fmt::format("keys must be from 2 to {}", kMostKeys));
   }
   const std::string target = file_of(path);
+  check_moving_file(target);
   check_output(target, input_files(document->document));
   run_call(progress, threads, [&](Progress& inner) {
     const MovingScene moving = grow_moving(document->document, inner, {.keys = static_cast<std::size_t>(keys)});

@@ -86,16 +86,18 @@ std::vector<NodePose> poses_of(const GltfSharedMesh& shared, std::size_t row) {
   return poses;
 }
 
-void add_tracks(const std::vector<double>& times, GltfLayout& layout) {
+void add_tracks(const std::vector<double>& times, GltfLayout& layout, const Progress& progress) {
   TrackWriter tracks(times, layout.animation);
   for (const GltfComponent& component : layout.components) {
     for (const GltfSharedMesh& shared : component.shared) {
       for (std::size_t row = 0; shared.motion != nullptr && row < shared.instances.size(); ++row) {
+        progress.check();
         tracks.begin_node();
         add_poses(shared, row, tracks);
       }
     }
     for (const GltfMovingMesh& moving : component.moving) {
+      progress.check();
       tracks.begin_node();
       if (moving.shown_at == GltfMovingMesh::kAlways) {
         add_weights(times.size(), tracks);

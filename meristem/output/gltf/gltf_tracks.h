@@ -9,8 +9,8 @@
 namespace meristem {
 
 /// Adds the animation of a layout whose components are all in their order: a track for each property of each node that
-/// changes. A node that moves rigidly has a turn and a shift at all keys, also where it has no size.
-void add_tracks(const std::vector<double>& times, GltfLayout& layout);
+/// changes. A node that moves rigidly has a turn and a shift at all keys, also where it has no size. Throws Cancelled.
+void add_tracks(const std::vector<double>& times, GltfLayout& layout, const Progress& progress);
 
 /// A frame that is made of a shift, a turn and a scale, as a node holds it.
 struct NodePose {

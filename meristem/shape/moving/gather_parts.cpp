@@ -26,9 +26,20 @@ struct PartGroup {
   auto operator<=>(const PartGroup&) const = default;
 };
 
+/// The blade with the vertices of the model; null where it cannot have them.
+SharedMesh cut_as(const Mesh& blade, const Mesh& model) {
+  std::optional<Mesh> cut = as_model_is_cut(blade, model);
+  if (!cut) return nullptr;
+  cut->uvs = model.uvs;
+  cut->triangles = model.triangles;
+  cut->stalk_triangles = model.stalk_triangles;
+  return std::make_shared<const Mesh>(std::move(*cut));
+}
+
 class PartGatherer {
  public:
-  PartGatherer(MovingParts& parts, std::size_t rigid_instances) : parts_(parts), rigid_instances_(rigid_instances) {}
+  PartGatherer(MovingParts& parts, std::size_t rigid_instances, const Progress& progress)
+      : parts_(parts), rigid_instances_(rigid_instances), progress_(progress) {}
 
   std::vector<MovingMesh> gather();
 
@@ -48,7 +59,8 @@ class PartGatherer {
 
   MovingParts& parts_;
   const std::size_t rigid_instances_;
-  std::map<std::pair<const Mesh*, const Mesh*>, SharedMesh> cut_meshes_;  // as the second is cut
+  const Progress& progress_;
+  std::map<std::pair<const Mesh*, const Mesh*>, SharedMesh> cut_meshes_;  // as the second is cut; null: it cannot be
   std::map<MovingLook, std::size_t> rigid_;                               // how many parts of a look may be nodes
   std::vector<MovingMesh> made_;
   std::map<PartGroup, std::size_t> number_of_;
@@ -65,16 +77,10 @@ void PartGatherer::cut_alike(MovingPart& part) {
   for (const PartKey& key : part.keys) {
     cut.push_back(key.mesh);
     if (key.mesh == nullptr || are_of_one_form(*key.mesh, *model)) continue;
-    SharedMesh& known_cut = cut_meshes_[{key.mesh.get(), model.get()}];
-    if (known_cut == nullptr) {
-      std::optional<Mesh> made_alike = as_model_is_cut(*key.mesh, *model);
-      if (!made_alike) return;
-      made_alike->uvs = model->uvs;
-      made_alike->triangles = model->triangles;
-      made_alike->stalk_triangles = model->stalk_triangles;
-      known_cut = std::make_shared<const Mesh>(std::move(*made_alike));
-    }
-    cut.back() = known_cut;
+    const auto [known, is_new] = cut_meshes_.try_emplace({key.mesh.get(), model.get()});
+    if (is_new) known->second = cut_as(*key.mesh, *model);
+    if (known->second == nullptr) return;
+    cut.back() = known->second;
   }
   for (std::size_t k = 0; k < cut.size(); ++k) part.keys[k].mesh = cut[k];
 }
@@ -111,6 +117,7 @@ bool PartGatherer::can_be_rigid(const MovingPart& part) const {
 void PartGatherer::count_rigid() {
   std::map<MovingLook, std::size_t> wanted;
   for (const MovingPart& part : parts_.parts) {
+    progress_.check();
     if (kind_of(part) == Kind::rigid && can_be_rigid(part)) ++wanted[part.look];
   }
   std::size_t room = rigid_instances_;
@@ -195,16 +202,22 @@ void PartGatherer::add_shown(const MovingPart& part) {
 }
 
 std::vector<MovingMesh> PartGatherer::gather() {
-  for (MovingPart& part : parts_.parts) cut_alike(part);
+  for (MovingPart& part : parts_.parts) {
+    progress_.check();
+    cut_alike(part);
+  }
   count_rigid();
-  for (const MovingPart& part : parts_.parts) add(part);
+  for (const MovingPart& part : parts_.parts) {
+    progress_.check();
+    add(part);
+  }
   return std::move(made_);
 }
 
 }  // namespace
 
 void gather_parts(MovingParts& parts, std::size_t rigid_instances, MovingMeshes& to, Progress& progress) {
-  for (MovingMesh& mesh : PartGatherer(parts, rigid_instances).gather()) {
+  for (MovingMesh& mesh : PartGatherer(parts, rigid_instances, progress).gather()) {
     progress.check();
     to.add(std::move(mesh), parts.materials);
   }

@@ -221,4 +221,14 @@ TEST(MovingScene, TrianglesOfAllStemsAreCountedTogether) {
   EXPECT_THROW(MovingSceneMaker(limits, {}, 2).add(0, 0, plant, progress), InputError);
 }
 
+TEST(MovingScene, TakingCanBeCancelled) {
+  MovingSceneMaker maker(Limits(), {}, 2);
+  Progress progress;
+  Plant plant = one_organ(make_cylinder(1, 1, 6), at(0));
+  maker.add(0, 0, plant, progress);
+  maker.add(1, 1, plant, progress);
+  progress.cancel();
+  EXPECT_THROW(maker.take(progress), Cancelled);
+}
+
 }  // namespace meristem::moving_scene_test

@@ -107,7 +107,7 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
   if (step && *step < 0) throw py::value_error("step must be 0 or more");
   GrowthView view{step, {}};
   if (trace) {
-    view.wish = {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true};
+    view.wish = TraceWish::all();
   }
   return run_call(progress, threads, [&](Progress& inner) {
     GrowthOptions options{.time = time, .up_to = GrownPart::plant, .view = view};

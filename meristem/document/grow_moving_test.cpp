@@ -131,7 +131,7 @@ TEST(GrowMoving, FaultsHaveTheirPlace) {
   EXPECT_EQ(motion.file, "d.json");
   EXPECT_EQ(motion.line, 2) << "where the animation is";
   Document meshes = read(kFlower);
-  meshes.graph.limits.triangles = 150;
+  meshes.graph.limits.triangles = 5;
   const Diagnostic triangles = fault_of(meshes, {.keys = 2});
   EXPECT_EQ(triangles.file, "d.json");
   EXPECT_GT(triangles.line, 3) << triangles.path;

@@ -111,7 +111,7 @@ TEST(GrowthSteps, AStepOfATimedGrammarIsAUnitOfItsTime) {
   const std::string text = R"j({
     "meristem": 1, "seed": 3, "animation": {"length": 2, "steps_per_second": 2},
     "components": {"plant": {"type": "lsystem", "time": 4.5,
-      "grammar": ["axiom: A", "A @ 1 -> FA"]}}
+      "grammar": ["A", "#rules", "A @ 1 -> FA"]}}
   })j";
   const GrownDocument at_two = grown(read(text), {2, {}});
   EXPECT_EQ(at_two.traces.last_step, 5) << "the last one is not whole";

@@ -136,8 +136,8 @@ CLI::Option* add_time_option(CLI::App& command, double& time) {
 void add_step_option(CLI::App& command, std::optional<int>& step) {
   command
       .add_option("--step", step,
-                  "Show plants that grow by a model as after this step: a step or iteration of growth, or of an "
-                  "L-system's derivation. By default, after the last one")
+                  "Show plants that grow by a model as after this step: a step or iteration of growth, a step "
+                  "of an L-system's derivation or a unit of a timed one's time. By default, after the last one")
       ->type_name("K");
 }
 

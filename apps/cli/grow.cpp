@@ -104,17 +104,13 @@ void check_animated(const GrowOptions& options, bool has_time) {
     throw InputError(Diagnostic{.message = "--keys changes none of the files", .expected = "--animated"});
   }
   if (has_time) throw cannot_animate("--time");
+  if (options.step) throw cannot_animate("--step");
   if (options.lod) throw cannot_animate("--lod");
   if (options.cards) throw cannot_animate("--cards");
   if (options.instanced) throw cannot_animate("--instanced");
   if (options.nodes) throw cannot_animate("--nodes");
   if (options.obstacles) throw cannot_animate("--obstacles");
-  for (const std::string& output : options.outputs) {
-    if (output == "-" || !format_of(output).can_animate) {
-      throw InputError(Diagnostic{.message = fmt::format("'{}' cannot hold an animation", output),
-                                  .expected = "a file that ends in .glb"});
-    }
-  }
+  for (const std::string& output : options.outputs) check_moving_file(output);
   const int most = static_cast<int>(kMostKeys);
   if (options.keys && (*options.keys < 2 || *options.keys > most)) {
     throw InputError(Diagnostic{.message = fmt::format("--keys cannot be {}", *options.keys),

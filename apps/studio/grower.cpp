@@ -96,7 +96,7 @@ Value component_counts(const MeshScene& scene) {
 
 GrowthView ShownParts::view() const {
   if (!is_recorded && !step) return {};
-  return {step, {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true}};
+  return {step, TraceWish::all()};
 }
 
 void Grower::leave() {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base64.h"
+#include "meristem/base/colour.h"
 #include "meristem/output/overlay/overlay.h"
+#include "meristem/plant/plant_variant.h"
 #include "refusal.h"
 
 namespace meristem::studio {
@@ -20,7 +22,7 @@ class PackedPlaces {
   void add(Vec3 position, Vec3 colour) {
     for (int k = 0; k < 3; ++k) positions_.push_back(position[k]);
     for (int k = 0; k < 3; ++k) {
-      colours_.push_back(static_cast<unsigned char>(std::clamp(255 * colour[k] + 0.5F, 0.0F, 255.0F)));
+      colours_.push_back(byte_from_srgb(colour[k]));
     }
     colours_.push_back(255);
   }
@@ -84,7 +86,9 @@ Value overlays_value(const GrownWish& grown, const OverlaysRequest& request, con
     if (found == known.end()) throw Refusal("there is no such overlay");
     parts.push_back(found->part);
   }
-  const OverlaySource source{grown.plant, grown.traces, grown.wish.document->scene, bounds_of(grown.plant)};
+  const Document& document = *grown.wish.document;
+  const ExpandedPlant plant(grown.plant, progress, document.graph.limits);
+  const OverlaySource source{*plant, grown.traces, document.scene, bounds_of(*plant)};
   Value::List layers;
   for (const OverlayLayer& layer : overlay_layers(source, parts, progress)) layers.push_back(layer_value(layer));
   return Value::Object{{"step", grown.traces.shown_step()}, {"layers", std::move(layers)}};

@@ -83,7 +83,7 @@ std::vector<TracedPlace> points_before_growth(Emitter& out) {
 }
 
 /// The tree's own points as growth has left them, in the frame that they have about the tree.
-std::vector<TracedPlace> points_after_growth(const Cloud& cloud, const Emitter& out) {
+std::vector<TracedPlace> points_after_growth(const Cloud& cloud, Emitter& out) {
   const GrowthTrace* const growth = out.watched_growth();
   if (growth == nullptr) {
     throw InputError(Diagnostic{
@@ -91,8 +91,8 @@ std::vector<TracedPlace> points_after_growth(const Cloud& cloud, const Emitter& 
         .expected = fmt::format("links to '{}' and '{}' from the same components", out.component(), cloud.of),
         .path = fmt::format("components.{}.after_growth", out.component())});
   }
-  const int step = std::clamp(out.growth_step().value_or(growth->last_step()), 0, growth->last_step());
-  std::vector<TracedPlace> places = growth->marks(step, {.points = true}).points;
+  const auto step = static_cast<int>(out.grown_to(growth->last_step()));
+  std::vector<TracedPlace> places = growth->marks(step, {TracePart::points}, out.progress()).points;
   const Mat3 from_world = glm::inverse(growth->place.axes);
   for (TracedPlace& place : places) place.position = from_world * (place.position - growth->place.origin);
   return places;

@@ -27,13 +27,12 @@ constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 /// The word as it is drawn.
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
-  double steps = steps_of(plant);
-  if (grammar.is_timed && out.grows_in_time()) {
-    // Its word is another one at each time.
-    steps = std::clamp(out.time() * *out.animation().steps_per_second, 0.0, steps);
-    out.stands_as_grown();
-  } else if (!grammar.is_timed) {
-    steps = out.shown_steps(static_cast<int>(steps));
+  const double last = steps_of(plant);
+  double steps = out.grown_to(last);
+  if (out.grows_in_time()) {
+    // The word of a timed grammar is another one at each time; what others draw at their end is cut by time.
+    if (grammar.is_timed) out.stands_as_grown();
+    if (!grammar.is_timed) steps = last;
   }
   return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress(),
                       out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);

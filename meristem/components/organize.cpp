@@ -89,13 +89,6 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
                         context.limits, context.component);
 }
 
-/// The iterations that a tree has gone through, with a fraction where it grows over time.
-double age_of(const Organize& tree, const Emitter& out) {
-  const double last = std::min(tree.growth.iterations, out.growth_step().value_or(tree.growth.iterations));
-  if (!out.grows_in_time()) return last;
-  return std::min(last, out.time() * *out.animation().steps_per_second);
-}
-
 /// The share of its size that a leaf still has before it falls: it withers as it has unfolded.
 float share_withered(double left, const Emitter& out) {
   if (!out.grows_in_time()) return 1;
@@ -108,7 +101,7 @@ float share_withered(double left, const Emitter& out) {
 void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, Emitter& out) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;
-  const double youngest_bare = age_of(tree, out) - tree.leaf_age;
+  const double youngest_bare = out.grown_to(tree.growth.iterations) - tree.leaf_age;
   const auto along = static_cast<float>(math::cos(tree.leaf_angle));
   const auto aside = static_cast<float>(math::sin(tree.leaf_angle));
   std::vector<std::uint32_t> last(skeleton.axis_count(), 1);

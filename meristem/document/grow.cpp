@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "meristem/document/obstacle_warnings.h"
+#include "meristem/document/placing_faults.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/expand.h"
 #include "meristem/graph/looks.h"
@@ -16,18 +17,6 @@
 namespace meristem {
 
 namespace {
-
-/// What `work` returns; locates what it throws in the document's text.
-template <class Work>
-auto placing_faults(const Document& document, Work&& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> diagnostics = error.diagnostics();
-    document.source.place(diagnostics);
-    throw InputError(std::move(diagnostics));
-  }
-}
 
 /// Paints the textures of the variants that a plant's plantings show, at any depth.
 class VariantPainter {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "meristem/document/grow.h"
+#include "meristem/document/placing_faults.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
@@ -12,24 +13,28 @@ namespace meristem {
 MovingScene grow_moving(const Document& document, Progress& progress, const MovingOptions& options) {
   if (options.keys < 2 || options.keys > kMostKeys) throw std::invalid_argument("a moving scene has 2 to 1000 keys");
   if (!document.graph.animation) {
-    std::vector<Diagnostic> faults{Diagnostic{.message = "the document has no animation",
-                                              .expected = "the key 'animation' with a length in seconds"}};
-    document.source.place(faults);
-    throw InputError(std::move(faults));
+    placing_faults(document, []() -> int {
+      throw InputError(Diagnostic{.message = "the document has no animation",
+                                  .expected = "the key 'animation' with a length in seconds"});
+    });
   }
   const double length = document.graph.animation->length;
   MovingSceneMaker maker(document.graph.limits, options.limits, options.keys);
   GrowthCache cache;
-  for (std::size_t k = 0; k < options.keys; ++k) {
+  for (std::size_t step = 0; step < options.keys; ++step) {
+    // The last key comes right after the first, so that what moves too much is told after two growths.
+    const std::size_t k = step == 0 ? 0 : step == 1 ? options.keys - 1 : step - 1;
     const double time = length * static_cast<double>(k) / static_cast<double>(options.keys - 1);
     std::optional<Document> other;
     const Document& now = document_at(document, time, other);
     GrownDocument grown = grow_document(now, progress, {.time = time, .up_to = GrownPart::plant, .cache = &cache});
-    paint_plant(now, grown.plant, progress, &cache);
-    const ExpandedPlant plant(grown.plant, progress, document.graph.limits);
-    maker.add(time, *plant, progress);
+    placing_faults(now, [&] {
+      paint_plant(now, grown.plant, progress, &cache);
+      const ExpandedPlant plant(grown.plant, progress, document.graph.limits);
+      maker.add(k, time, *plant, progress);
+    });
   }
-  return maker.take(progress);
+  return placing_faults(document, [&] { return maker.take(progress); });
 }
 
 }  // namespace meristem

@@ -114,4 +114,27 @@ TEST(GrowMoving, ADocumentWithoutAnAnimationIsRefused) {
   }
 }
 
+/// The fault of growing this so.
+Diagnostic fault_of(const Document& document, const MovingOptions& options) {
+  Progress progress;
+  try {
+    grow_moving(document, progress, options);
+  } catch (const InputError& error) {
+    return error.diagnostics().at(0);
+  }
+  ADD_FAILURE() << "nothing is wrong";
+  return {};
+}
+
+TEST(GrowMoving, FaultsHaveTheirPlace) {
+  const Diagnostic motion = fault_of(read(kTree), {.keys = 4, .limits = {.bytes = 1000}});
+  EXPECT_EQ(motion.file, "d.json");
+  EXPECT_EQ(motion.line, 2) << "where the animation is";
+  Document meshes = read(kFlower);
+  meshes.graph.limits.triangles = 5;
+  const Diagnostic triangles = fault_of(meshes, {.keys = 2});
+  EXPECT_EQ(triangles.file, "d.json");
+  EXPECT_GT(triangles.line, 3) << triangles.path;
+}
+
 }  // namespace meristem::grow_moving_test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Documents at a step of their growth: the bytes of one with no more iterations, from one growth.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -85,8 +86,7 @@ TEST(GrowthSteps, AStepEqualsAGrowthWithNoMoreIterations) {
 }
 
 TEST(GrowthSteps, RecordingChangesNothing) {
-  const GrowthView all{{},
-                       {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true}};
+  const GrowthView all{{}, TraceWish::all()};
   for (const char* text : {kColonizing, kOrganizing, kMarkers}) {
     const Document document = read(text);
     const GrownDocument plain = grown(document, {});
@@ -107,48 +107,63 @@ TEST(GrowthSteps, LsystemsShowTheStepsOfTheirDerivation) {
   EXPECT_EQ(hash_of(at_two), hash_of(grown(read(text, {"plant.steps=2"}), {})));
 }
 
+TEST(GrowthSteps, AStepOfATimedGrammarIsAUnitOfItsTime) {
+  const std::string text = R"j({
+    "meristem": 1, "seed": 3, "animation": {"length": 2, "steps_per_second": 2},
+    "components": {"plant": {"type": "lsystem", "time": 4.5,
+      "grammar": ["A", "#rules", "A @ 1 -> FA"]}}
+  })j";
+  const GrownDocument at_two = grown(read(text), {2, {}});
+  EXPECT_EQ(at_two.traces.last_step, 5) << "the last one is not whole";
+  EXPECT_EQ(hash_of(at_two), hash_of(grown(read(text, {"plant.time=2"}), {5, {}})));
+  EXPECT_NE(hash_of(at_two), hash_of(grown(read(text), {4, {}})));
+}
+
 TEST(GrowthSteps, PointsOfAStepEqualThoseOfAGrowthWithNoMoreIterations) {
-  const GrowthView points{{}, {.points = true, .pulls = true}};
+  const GrowthView points{{}, {TracePart::points, TracePart::pulls}};
   const GrownDocument whole = grown(read(kColonizing), points);
   for (const int step : {3, 12}) {
     const GrownDocument less = grown(read(kColonizing, {"tree.iterations=" + std::to_string(step)}), points);
-    EXPECT_EQ(whole.traces.marks(step, {.points = true}).points, less.traces.marks(step, {.points = true}).points);
-    EXPECT_EQ(whole.traces.marks(step, {.pulls = true}).pulls, less.traces.marks(step, {.pulls = true}).pulls);
+    EXPECT_EQ(whole.traces.marks(step, {TracePart::points}, Progress()).points,
+              less.traces.marks(step, {TracePart::points}, Progress()).points);
+    EXPECT_EQ(whole.traces.marks(step, {TracePart::pulls}, Progress()).pulls,
+              less.traces.marks(step, {TracePart::pulls}, Progress()).pulls);
   }
-  EXPECT_NE(whole.traces.marks(3, {.points = true}).points, whole.traces.marks(12, {.points = true}).points);
+  EXPECT_NE(whole.traces.marks(3, {TracePart::points}, Progress()).points,
+            whole.traces.marks(12, {TracePart::points}, Progress()).points);
 }
 
 TEST(GrowthSteps, PointsAreUsedUpNearNodesAndNeverComeBack) {
-  const GrownDocument whole = grown(read(kColonizing), {{}, {.points = true}});
-  const std::vector<TracedPlace> last = whole.traces.marks(18, {.points = true}).points;
+  const GrownDocument whole = grown(read(kColonizing), {{}, {TracePart::points}});
+  const std::vector<TracedPlace> last = whole.traces.marks(18, {TracePart::points}, Progress()).points;
   ASSERT_EQ(last.size(), 120U);
   std::size_t used = 0, removed = 0;
   for (std::size_t k = 0; k < last.size(); ++k) {
     removed += last[k].state == PlaceState::removed ? 1 : 0;
     if (last[k].state != PlaceState::used) continue;
     ++used;
-    const TracedPlace before = whole.traces.marks(last[k].used_in - 1, {.points = true}).points[k];
+    const TracedPlace before = whole.traces.marks(last[k].used_in - 1, {TracePart::points}, Progress()).points[k];
     EXPECT_EQ(before.state, PlaceState::free);
-    EXPECT_EQ(whole.traces.marks(last[k].used_in, {.points = true}).points[k], last[k]);
+    EXPECT_EQ(whole.traces.marks(last[k].used_in, {TracePart::points}, Progress()).points[k], last[k]);
   }
   EXPECT_GT(used, 20U);
   EXPECT_GT(removed, 3U) << "those in the box";
 }
 
 TEST(GrowthSteps, TracesAreTheSameOnAnyNumberOfThreads) {
-  const GrowthView all{{},
-                       {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true}};
+  const GrowthView all{{}, TraceWish::all()};
   for (const char* text : {kColonizing, kOrganizing, kMarkers}) {
     const Document document = read(text);
     const GrownDocument many = grown(document, all);
     const ThreadLimit one(1);
     const GrownDocument single = grown(document, all);
     for (const int step : {2, 5, 7}) {
-      const StepMarks a = many.traces.marks(step, all.wish);
-      const StepMarks b = single.traces.marks(step, all.wish);
+      const StepMarks a = many.traces.marks(step, all.wish, Progress());
+      const StepMarks b = single.traces.marks(step, all.wish, Progress());
       EXPECT_EQ(a.points, b.points);
       EXPECT_EQ(a.pulls, b.pulls);
       EXPECT_EQ(a.ways, b.ways);
+      EXPECT_EQ(a.room_ways, b.room_ways);
       EXPECT_EQ(a.markers, b.markers);
       EXPECT_EQ(a.losses, b.losses);
     }
@@ -156,15 +171,15 @@ TEST(GrowthSteps, TracesAreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(GrowthSteps, LossesSayWhyAndWhat) {
-  const GrownDocument whole = grown(read(kOrganizing), {{}, {.losses = true}});
+  const GrownDocument whole = grown(read(kOrganizing), {{}, {TracePart::losses}});
   std::size_t cut = 0, shed = 0;
   for (int step = 0; step <= 18; ++step) {
-    for (const TracedLoss& loss : whole.traces.marks(step, {.losses = true}).losses) {
+    for (const TracedLoss& loss : whole.traces.marks(step, {TracePart::losses}, Progress()).losses) {
       EXPECT_EQ(loss.step, step);
-      EXPECT_EQ(loss.segments.size(), loss.pieces);
+      EXPECT_FALSE(loss.segments.empty());
       EXPECT_GT(loss.length, 0);
-      cut += loss.why == "components.tree.operations[0]" ? 1 : 0;
-      shed += loss.why == "components.tree.shedding" ? 1 : 0;
+      cut += loss.why == LossReason{LossCause::cut, "components.tree.operations[0]"} ? 1 : 0;
+      shed += loss.why == LossReason{LossCause::shed, "components.tree.shedding"} ? 1 : 0;
     }
   }
   EXPECT_GT(cut, 0U);
@@ -172,16 +187,52 @@ TEST(GrowthSteps, LossesSayWhyAndWhat) {
 }
 
 TEST(GrowthSteps, MarkersAreTakenByShootsAndFreeBeyondThem) {
-  const GrownDocument whole = grown(read(kMarkers), {{}, {.steps = true, .markers = true}});
+  const GrownDocument whole = grown(read(kMarkers), {{}, {TracePart::steps, TracePart::markers}});
   const auto taken = [&](int step) {
     std::size_t count = 0;
-    for (const TracedPlace& marker : whole.traces.marks(step, {.markers = true}).markers)
+    for (const TracedPlace& marker : whole.traces.marks(step, {TracePart::markers}, Progress()).markers)
       count += marker.state == PlaceState::used ? 1 : 0;
     return count;
   };
   EXPECT_EQ(taken(0), 0U);
   EXPECT_GT(taken(3), 0U);
   EXPECT_GT(taken(7), taken(3));
+}
+
+TEST(GrowthSteps, MarkersOfManyTreesAreThoseOfEach) {
+  const std::string text = R"j({
+    "meristem": 1, "seed": 2,
+    "components": {"tree": {"type": "organize", "iterations": 5, "length": 0.1, "light": {"model": "markers"},
+                            "roots": [[0, 0, 0], [5, 0, 0], [5, 0, 5]]}}
+  })j";
+  const GrownDocument whole = grown(read(text), {{}, {TracePart::steps, TracePart::markers}});
+  std::array<std::size_t, 3> taken{};
+  for (const TracedPlace& marker : whole.traces.marks(5, {TracePart::markers}, Progress()).markers) {
+    const std::size_t tree = marker.position.x < 2.5F ? 0 : (marker.position.z < 2.5F ? 1 : 2);
+    taken[tree] += marker.state == PlaceState::used ? 1 : 0;
+  }
+  for (const std::size_t count : taken) EXPECT_GT(count, 0U);
+}
+
+TEST(GrowthSteps, TooManyMarkersAreAFaultOfTheirSpacing) {
+  Document document = read(kMarkers);
+  document.graph.limits.points = 500;
+  const GrownDocument whole = grown(document, {{}, {TracePart::steps, TracePart::markers}});
+  try {
+    whole.traces.marks(7, {TracePart::markers}, Progress());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].path, "components.tree.light.spacing");
+  }
+}
+
+TEST(GrowthSteps, MarksCanBeCancelled) {
+  Progress progress;
+  progress.cancel();
+  const GrownDocument organized = grown(read(kMarkers), {{}, {TracePart::steps, TracePart::markers}});
+  EXPECT_THROW(organized.traces.marks(7, {TracePart::markers}, progress), Cancelled);
+  const GrownDocument colonized = grown(read(kColonizing), {{}, {TracePart::points, TracePart::pulls}});
+  EXPECT_THROW(colonized.traces.marks(7, {TracePart::points}, progress), Cancelled);
 }
 
 TEST(GrowthSteps, ACloudBesideATreeShowsWhatGrowthHasLeft) {
@@ -193,9 +244,9 @@ TEST(GrowthSteps, ACloudBesideATreeShowsWhatGrowthHasLeft) {
     return count;
   };
   const Document document = read(kColonizing);
-  const GrownDocument whole = grown(document, {{}, {.points = true}});
+  const GrownDocument whole = grown(document, {{}, {TracePart::points}});
   std::size_t there = 0;
-  for (const TracedPlace& point : whole.traces.marks(18, {.points = true}).points)
+  for (const TracedPlace& point : whole.traces.marks(18, {TracePart::points}, Progress()).points)
     there += point.state != PlaceState::removed ? 1 : 0;
   EXPECT_EQ(dots(whole), there) << "used ones have a colour, removed ones have none";
   const Document apart = read(kColonizing, {"dots.frame={\"translate\":[3,0,0]}"});

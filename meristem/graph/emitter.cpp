@@ -302,12 +302,11 @@ bool Emitter::grows_in_time() const {
          context_->animation->steps_per_second && !context_->growth_step;
 }
 
-int Emitter::shown_steps(int steps) {
-  growth_steps = std::max(growth_steps, steps);
-  return std::min(steps, context_->growth_step.value_or(steps));
+double Emitter::grown_to(double last) {
+  growth_steps = std::max(growth_steps, static_cast<int>(std::ceil(last)));
+  if (context_->growth_step) return std::clamp<double>(*context_->growth_step, 0, last);
+  return grows_in_time() ? std::clamp(time() * *animation().steps_per_second, 0.0, last) : last;
 }
-
-std::optional<int> Emitter::growth_step() const { return context_->growth_step; }
 
 const Animation& Emitter::animation() const { return *context_->animation; }
 

@@ -170,11 +170,10 @@ class Emitter : private Emitted {
   void born(double step);
   /// Whether the instance's stems grow over time.
   bool grows_in_time() const;
-  /// How many of `steps` steps of growth the instance shows; to be asked once by components that derive what they show
-  /// as they expand. What take_grown() gives is of that step already.
-  int shown_steps(int steps);
-  /// The step at which the document is looked at, where that is not the last.
-  std::optional<int> growth_step() const;
+  /// How far a growth of `last` steps has come in what the instance shows: to the step at which the document is looked
+  /// at, or, where stems grow over time, to the clock's, with a fraction; `last` if neither. What take_grown() gives is
+  /// of that step already.
+  double grown_to(double last);
   /// Steps that the document's growth takes per second, and seconds that shed branches stay; where stems grow over
   /// time.
   const Animation& animation() const;

@@ -161,9 +161,9 @@ class Expansion {
   /// What is recorded of a component's growth: what the view wishes, and what others show of it.
   TraceWish wish_for(const Prototype& prototype) const {
     TraceWish wish = view_.wish;
-    wish.steps = wish.steps || wish.markers || view_.step;
+    if (wish.has(TracePart::markers) || view_.step) wish = wish | TraceWish{TracePart::steps};
     for (const Prototype& other : graph_.components) {
-      if (other.shown == prototype.id && watches_growth(other)) wish.points = true;
+      if (other.shown == prototype.id && watches_growth(other)) wish = wish | TraceWish{TracePart::points};
     }
     return wish;
   }
@@ -494,7 +494,7 @@ class Expansion {
     const GrowthTrace* const trace = view_.step ? grown.batch->traces[instance].get() : nullptr;
     std::vector<Skeleton> one(1);
     if (trace != nullptr && *view_.step < trace->last_step()) {
-      one[0] = trace->standing(std::max(0, *view_.step), scene_, progress);
+      one[0] = trace->standing(*view_.step, scene_, progress);
     } else if (grown.key) {
       one[0] = skeleton;
     } else {

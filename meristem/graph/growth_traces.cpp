@@ -7,11 +7,9 @@ namespace meristem {
 
 int GrowthTraces::shown_step() const { return std::clamp(step.value_or(last_step), 0, last_step); }
 
-StepMarks GrowthTraces::marks(int of_step, const TraceWish& wish) const {
+StepMarks GrowthTraces::marks(int of_step, TraceWish wish, const Progress& progress) const {
   StepMarks marks;
-  for (const TracedGrowth& growth : growths) {
-    marks.append(growth.trace->marks(std::clamp(of_step, 0, growth.trace->last_step()), wish));
-  }
+  for (const TracedGrowth& growth : growths) marks.append(growth.trace->marks(of_step, wish, progress));
   return marks;
 }
 

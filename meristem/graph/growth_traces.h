@@ -40,7 +40,8 @@ struct GrowthTraces {
   int shown_step() const;
 
   /// What is known of one step of all plants; of a plant that has ended before, its last step's.
-  StepMarks marks(int of_step, const TraceWish& wish) const;
+  /// Throws as GrowthTrace::marks().
+  StepMarks marks(int of_step, TraceWish wish, const Progress& progress) const;
   std::uint64_t bytes() const;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/grow/growth_trace.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -15,23 +16,21 @@ void append_all(std::vector<T>& list, std::vector<T> more) {
 
 }  // namespace
 
-std::uint64_t TraceWish::bits() const {
-  std::uint64_t bits = 0;
-  for (const bool part : {steps, points, pulls, ways, losses, markers}) bits = 2 * bits + (part ? 1 : 0);
-  return bits;
-}
-
-TraceWish operator|(const TraceWish& a, const TraceWish& b) {
-  return {a.steps || b.steps, a.points || b.points, a.pulls || b.pulls,
-          a.ways || b.ways,   a.losses || b.losses, a.markers || b.markers};
-}
-
 void StepMarks::append(StepMarks more) {
   append_all(points, std::move(more.points));
   append_all(pulls, std::move(more.pulls));
   append_all(ways, std::move(more.ways));
+  append_all(room_ways, std::move(more.room_ways));
   append_all(markers, std::move(more.markers));
   append_all(losses, std::move(more.losses));
+}
+
+Skeleton GrowthTrace::standing(int step, const Scene& scene, Progress& progress) const {
+  return standing_after(std::clamp(step, 0, last_step()), scene, progress);
+}
+
+StepMarks GrowthTrace::marks(int step, TraceWish wish, const Progress& progress) const {
+  return marks_of(std::clamp(step, 0, last_step()), wish, progress);
 }
 
 }  // namespace meristem

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -16,22 +17,45 @@
 
 namespace meristem {
 
-/// What is recorded of a growth. Each part costs memory of its own; models that have no such thing record nothing.
-struct TraceWish {
-  bool steps = false;    ///< how the plant stood after each step
-  bool points = false;   ///< attraction points: when each was used up, and where it was by then
-  bool pulls = false;    ///< which node each attraction point pulls
-  bool ways = false;     ///< the ways to more light, or to more room, that buds found
-  bool losses = false;   ///< what was shed and cut, and why
-  bool markers = false;  ///< the markers of room, free and taken; needs `steps`
-
-  bool any() const { return steps || points || pulls || ways || losses || markers; }
-  std::uint64_t bits() const;  ///< equal for equal wishes; 0 for none
-  bool operator==(const TraceWish&) const = default;
+/// A part of what can be recorded of a growth. Each costs memory of its own; models that have no such thing record
+/// nothing.
+enum class TracePart : std::uint8_t {
+  steps,    ///< how the plant stood after each step
+  points,   ///< attraction points: when each was used up, and where it was by then
+  pulls,    ///< which node each attraction point pulls
+  ways,     ///< the ways to more light, or to more room, that buds found
+  losses,   ///< what was shed and cut, and why
+  markers,  ///< the markers of room, free and taken; needs `steps`
 };
 
-/// Both wishes together.
-TraceWish operator|(const TraceWish& a, const TraceWish& b);
+/// What is recorded of a growth: a set of parts.
+class TraceWish {
+ public:
+  constexpr TraceWish() = default;
+  constexpr TraceWish(std::initializer_list<TracePart> parts) {
+    for (const TracePart part : parts) bits_ |= bit(part);
+  }
+  static constexpr TraceWish all() {
+    TraceWish wish;
+    wish.bits_ = 2 * bit(TracePart::markers) - 1;
+    return wish;
+  }
+
+  constexpr bool has(TracePart part) const { return (bits_ & bit(part)) != 0; }
+  constexpr bool any() const { return bits_ != 0; }
+  constexpr std::uint64_t bits() const { return bits_; }  ///< equal for equal wishes; 0 for none
+  /// Both wishes together.
+  constexpr TraceWish operator|(TraceWish other) const {
+    other.bits_ |= bits_;
+    return other;
+  }
+  constexpr bool operator==(const TraceWish&) const = default;
+
+ private:
+  static constexpr std::uint32_t bit(TracePart part) { return 1U << static_cast<std::uint32_t>(part); }
+
+  std::uint32_t bits_ = 0;
+};
 
 /// What a place that plants compete for is at a step.
 enum class PlaceState : std::uint8_t {
@@ -57,13 +81,26 @@ struct TracedWay {
   bool operator==(const TracedWay&) const = default;
 };
 
+/// What took a branch.
+enum class LossCause : std::uint8_t {
+  shed,  ///< the tree itself, for want of light
+  cut,   ///< an operation
+};
+
+/// Why a branch fell.
+struct LossReason {
+  LossCause cause = LossCause::shed;
+  std::string path;  ///< in the document: "components.oak.shedding", or the operation's that cut it
+
+  bool operator==(const LossReason&) const = default;
+};
+
 /// A branch that fell off a tree with all that it bore.
 struct TracedLoss {
-  int step = 0;                     ///< in which it fell
-  std::string why;                  ///< path in the document: "components.oak.shedding", or the operation's that cut it
+  int step = 0;  ///< in which it fell
+  LossReason why;
   Vec3 position{0};                 ///< where it was attached, world space
-  std::uint32_t pieces = 0;         ///< segments that fell
-  double length = 0;                ///< metres of them
+  double length = 0;                ///< metres of its segments
   std::vector<TracedWay> segments;  ///< where they were
 
   bool operator==(const TracedLoss&) const = default;
@@ -73,7 +110,8 @@ struct TracedLoss {
 struct StepMarks {
   std::vector<TracedPlace> points;   ///< attraction points, tree by tree
   std::vector<TracedWay> pulls;      ///< from nodes to the points that pull them in the next step
-  std::vector<TracedWay> ways;       ///< from buds that grew in the step: one metre toward more light or room
+  std::vector<TracedWay> ways;       ///< from buds that grew in the step: one metre toward more light
+  std::vector<TracedWay> room_ways;  ///< from buds that grew in the step and look for room: one metre toward more of it
   std::vector<TracedPlace> markers;  ///< around the plant
   std::vector<TracedLoss> losses;    ///< of the step
 
@@ -89,13 +127,19 @@ class GrowthTrace {
   virtual ~GrowthTrace() = default;
   /// The last step that growth took, from 1; after it nothing changed.
   virtual int last_step() const = 0;
-  /// The finished skeleton after `step` steps, 0 to last_step(): what a growth gives that has no more iterations, to
-  /// the byte. `scene` is the one in which it grew. Only where steps were asked for. Throws what
-  /// Grower::take_skeleton() throws.
-  virtual Skeleton standing(int step, const Scene& scene, Progress& progress) const = 0;
-  /// What is known of a step: the marks that `wish` names, as far as they were recorded.
-  virtual StepMarks marks(int step, const TraceWish& wish) const = 0;
+  /// The finished skeleton after `step` steps, or after the last one where that comes before: what a growth gives that
+  /// has no more iterations, to the byte. `scene` is the one in which it grew. Only where steps were asked for. Throws
+  /// what Grower::take_skeleton() throws.
+  Skeleton standing(int step, const Scene& scene, Progress& progress) const;
+  /// What is known of a step, or of the last one where that comes before: the marks that `wish` names, as far as they
+  /// were recorded. Throws InputError where they are more than the limits allow, Cancelled.
+  StepMarks marks(int step, TraceWish wish, const Progress& progress) const;
   virtual std::uint64_t bytes() const = 0;  ///< of memory
+
+ private:
+  // Both are asked for steps from 0 to last_step() alone.
+  virtual Skeleton standing_after(int step, const Scene& scene, Progress& progress) const = 0;
+  virtual StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const = 0;
 };
 
 }  // namespace meristem

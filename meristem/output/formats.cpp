@@ -39,64 +39,82 @@ void write_meshes(const Document& document, const GrownDocument& grown, const Fo
 }
 
 constexpr Format kFormats[] = {
-    {".glb", "glTF 2.0 binary, for Blender, Godot, three.js and most others",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
-        Progress& progress) {
-       write_meshes(document, grown, options, [&](const MeshScene& meshes) {
-         write_glb(
-             meshes, path,
-             {.instances = options.instances, .provenance = provenance_of(document), .pictures = options.pictures},
-             progress);
-       });
-     },
-     GrownPart::textures, true, nullptr, false, true},
-    {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
-        Progress& progress) {
-       write_meshes(document, grown, options, [&](const MeshScene& meshes) {
-         write_obj(meshes, path, {provenance_of(document), options.pictures}, progress);
-       });
-     },
-     GrownPart::textures, false, obj_companions},
-    {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
-        Progress& progress) {
-       write_meshes(document, grown, options, [&](const MeshScene& meshes) {
-         write_mesh_ply(meshes, path, {provenance_of(document)}, progress);
-       });
-     },
-     GrownPart::meshes},
-    {".labels.ply", "the mesh with the tree, component, instance and shoot of each face, in binary PLY",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) {
-       const SurfaceLabels labels(grown.plant, grown.meshes, progress);
-       write_mesh_ply(grown.meshes, path, {provenance_of(document), &labels}, progress);
-     },
-     GrownPart::meshes, false, nullptr, true},
-    {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
-    {".csv", "the skeletons as a table, one row per node",
-     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
-    {".qsm.csv", "the skeletons as cylinders in the columns of TreeQSM, z up, one row per cylinder",
-     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_cylinder_csv(grown.plant, path, progress); }},
-    {".trees.txt", "the skeletons as a tree file of treetools and raycloudtools, z up, one line per tree",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_tree_file(grown.plant, path, provenance_of(document), progress); }},
-    {".operations.csv",
-     "what operations did to self-organizing trees as a table, one row per cut, ring, bend, tie or mark",
-     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_operation_csv(grown.plant, path, progress); }},
-    {".points.csv",
-     "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
-     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_points_csv(grown.traces, path, progress); },
-     GrownPart::plant, false, nullptr, false, false, TraceWish{.points = true}},
-    {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},
+    {.ending = ".glb",
+     .doc = "glTF 2.0 binary, for Blender, Godot, three.js and most others",
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
+            Progress& progress) {
+           write_meshes(document, grown, options, [&](const MeshScene& meshes) {
+             write_glb(
+                 meshes, path,
+                 {.instances = options.instances, .provenance = provenance_of(document), .pictures = options.pictures},
+                 progress);
+           });
+         },
+     .needs = GrownPart::textures,
+     .can_instance = true,
+     .can_animate = true},
+    {.ending = ".obj",
+     .doc = "Wavefront OBJ with its MTL file and pictures beside it",
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
+            Progress& progress) {
+           write_meshes(document, grown, options, [&](const MeshScene& meshes) {
+             write_obj(meshes, path, {provenance_of(document), options.pictures}, progress);
+           });
+         },
+     .needs = GrownPart::textures,
+     .companions = obj_companions},
+    {.ending = ".ply",
+     .doc = "the mesh as binary PLY, for MeshLab, Open3D and Blender",
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
+            Progress& progress) {
+           write_meshes(document, grown, options, [&](const MeshScene& meshes) {
+             write_mesh_ply(meshes, path, {provenance_of(document)}, progress);
+           });
+         },
+     .needs = GrownPart::meshes},
+    {.ending = ".labels.ply",
+     .doc = "the mesh with the tree, component, instance and shoot of each face, in binary PLY",
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+            Progress& progress) {
+           const SurfaceLabels labels(grown.plant, grown.meshes, progress);
+           write_mesh_ply(grown.meshes, path, {provenance_of(document), &labels}, progress);
+         },
+     .needs = GrownPart::meshes,
+     .is_whole = true},
+    {.ending = ".skeleton.ply",
+     .doc = "the skeletons as points with radius, and edges, in binary PLY",
+     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
+    {.ending = ".csv",
+     .doc = "the skeletons as a table, one row per node",
+     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
+    {.ending = ".qsm.csv",
+     .doc = "the skeletons as cylinders in the columns of TreeQSM, z up, one row per cylinder",
+     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_cylinder_csv(grown.plant, path, progress); }},
+    {.ending = ".trees.txt",
+     .doc = "the skeletons as a tree file of treetools and raycloudtools, z up, one line per tree",
+     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_tree_file(grown.plant, path, provenance_of(document), progress); }},
+    {.ending = ".operations.csv",
+     .doc = "what operations did to self-organizing trees as a table, one row per cut, ring, bend, tie or mark",
+     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_operation_csv(grown.plant, path, progress); }},
+    {.ending = ".points.csv",
+     .doc =
+         "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
+     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_points_csv(grown.traces, path, progress); },
+     .wish = {TracePart::points}},
+    {.ending = ".mtg",
+     .doc = "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
+     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},
 };
 
 std::vector<std::string> endings() {

@@ -8,12 +8,15 @@
 
 namespace meristem {
 
+void check_moving_file(const std::string& path) {
+  if (path != "-" && format_of(path).can_animate) return;
+  throw InputError(Diagnostic{.message = fmt::format("'{}' cannot hold an animation", path),
+                              .expected = "a file that ends in .glb"});
+}
+
 void write_moving_file(const Document& document, const MovingScene& moving, const std::string& path, Progress& progress,
                        EncodedPictures* pictures) {
-  if (!format_of(path).can_animate) {
-    throw InputError(Diagnostic{.message = fmt::format("'{}' cannot hold an animation", path),
-                                .expected = "a file that ends in .glb"});
-  }
+  check_moving_file(path);
   write_moving_glb(moving, path, {.provenance = provenance_of(document), .pictures = pictures}, progress);
 }
 

@@ -10,9 +10,13 @@
 
 namespace meristem {
 
-/// Writes a document's animation, as grow_moving gives it, to a file in a format that can hold it
-/// (Format::can_animate). `pictures` are shared with other files; null: none. Throws InputError for other endings and
-/// as the format's writer does, MachineError, Cancelled.
+/// Throws InputError where a file's ending is of no format that can hold an animation (Format::can_animate), and for
+/// standard output; to be asked before anything is grown for it.
+void check_moving_file(const std::string& path);
+
+/// Writes a document's animation, as grow_moving gives it, to a file in a format that can hold it.
+/// `pictures` are shared with other files; null: none. Throws as check_moving_file and the format's writer do,
+/// MachineError, Cancelled.
 void write_moving_file(const Document& document, const MovingScene& moving, const std::string& path, Progress& progress,
                        EncodedPictures* pictures = nullptr);
 

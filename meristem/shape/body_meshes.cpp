@@ -37,6 +37,7 @@ struct BodyTask {
 
   const StemPart& first() const { return *parts[0]; }
   const Surface& surface() const { return first().surface; }
+  int resolution() const { return is_crown ? surface().crown->resolution : surface().resolution; }
   /// From where the body's mesh counts: floats are finer near it.
   Vec3 origin() const { return stem->skeleton.position[0]; }
   /// From where it counts until it is deformed.
@@ -122,7 +123,7 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
   const std::optional<int> triangles = task.is_crown ? surface.crown->triangles : surface.triangles;
   const bool is_flat = surface.shading == Surface::Shading::flat;
   IsosurfaceOptions options;
-  options.resolution = task.is_crown ? surface.crown->resolution : surface.resolution;
+  options.resolution = task.resolution();
   options.normals = !is_flat;
   Mesh mesh = extract_isosurface(body_of(task), options, limits, task.path(), progress);
   const std::size_t target = triangles_of(mesh.triangle_count(), triangles, detail);
@@ -203,6 +204,18 @@ Thickening find_thickening(const Plant& plant) {
     whole.added += thickening.added;
   }
   return whole;
+}
+
+std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progress) {
+  std::vector<BodyCells> found;
+  for (const BodyTask& task : tasks_of(plant)) {
+    progress.check();
+    const ImplicitBody body = body_of(task);
+    if (body.is_empty()) continue;
+    const DVec3 origin(task.undeformed_origin());
+    found.push_back({{Vec3(origin + body.low()), Vec3(origin + body.high())}, cell_size(body, task.resolution())});
+  }
+  return found;
 }
 
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,

@@ -17,6 +17,14 @@ namespace meristem {
 /// All 0 without such bodies.
 Thickening find_thickening(const Plant& plant);
 
+/// The box about a body's solids, and one side of the cells in which its surface is sought, in metres.
+struct BodyCells {
+  Box box;
+  double cell = 0;
+};
+/// Those of the blended bodies and crown bodies of all stems, in their order, before any deformation. Throws Cancelled.
+std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progress);
+
 /// The blended bodies and crown bodies of all stems, in their order; a body's material has no texture, as bodies have
 /// no uvs, and a crown's is its component's with the crown's colour: those that are new are appended to `materials`.
 /// Beyond level 0 of `detail` they are simplified to its share of their triangles, but to no fewer than 200. Begins

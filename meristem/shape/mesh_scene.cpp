@@ -5,14 +5,12 @@
 #include <cstddef>
 #include <exception>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
-#include <string_view>
 #include <typeinfo>
 #include <unordered_map>
 #include <utility>
@@ -26,6 +24,7 @@
 #include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/detail_plan.h"
 #include "meristem/shape/mesh/tangents.h"
+#include "meristem/shape/scene_tally.h"
 #include "meristem/shape/small_detail.h"
 #include "meristem/shape/stem_looks.h"
 #include "meristem/shape/stem_tubes.h"
@@ -60,25 +59,6 @@ void check_references(const Plant& plant) {
     require(is_individual(organ.individual), "an organ has no such individual");
   }
 }
-
-/// What each component would take, and which takes most.
-class Tally {
- public:
-  void add(std::string_view component, std::uint64_t amount) {
-    total_ += amount;
-    of_[component] += amount;
-  }
-  void check(std::string_view what, std::uint64_t limit, std::string_view limit_name) const {
-    if (total_ <= limit) return;
-    const auto most =
-        std::max_element(of_.begin(), of_.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    throw_limit(what, static_cast<double>(total_), limit, limit_name, "components." + std::string(most->first));
-  }
-
- private:
-  std::uint64_t total_ = 0;
-  std::map<std::string_view, std::uint64_t> of_;
-};
 
 std::vector<std::size_t> organs_of_prototypes(const Plant& plant, const OrganDetail& organs) {
   std::vector<std::size_t> counts(plant.prototypes.size(), 0);
@@ -148,32 +128,13 @@ struct ScenePlan {
 /// Throws where the scene would pass a limit.
 void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, const ScenePlan& scene,
                   const Limits& limits) {
-  Tally triangles;
-  Tally bytes;
-  for (const MeshInstances& body : bodies) {
-    triangles.add(body.component, body.mesh->triangle_count());
-    bytes.add(body.component, body.mesh->bytes());
-  }
-  for (const std::unique_ptr<StemDress>& dress : scene.stems) {
-    for (std::size_t k = 0; k < dress->sizes().size(); ++k) {
-      const std::string& component = dress->looks.first_part[k]->component;
-      const TubeSize size = dress->sizes()[k];
-      triangles.add(component, size.triangles);
-      bytes.add(component, size.bytes());
-      if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
-        throw_limit("vertices of one stem", static_cast<double>(size.vertices),
-                    std::numeric_limits<std::uint32_t>::max(), "triangles", "components." + component);
-      }
-    }
-  }
+  SceneTally tally;
+  for (const MeshInstances& body : bodies) tally.add_mesh(body.component, *body.mesh);
+  for (const std::unique_ptr<StemDress>& dress : scene.stems) tally.add_tubes(dress->looks, dress->sizes());
   for (std::size_t i = 0; i < plant.prototypes.size(); ++i) {
-    const std::string& component = plant.prototypes[i].component;
-    const Mesh& mesh = *scene.organs.meshes[i];
-    triangles.add(component, mesh.triangle_count() * scene.organ_counts[i]);
-    bytes.add(component, mesh.bytes() + scene.organ_counts[i] * sizeof(Frame));
+    tally.add_organs(plant.prototypes[i].component, *scene.organs.meshes[i], scene.organ_counts[i]);
   }
-  triangles.check("triangles", limits.triangles, "triangles");
-  bytes.check("bytes of geometry", limits.mesh_bytes, "mesh_bytes");
+  tally.check(limits);
 }
 
 /// The tubes of each mesh of a plan, by their first triangles.

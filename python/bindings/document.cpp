@@ -107,7 +107,7 @@ std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, doubl
   if (step && *step < 0) throw py::value_error("step must be 0 or more");
   GrowthView view{step, {}};
   if (trace) {
-    view.wish = {.steps = true, .points = true, .pulls = true, .ways = true, .losses = true, .markers = true};
+    view.wish = TraceWish::all();
   }
   return run_call(progress, threads, [&](Progress& inner) {
     GrowthOptions options{.time = time, .up_to = GrownPart::plant, .view = view};
@@ -124,6 +124,7 @@ void save_animated(const DocumentPointer& document, const py::object& path, int 
     throw py::value_error(fmt::format("keys must be from 2 to {}", kMostKeys));
   }
   const std::string target = file_of(path);
+  check_moving_file(target);
   check_output(target, input_files(document->document));
   run_call(progress, threads, [&](Progress& inner) {
     const MovingScene moving = grow_moving(document->document, inner, {.keys = static_cast<std::size_t>(keys)});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A growth step by step, as arrays.
-#include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,12 +47,19 @@ py::object components_of_rows(const GrowthTraces& traces, const std::vector<Step
   return array.attr("take")(array_of(std::move(numbers)));
 }
 
-std::vector<StepMarks> marks_of(const Trace& trace, int step, const TraceWish& wish) {
-  const py::gil_scoped_release release;
-  std::vector<StepMarks> marks;
-  for (const TracedGrowth& growth : trace.all().growths) {
-    marks.push_back(growth.trace->marks(std::clamp(step, 0, growth.trace->last_step()), wish));
-  }
+std::vector<StepMarks> marks_of(const Trace& trace, const std::optional<int>& step, TracePart part) {
+  const int asked = checked(trace, step);
+  return run_call(py::none(), 0, [&](Progress& inner) {
+    std::vector<StepMarks> marks;
+    for (const TracedGrowth& growth : trace.all().growths) marks.push_back(growth.trace->marks(asked, {part}, inner));
+    return marks;
+  });
+}
+
+/// Ways toward more light and toward more room; a growth has only one of them.
+std::vector<StepMarks> ways_of(const Trace& trace, const std::optional<int>& step) {
+  std::vector<StepMarks> marks = marks_of(trace, step, TracePart::ways);
+  for (StepMarks& one : marks) one.ways.insert(one.ways.end(), one.room_ways.begin(), one.room_ways.end());
   return marks;
 }
 
@@ -106,7 +113,7 @@ py::list losses_in_python(const std::vector<StepMarks>& marks) {
       static_assert(sizeof(TracedWay) == 6 * sizeof(float));
       py::dict told;
       told["step"] = loss.step;
-      told["why"] = loss.why;
+      told["why"] = loss.why.path;
       told["position"] = py::make_tuple(loss.position.x, loss.position.y, loss.position.z);
       told["length"] = loss.length;
       told["segments"] = view(segments, reinterpret_cast<const float*>(segments->data()),
@@ -123,9 +130,8 @@ py::list skeletons_in_python(const Trace& trace, const std::optional<int>& step)
   std::vector<std::shared_ptr<Skeleton>> skeletons = run_call(py::none(), 0, [&](Progress& inner) {
     std::vector<std::shared_ptr<Skeleton>> made;
     for (const TracedGrowth& growth : trace.all().growths) {
-      const int own = std::clamp(asked, 0, growth.trace->last_step());
       made.push_back(
-          std::make_shared<Skeleton>(growth.trace->standing(own, trace.plant->origin->document.scene, inner)));
+          std::make_shared<Skeleton>(growth.trace->standing(asked, trace.plant->origin->document.scene, inner)));
     }
     return made;
   });
@@ -157,7 +163,7 @@ arrays, one row per point, way or marker, with the id of the `component` that gr
       .def(
           "points",
           [](const Trace& trace, const std::optional<int>& step) {
-            return places_in_python(trace, marks_of(trace, checked(trace, step), {.points = true}), &StepMarks::points);
+            return places_in_python(trace, marks_of(trace, step, TracePart::points), &StepMarks::points);
           },
           py::arg("step") = py::none(),
           "Attraction points: component, position (n, 3), state (free, used or removed), used_in (step; 0 where it was "
@@ -165,28 +171,27 @@ arrays, one row per point, way or marker, with the id of the `component` that gr
       .def(
           "pulls",
           [](const Trace& trace, const std::optional<int>& step) {
-            return ways_in_python(trace, marks_of(trace, checked(trace, step), {.pulls = true}), &StepMarks::pulls);
+            return ways_in_python(trace, marks_of(trace, step, TracePart::pulls), &StepMarks::pulls);
           },
           py::arg("step") = py::none(),
           "From nodes to the attraction points that pull them in the next step: component, begin (n, 3), end (n, 3).")
       .def(
           "ways",
           [](const Trace& trace, const std::optional<int>& step) {
-            return ways_in_python(trace, marks_of(trace, checked(trace, step), {.ways = true}), &StepMarks::ways);
+            return ways_in_python(trace, ways_of(trace, step), &StepMarks::ways);
           },
           py::arg("step") = py::none(),
           "From buds that grew in the step one metre toward more light or room: component, begin (n, 3), end (n, 3).")
       .def(
           "markers",
           [](const Trace& trace, const std::optional<int>& step) {
-            return places_in_python(trace, marks_of(trace, checked(trace, step), {.markers = true}),
-                                    &StepMarks::markers);
+            return places_in_python(trace, marks_of(trace, step, TracePart::markers), &StepMarks::markers);
           },
           py::arg("step") = py::none(), "Markers of room around self-organizing plants, with the columns of points().")
       .def(
           "losses",
           [](const Trace& trace, const std::optional<int>& step) {
-            return losses_in_python(marks_of(trace, checked(trace, step), {.losses = true}));
+            return losses_in_python(marks_of(trace, step, TracePart::losses));
           },
           py::arg("step") = py::none(),
           "Branches that were shed or cut in the step: step, why (path in the document of what did it), position, "

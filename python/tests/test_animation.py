@@ -53,6 +53,10 @@ def test_an_animation_is_saved_for_engines(tmp_path: Path) -> None:
     assert b'"name":"growth"' in path.read_bytes()
     with pytest.raises(ValueError, match="keys must be from 2"):
         meristem.Document(KEYED).save_animated(path, keys=1)
+    stages: list[str] = []
+    with pytest.raises(meristem.InputError, match="cannot hold an animation"):
+        meristem.Document(KEYED).save_animated(tmp_path / "a.ply", progress=lambda stage, _: stages.append(stage))
+    assert not stages, "nothing is grown for a file that cannot be written"
     still = {key: value for key, value in KEYED.items() if key != "animation"}
     with pytest.raises(meristem.InputError, match="no animation"):
         meristem.Document(still).save_animated(path)

@@ -131,6 +131,7 @@ class Animated(cli_case.Case):
         for options, message in ((["--keys", "3", "-o", "a.glb"], "--keys changes none of the files"),
                                  (["--animated", "-o", "a.obj"], "'a.obj' cannot hold an animation"),
                                  (["--animated", "--time", "1", "-o", "a.glb"], "--time cannot stand with --animated"),
+                                 (["--animated", "--step", "3", "-o", "a.glb"], "--step cannot stand with --animated"),
                                  (["--animated", "--keys", "1", "-o", "a.glb"], "--keys cannot be 1"),
                                  (["--animated", "--lod", "1", "-o", "a.glb"], "--lod cannot stand with --animated")):
             done = self.run_program("grow", "rising.json", *options)

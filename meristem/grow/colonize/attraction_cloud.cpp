@@ -83,7 +83,7 @@ void AttractionCloud::end_record(Progress& progress) {
   }
   if (still_) gather_still(first_new, true);
   if (moving_) use_up_moving(true);
-  histories_ = record_->histories(trees_.size());
+  histories_ = record_->histories(trees_.size(), progress);
   record_.reset();
 }
 

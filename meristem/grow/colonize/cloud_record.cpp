@@ -8,6 +8,8 @@ namespace meristem {
 
 namespace {
 
+constexpr std::size_t kHistoriesPerCheck = 4096;
+
 /// Positions in some order, to look for equal ones.
 std::tuple<float, float, float> ordered(Vec3 position) { return {position.x, position.y, position.z}; }
 
@@ -41,7 +43,7 @@ std::uint64_t CloudRecord::bytes() const {
   return sum;
 }
 
-std::vector<PointHistory> CloudRecord::histories(std::size_t trees) const {
+std::vector<PointHistory> CloudRecord::histories(std::size_t trees, const Progress& progress) const {
   std::vector<PointHistory::Point> points;
   points.reserve(brought_.size());
   for (const Brought& one : brought_) points.push_back({.position = one.position, .is_removed = one.is_removed});
@@ -50,7 +52,9 @@ std::vector<PointHistory> CloudRecord::histories(std::size_t trees) const {
     // Points that stay are found by where they stand.
     std::vector<Used> used = used_;
     std::ranges::stable_sort(used, {}, [](const Used& one) { return ordered(one.position); });
+    std::size_t asked = 0;
     for (PointHistory::Point& point : points) {
+      if (++asked % kHistoriesPerCheck == 0) progress.check();
       if (point.is_removed) continue;
       const auto found = std::ranges::lower_bound(used, ordered(point.position), {},
                                                   [](const Used& one) { return ordered(one.position); });
@@ -64,6 +68,7 @@ std::vector<PointHistory> CloudRecord::histories(std::size_t trees) const {
     }
     auto next = used_.begin();
     for (std::size_t step = 1; step <= places_.size(); ++step) {
+      progress.check();
       const std::vector<Vec3>& places = places_[step - 1];
       std::vector<std::tuple<float, float, float>> gone;
       for (; next != used_.end() && next->step <= static_cast<int>(step); ++next)
@@ -71,6 +76,7 @@ std::vector<PointHistory> CloudRecord::histories(std::size_t trees) const {
       std::ranges::sort(gone);
       std::size_t kept = 0;
       for (std::size_t k = 0; k < left.size(); ++k) {
+        if (k % kHistoriesPerCheck == 0) progress.check();
         PointHistory::Point& point = points[left[k]];
         point.path.push_back(places[k]);
         const bool is_gone = std::ranges::binary_search(gone, ordered(places[k]));

@@ -44,8 +44,8 @@ class CloudRecord {
   /// Bytes that it holds.
   std::uint64_t bytes() const;
 
-  /// What has become of the points of each of `trees` trees.
-  std::vector<PointHistory> histories(std::size_t trees) const;
+  /// What has become of the points of each of `trees` trees. Throws Cancelled.
+  std::vector<PointHistory> histories(std::size_t trees, const Progress& progress) const;
 
  private:
   struct Brought {

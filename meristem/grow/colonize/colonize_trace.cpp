@@ -14,6 +14,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kTracedTreesAtOnce = 4;
+constexpr std::size_t kPointsPerCheck = 1024;
 
 /// The number of nodes that there were after a step.
 std::size_t count_at(const Skeleton& skeleton, int step) {
@@ -40,7 +41,7 @@ ColonizeTrace::ColonizeTrace(const ColonizingSpecies& species, std::vector<Trace
       trees_(std::move(trees)),
       steps_(steps) {}
 
-Skeleton ColonizeTrace::standing(int step, const Scene& scene, Progress& progress) const {
+Skeleton ColonizeTrace::standing_after(int step, const Scene& scene, Progress& progress) const {
   const ColonizingSpecies species{parameters_, scene, limits_, component_};
   std::vector<Skeleton> finished(trees_.size());
   parallel_for(trees_.size(), kTracedTreesAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -53,21 +54,23 @@ Skeleton ColonizeTrace::standing(int step, const Scene& scene, Progress& progres
   return join_skeletons(std::move(finished));
 }
 
-StepMarks ColonizeTrace::marks(int step, const TraceWish& wish) const {
+StepMarks ColonizeTrace::marks_of(int step, TraceWish wish, const Progress& progress) const {
   StepMarks marks;
-  if (!wish.points && !wish.pulls) return marks;
+  if (!wish.has(TracePart::points) && !wish.has(TracePart::pulls)) return marks;
   std::vector<TracedPlace> points;
   for (const TracedTree& tree : trees_) {
+    progress.check();
     const std::vector<TracedPlace> own = tree.points.at(step, tree.origin);
     points.insert(points.end(), own.begin(), own.end());
   }
-  if (wish.pulls) marks.pulls = pulls(step, points);
-  if (wish.points) marks.points = std::move(points);
+  if (wish.has(TracePart::pulls)) marks.pulls = pulls(step, points, progress);
+  if (wish.has(TracePart::points)) marks.points = std::move(points);
   return marks;
 }
 
 /// Each free point pulls its nearest node, where that is near enough.
-std::vector<TracedWay> ColonizeTrace::pulls(int step, const std::vector<TracedPlace>& points) const {
+std::vector<TracedWay> ColonizeTrace::pulls(int step, const std::vector<TracedPlace>& points,
+                                            const Progress& progress) const {
   std::vector<TracedWay> pulls;
   std::vector<NumberedPoint> nodes;
   for (const TracedTree& tree : trees_) {
@@ -80,8 +83,10 @@ std::vector<TracedWay> ColonizeTrace::pulls(int step, const std::vector<TracedPl
   positions.reserve(nodes.size());
   for (const NumberedPoint& node : nodes) positions.push_back(node.position);
   if (nodes.empty()) return pulls;
-  const NodeTree tree(std::move(nodes), Progress());
+  const NodeTree tree(std::move(nodes), progress);
+  std::size_t asked = 0;
   for (const TracedPlace& point : points) {
+    if (++asked % kPointsPerCheck == 0) progress.check();
     if (point.state != PlaceState::free) continue;
     NearestFew nearest;
     tree.search(point.position, nearest);

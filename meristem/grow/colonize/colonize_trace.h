@@ -26,13 +26,13 @@ class ColonizeTrace : public GrowthTrace {
   ColonizeTrace(const ColonizingSpecies& species, std::vector<TracedTree> trees, int steps);
 
   int last_step() const override { return steps_; }
-  Skeleton standing(int step, const Scene& scene, Progress& progress) const override;
-  /// Points, and which of these trees' nodes they will pull next.
-  StepMarks marks(int step, const TraceWish& wish) const override;
   std::uint64_t bytes() const override;
 
  private:
-  std::vector<TracedWay> pulls(int step, const std::vector<TracedPlace>& points) const;
+  Skeleton standing_after(int step, const Scene& scene, Progress& progress) const override;
+  /// Points, and which of these trees' nodes they will pull next.
+  StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const override;
+  std::vector<TracedWay> pulls(int step, const std::vector<TracedPlace>& points, const Progress& progress) const;
 
   ColonizeParameters parameters_;
   Limits limits_;

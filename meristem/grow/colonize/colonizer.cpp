@@ -250,7 +250,10 @@ class Colonizer : public Grower {
     throw_limit("attraction points", static_cast<double>(points), species_.limits.points, "points",
                 species_.path("points"));
   }
-  bool records_points() const { return species_.parameters.wish.points || species_.parameters.wish.pulls; }
+  bool records_points() const {
+    const TraceWish wish = species_.parameters.wish;
+    return wish.has(TracePart::points) || wish.has(TracePart::pulls);
+  }
   void require_record() const;
   void leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress);
 
@@ -310,8 +313,7 @@ void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const P
 }
 
 std::unique_ptr<GrowthTrace> Colonizer::take_trace() {
-  const TraceWish& wish = species_.parameters.wish;
-  if (!wish.steps && !records_points()) return nullptr;
+  if (!species_.parameters.wish.has(TracePart::steps) && !records_points()) return nullptr;
   std::vector<TracedTree> trees;
   for (std::size_t k = 0; k < trees_.size(); ++k) {
     TracedTree& tree = trees.emplace_back(TracedTree{trees_[k].root(), trees_[k].skeleton(), {}, cloud_.origin()});

@@ -140,9 +140,7 @@ class RoomSense : public BudSense, public RoomSeeker {
 
   bool reaches(Vec3 position) const override { return field_->reaches(position); }
 
-  std::shared_ptr<const MarkerField> vacant_room() const override {
-    return std::make_shared<const MarkerField>(field_->vacant(volume_));
-  }
+  OwnRoom room() const override { return {field_, volume_}; }
 
   Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent&) const override {
     const bool is_second = is_lateral && metamers_.competes(metamer, false);

@@ -47,8 +47,12 @@ class BudSense {
   virtual Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent& recent) const = 0;
   /// Whether buds at a position in world space can perceive anything; if not, it is too far from the world's origin.
   virtual bool reaches(Vec3 position) const = 0;
-  /// The room that buds look for as it is without any shoots; null where they look for something else.
-  virtual std::shared_ptr<const MarkerField> vacant_room() const { return nullptr; }
+  /// The room that buds look for: a volume of a field of markers; null where they look for something else.
+  struct OwnRoom {
+    const MarkerField* field = nullptr;
+    std::uint32_t volume = 0;
+  };
+  virtual OwnRoom room() const { return {}; }
 };
 
 /// The sense of one tree's buds; the tree's `metamers` and `light` outlive it. To be called before the first round.

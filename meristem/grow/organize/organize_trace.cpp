@@ -2,8 +2,9 @@
 #include "meristem/grow/organize/organize_trace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -26,68 +27,107 @@ std::vector<NumberedPoint> numbered(const std::vector<Vec3>& positions) {
   return points;
 }
 
+constexpr double kFewestVoxels = 4;  // along a block's side
+constexpr NodeIndex kNodesPerCheck = 1024;
+
+/// Space is looked through block by block, and only about shoots: numbers of a cube along x, y and z.
+using Block = std::array<std::int32_t, 3>;
+
+Box box_of(const Block& block, double side) {
+  const auto corner = [&](std::int32_t more) {
+    return Vec3(DVec3(block[0] + more, block[1] + more, block[2] + more) * side);
+  };
+  return {corner(0), corner(1)};
+}
+
+/// The blocks that hold what is up to `reach` metres from one of the positions, in order. `side` is 2 `reach` or more.
+std::vector<Block> blocks_about(const std::vector<Vec3>& positions, double reach, double side,
+                                const Progress& progress) {
+  std::vector<Block> blocks;
+  const auto number = [&](float at, double by) {
+    return static_cast<std::int32_t>(std::floor((static_cast<double>(at) + by) / side));
+  };
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    if (k % kNodesPerCheck == 0) progress.check();
+    const Vec3 at = positions[k];
+    for (std::int32_t z = number(at.z, -reach); z <= number(at.z, reach); ++z) {
+      for (std::int32_t y = number(at.y, -reach); y <= number(at.y, reach); ++y) {
+        for (std::int32_t x = number(at.x, -reach); x <= number(at.x, reach); ++x) blocks.push_back({x, y, z});
+      }
+    }
+  }
+  std::ranges::sort(blocks);
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  return blocks;
+}
+
+bool in_order(const DVec3& a, const DVec3& b) { return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z); }
+
 }  // namespace
 
 void OrganizeTrace::lose(std::vector<TracedLoss> losses) {
-  losses_.insert(losses_.end(), std::make_move_iterator(losses.begin()), std::make_move_iterator(losses.end()));
+  losses_ = std::move(losses);
   std::ranges::stable_sort(losses_, {}, &TracedLoss::step);
 }
 
-void OrganizeTrace::show_room(std::shared_ptr<const MarkerField> vacant, double perception) {
-  if (vacant != nullptr) rooms_.push_back(std::move(vacant));
-  perception_ = perception;
+Skeleton OrganizeTrace::standing_after(int step, const Scene&, Progress&) const {
+  return steps_[static_cast<std::size_t>(step)].skeleton;
 }
 
-Skeleton OrganizeTrace::standing(int step, const Scene&, Progress&) const {
-  return steps_[static_cast<std::size_t>(std::clamp(step, 0, last_step()))].skeleton;
-}
-
-StepMarks OrganizeTrace::marks(int step, const TraceWish& wish) const {
-  step = std::clamp(step, 0, last_step());
+StepMarks OrganizeTrace::marks_of(int step, TraceWish wish, const Progress& progress) const {
   const Step& now = steps_[static_cast<std::size_t>(step)];
   StepMarks marks;
-  if (wish.ways) marks.ways = now.ways;
-  if (wish.losses) {
+  if (wish.has(TracePart::ways)) (seeks_room_ ? marks.room_ways : marks.ways) = now.ways;
+  if (wish.has(TracePart::losses)) {
     marks.losses.assign(std::ranges::lower_bound(losses_, step, {}, &TracedLoss::step),
                         std::ranges::upper_bound(losses_, step, {}, &TracedLoss::step));
   }
-  if (wish.markers) marks.markers = markers(now.skeleton);
+  if (wish.has(TracePart::markers)) marks.markers = markers(now.skeleton, progress);
   return marks;
 }
 
 /// The markers that buds could see, and those that shoots have taken.
-std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton) const {
+std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton, const Progress& progress) const {
   std::vector<TracedPlace> found;
-  if (rooms_.empty() || skeleton.node_count() == 0) return found;
+  if (!room_ || skeleton.node_count() == 0) return found;
   const std::vector<Skeleton> trees = split_trees(skeleton);
-  for (std::size_t k = 0; k < std::min(trees.size(), rooms_.size()); ++k) {
-    MarkerField field = *rooms_[k];
-    Box box;
-    for (const Vec3 position : trees[k].position) {
-      box.add(position - Vec3(static_cast<float>(perception_)));
-      box.add(position + Vec3(static_cast<float>(perception_)));
-    }
-    // What all trees have taken is what their shoots leave of the vacant room.
-    std::vector<DVec3> all = field.free_markers(box, 0);
-    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-      if (!skeleton.is_root(node)) field.occupy(skeleton.position[node]);
-    }
-    std::vector<DVec3> free = field.free_markers(box, 0);
-    const auto order = [](const DVec3& a, const DVec3& b) {
-      return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z);
-    };
-    std::ranges::sort(all, order);
-    std::ranges::sort(free, order);
-    const NodeTree shoots(numbered(trees[k].position), Progress());
-    for (const DVec3& marker : all) {
-      NearestFew nearest;
-      shoots.search(Vec3(marker), nearest);
-      if (static_cast<double>(nearest.distance2(0)) > perception_ * perception_) continue;
-      const bool is_free = std::ranges::binary_search(free, marker, order);
-      found.push_back({Vec3(marker), is_free ? PlaceState::free : PlaceState::used, 0});
+  const std::size_t count = std::min(trees.size(), room_->volumes.size());
+  const double spacing = room_->vacant.form().spacing;
+  const double side = std::max(2 * room_->perception, kFewestVoxels * spacing);
+  std::vector<std::vector<Block>> blocks(count);
+  double markers = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    blocks[k] = blocks_about(trees[k].position, room_->perception, side, progress);
+    markers += static_cast<double>(blocks[k].size()) * std::pow(side / spacing, 3);
+  }
+  if (markers > static_cast<double>(room_->most_markers)) {
+    throw_limit("markers of room to be shown", markers, room_->most_markers, "points", room_->path);
+  }
+
+  // What all trees have taken is what their shoots leave of the vacant room.
+  MarkerField taken = room_->vacant;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (node % kNodesPerCheck == 0) progress.check();
+    if (!skeleton.is_root(node)) taken.occupy(skeleton.position[node]);
+  }
+  const double reach2 = room_->perception * room_->perception;
+  for (std::size_t k = 0; k < count; ++k) {
+    const NodeTree shoots(numbered(trees[k].position), progress);
+    for (const Block& block : blocks[k]) {
+      progress.check();
+      const Box box = box_of(block, side);
+      std::vector<DVec3> free = taken.free_markers(box, room_->volumes[k]);
+      std::ranges::sort(free, in_order);
+      for (const DVec3& marker : room_->vacant.free_markers(box, room_->volumes[k])) {
+        NearestFew nearest;
+        shoots.search(Vec3(marker), nearest);
+        if (static_cast<double>(nearest.distance2(0)) > reach2) continue;
+        const bool is_free = std::ranges::binary_search(free, marker, in_order);
+        found.push_back({Vec3(marker), is_free ? PlaceState::free : PlaceState::used, 0});
+      }
     }
   }
-  // Trees that share a crown share its markers.
+  // Trees that share a crown share its markers, and so do blocks those on the faces between them.
   std::ranges::stable_sort(found, {}, kByPosition);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
@@ -96,7 +136,7 @@ std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton) const 
 std::uint64_t OrganizeTrace::bytes() const {
   std::uint64_t sum = steps_.capacity() * sizeof(Step) + losses_.capacity() * sizeof(TracedLoss);
   for (const Step& step : steps_) sum += step.skeleton.bytes() + step.ways.capacity() * sizeof(TracedWay);
-  for (const TracedLoss& loss : losses_) sum += loss.segments.capacity() * sizeof(TracedWay) + loss.why.capacity();
+  for (const TracedLoss& loss : losses_) sum += loss.segments.capacity() * sizeof(TracedWay) + loss.why.path.capacity();
   return sum;
 }
 

@@ -3,13 +3,25 @@
 // is kept as it was.
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/grow/growth_trace.h"
 #include "meristem/scene/marker/marker_field.h"
 
 namespace meristem {
+
+/// The room that the trees of a component compete for.
+struct TracedRoom {
+  MarkerField vacant;                  ///< as it is without any shoots
+  std::vector<std::uint32_t> volumes;  ///< of each tree, in it
+  double perception = 0;               ///< metres up to which buds see markers
+  std::uint64_t most_markers = Limits().points;
+  std::string path;  ///< of the markers' spacing in the document, at which too many are a fault
+};
 
 class OrganizeTrace : public GrowthTrace {
  public:
@@ -19,27 +31,30 @@ class OrganizeTrace : public GrowthTrace {
     std::vector<TracedWay> ways;  ///< of the buds that grew in the iteration
   };
 
+  /// `seeks_room`: the buds' ways lead to more room, not to more light.
+  explicit OrganizeTrace(bool seeks_room) : seeks_room_(seeks_room) {}
+
   /// The next step; the first one is step 0.
   void add(Step step) { steps_.push_back(std::move(step)); }
-  /// Takes what all trees have lost, by rising step for each tree.
+  /// Takes what all trees have lost; to be called once.
   void lose(std::vector<TracedLoss> losses);
-  /// Shows the room of a tree, whose buds see markers up to `perception` metres away.
-  void show_room(std::shared_ptr<const MarkerField> vacant, double perception);
+  /// Shows the markers of the trees' room.
+  void show_room(TracedRoom room) { room_ = std::move(room); }
 
   int last_step() const override { return static_cast<int>(steps_.size()) - 1; }
-  Skeleton standing(int step, const Scene& scene, Progress& progress) const override;
-  /// Ways, losses and markers. Markers are those that the component's own trees have taken or could see. Their time
-  /// goes with the trees' size, and the square of how far buds see.
-  StepMarks marks(int step, const TraceWish& wish) const override;
   std::uint64_t bytes() const override;
 
  private:
-  std::vector<TracedPlace> markers(const Skeleton& skeleton) const;
+  Skeleton standing_after(int step, const Scene& scene, Progress& progress) const override;
+  /// Ways, losses and markers. Markers are those that the component's own trees have taken or could see. Their time
+  /// goes with the trees' nodes, and the cube of how far buds see.
+  StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const override;
+  std::vector<TracedPlace> markers(const Skeleton& skeleton, const Progress& progress) const;
 
+  bool seeks_room_;
   std::vector<Step> steps_;
-  std::vector<TracedLoss> losses_;                         // by rising step
-  std::vector<std::shared_ptr<const MarkerField>> rooms_;  // one for each tree; empty: no markers are shown
-  double perception_ = 0;
+  std::vector<TracedLoss> losses_;  // by rising step
+  std::optional<TracedRoom> room_;  // none: no markers are shown
 };
 
 }  // namespace meristem

@@ -151,7 +151,7 @@ void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress
       sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral, recent);
     }
   });
-  if (species_->parameters.wish.ways) record_ways(sprouts, flush);
+  if (species_->parameters.wish.has(TracePart::ways)) record_ways(sprouts, flush);
   if (is_pruned()) tie_shoots(iteration);
   std::uint64_t more = 0;
   for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
@@ -279,20 +279,20 @@ void OrganizedTree::shed(int iteration) {
     any = true;
   }
   if (!any) return;
-  const std::string why = species_->path("shedding");
+  const LossReason why{LossCause::shed, species_->path("shedding")};
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
     if (gone[metamer] != 0 && !metamers_.is_loose(metamer)) cut_off(metamer, Bud::dead(), iteration, why);
   }
   clear_away();
 }
 
-void OrganizedTree::cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const std::string& why) {
-  if (species_->parameters.wish.losses) record_loss(first, iteration, why);
+void OrganizedTree::cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const LossReason& why) {
+  if (species_->parameters.wish.has(TracePart::losses)) record_loss(first, iteration, why);
   if (species_->parameters.keeps_fallen) fallen_.note(metamers_, first, iteration);
   tree_.cut_off(first, after);
 }
 
-void OrganizedTree::record_loss(MetamerIndex first, int iteration, const std::string& why) {
+void OrganizedTree::record_loss(MetamerIndex first, int iteration, const LossReason& why) {
   TracedLoss& loss = losses_.emplace_back();
   loss.step = iteration;
   loss.why = why;
@@ -306,7 +306,6 @@ void OrganizedTree::record_loss(MetamerIndex first, int iteration, const std::st
       if (bud.is_grown()) beyond.push_back(bud.metamer());
     }
   }
-  loss.pieces = static_cast<std::uint32_t>(beyond.size());
 }
 
 void OrganizedTree::record_ways(const std::vector<Sprout>& sprouts, Flush flush) {

@@ -71,8 +71,8 @@ class OrganizedTree {
   /// The ways that its buds found in the last iterate(), and all that it has lost so far, where they are recorded.
   const std::vector<TracedWay>& ways() const { return ways_; }
   const std::vector<TracedLoss>& losses() const { return losses_; }
-  /// The room that its buds look for, without shoots; null where they look for light.
-  std::shared_ptr<const MarkerField> vacant_room() const { return senses_->vacant_room(); }
+  /// The room that its buds look for; null where they look for light.
+  BudSense::OwnRoom room() const { return senses_->room(); }
 
  private:
   /// What people have done to the tree, as far as its metamers do not tell it.
@@ -119,8 +119,8 @@ class OrganizedTree {
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
   /// `why` is the path in the document of what does it.
-  void cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const std::string& why);
-  void record_loss(MetamerIndex first, int iteration, const std::string& why);
+  void cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const LossReason& why);
+  void record_loss(MetamerIndex first, int iteration, const LossReason& why);
   void record_ways(const std::vector<Sprout>& sprouts, Flush flush);
   Skeleton skeleton_of(Metamers metamers, std::vector<OperationRecord> records, const Progress& progress) const;
   bool clear_away();

@@ -70,7 +70,8 @@ class Organizer : public Grower {
         has_summer_(species_.has_summer()),
         rounds_(species_.rounds()) {
     require_wood(seeds);
-    if (parameters.wish.any()) trace_ = std::make_unique<OrganizeTrace>();
+    const bool seeks_room = parameters.light.kind == BudLightModel::Kind::markers;
+    if (parameters.wish.any()) trace_ = std::make_unique<OrganizeTrace>(seeks_room);
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
       OrganizedTree& tree = trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
@@ -116,14 +117,11 @@ class Organizer : public Grower {
   }
 
   std::unique_ptr<GrowthTrace> take_trace() override {
-    const TraceWish& wish = species_.parameters.wish;
-    if (!wish.any()) return nullptr;
-    for (const OrganizedTree& tree : trees_) {
-      trace_->lose(tree.losses());
-      if (wish.markers) {
-        trace_->show_room(tree.vacant_room(), species_.parameters.light.perception * species_.parameters.length);
-      }
-    }
+    if (!species_.parameters.wish.any()) return nullptr;
+    std::vector<TracedLoss> losses;
+    for (const OrganizedTree& tree : trees_) losses.insert(losses.end(), tree.losses().begin(), tree.losses().end());
+    trace_->lose(std::move(losses));
+    if (species_.parameters.wish.has(TracePart::markers)) show_room();
     return std::move(trace_);
   }
 
@@ -145,7 +143,7 @@ class Organizer : public Grower {
   /// How the trees stand after the iteration before this one, by the light of which they grow in this one.
   void record(Progress& progress) {
     OrganizeTrace::Step step;
-    if (species_.parameters.wish.steps) {
+    if (species_.parameters.wish.has(TracePart::steps)) {
       std::vector<Skeleton> skeletons(trees_.size());
       for_each_tree([&](std::size_t k) { skeletons[k] = trees_[k].skeleton(progress); });
       step.skeleton = join_skeletons(std::move(skeletons));
@@ -158,6 +156,18 @@ class Organizer : public Grower {
     if (recorded_bytes_ <= species_.limits.mesh_bytes) return;
     throw_limit("bytes of trees that are recorded step by step", static_cast<double>(recorded_bytes_),
                 species_.limits.mesh_bytes, "mesh_bytes", species_.path("iterations"));
+  }
+
+  /// Hands the room over in which the trees have grown; all of them share one field.
+  void show_room() {
+    const MarkerField* const field = trees_.empty() ? nullptr : trees_.front().room().field;
+    if (field == nullptr) return;
+    TracedRoom room{.vacant = field->vacant(),
+                    .perception = species_.parameters.light.perception * species_.parameters.length,
+                    .most_markers = species_.limits.points,
+                    .path = species_.path("light.spacing")};
+    for (const OrganizedTree& tree : trees_) room.volumes.push_back(tree.room().volume);
+    trace_->show_room(std::move(room));
   }
 
   /// An operation without a number of a tree is for each that has such a shoot; one must.

@@ -171,7 +171,7 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
   std::vector<MetamerIndex> gone = work.gone;
   std::ranges::sort(gone);
   const Bud after = damages ? Bud::damaged() : Bud();
-  const std::string& why = species_->parameters.operations[operation].path;
+  const LossReason why{LossCause::cut, species_->parameters.operations[operation].path};
   for (const MetamerIndex metamer : gone) {
     if (!metamers_.is_loose(metamer)) cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
   }

@@ -396,7 +396,7 @@ class NodeWriter {
   /// What an animation moves has no matrix.
   void write_moving_instance(const GltfSharedMesh& shared, std::size_t row) {
     moving_.push_back(next_instance_++);
-    const auto [t, r, s] = pose_at(shared, row, layout_.animation.keys - 1);
+    const auto [t, r, s] = poses_of(shared, row).back();
     append("{{\"mesh\":{},\"translation\":[{},{},{}],\"rotation\":[{},{},{},{}],\"scale\":[{},{},{}]}},", shared.mesh,
            t.x, t.y, t.z, r.x, r.y, r.z, r.w, s.x, s.y, s.z);
   }

@@ -29,11 +29,13 @@ constexpr std::size_t kPaletteColours = 8;
 
 class LayoutBuilder {
  public:
-  explicit LayoutBuilder(const MovingScene& moving) : scene_(moving.scene), moving_(&moving) {
+  LayoutBuilder(const MovingScene& moving, const Progress& progress)
+      : scene_(moving.scene), progress_(progress), moving_(&moving) {
     bakes_all_ = true;
     layout_.factors = colour_factors(moving);
   }
-  LayoutBuilder(const MeshScene& scene, const GltfOptions& options) : scene_(scene) {
+  LayoutBuilder(const MeshScene& scene, const GltfOptions& options, const Progress& progress)
+      : scene_(scene), progress_(progress) {
     const bool is_large = scene.triangle_count() > options.flatten_triangles;
     bakes_all_ = !is_large && options.instances != GltfInstances::rows;
     layout_.has_instance_rows = !bakes_all_ && options.instances != GltfInstances::nodes;
@@ -44,6 +46,7 @@ class LayoutBuilder {
     if (moving_ != nullptr || (!bakes_all_ && !layout_.has_instance_rows)) make_palettes();
     add_plants();
     for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
+      progress_.check();
       if (scene_.meshes[k].triangle_count() == 0 || scene_.meshes[k].places != nullptr) continue;
       if (layout_.plants.empty()) {
         add(GltfComponent::kNoPlant, k, {});
@@ -54,7 +57,7 @@ class LayoutBuilder {
     std::ranges::stable_sort(layout_.components, {}, &GltfComponent::plant);
     add_placed_plants();
     add_textures();
-    if (moving_ != nullptr) add_tracks(moving_->times, layout_);
+    if (moving_ != nullptr) add_tracks(moving_->times, layout_, progress_);
     return std::move(layout_);
   }
 
@@ -349,6 +352,7 @@ class LayoutBuilder {
   }
 
   const MeshScene& scene_;
+  const Progress& progress_;
   const MovingScene* moving_ = nullptr;
   bool bakes_all_ = false;
   GltfLayout layout_;
@@ -476,14 +480,14 @@ bool is_expressible_as_node(const Frame& frame) {
 }
 
 GltfLayout lay_out_gltf(const MeshScene& scene, const GltfOptions& options, Progress& progress) {
-  GltfLayout layout = LayoutBuilder(scene, options).build();
+  GltfLayout layout = LayoutBuilder(scene, options, progress).build();
   encode_images(layout, options.pictures, progress);
   place_arrays(layout);
   return layout;
 }
 
 GltfLayout lay_out_gltf(const MovingScene& moving, const GltfOptions& options, Progress& progress) {
-  GltfLayout layout = LayoutBuilder(moving).build();
+  GltfLayout layout = LayoutBuilder(moving, progress).build();
   encode_images(layout, options.pictures, progress);
   place_arrays(layout);
   return layout;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/gltf/gltf_tracks.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <glm/gtc/quaternion.hpp>
+
+#include "meristem/shape/moving/nearest_keys.h"
 
 namespace meristem {
 
 namespace {
-
-bool has_volume(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) > 0; }
 
 /// Collects the tracks of nodes.
 class TrackWriter {
@@ -48,17 +45,18 @@ class TrackWriter {
 void append(Vec3 value, std::vector<float>& to) { to.insert(to.end(), {value.x, value.y, value.z}); }
 
 void add_poses(const GltfSharedMesh& shared, std::size_t row, TrackWriter& tracks) {
+  const std::vector<NodePose> poses = poses_of(shared, row);
   tracks.add(GltfTrack::Property::translation, false,
-             [&](std::size_t key, std::vector<float>& to) { append(pose_at(shared, row, key).translation, to); });
+             [&](std::size_t key, std::vector<float>& to) { append(poses[key].translation, to); });
   Vec4 before(0);
   tracks.add(GltfTrack::Property::rotation, false, [&](std::size_t key, std::vector<float>& to) {
-    Vec4 rotation = pose_at(shared, row, key).rotation;
+    Vec4 rotation = poses[key].rotation;
     if (glm::dot(rotation, before) < 0) rotation = -rotation;  // the shorter way
     before = rotation;
     to.insert(to.end(), {rotation.x, rotation.y, rotation.z, rotation.w});
   });
   tracks.add(GltfTrack::Property::scale, false,
-             [&](std::size_t key, std::vector<float>& to) { append(pose_at(shared, row, key).scale, to); });
+             [&](std::size_t key, std::vector<float>& to) { append(poses[key].scale, to); });
 }
 
 void add_weights(std::size_t keys, TrackWriter& tracks) {
@@ -69,38 +67,37 @@ void add_weights(std::size_t keys, TrackWriter& tracks) {
 
 }  // namespace
 
-NodePose pose_at(const GltfSharedMesh& shared, std::size_t row, std::size_t key) {
+std::vector<NodePose> poses_of(const GltfSharedMesh& shared, std::size_t row) {
   const auto& frames = shared.motion->frames;
   const std::uint32_t instance = shared.instances[row];
-  const auto frame_of = [&](std::size_t k) -> const Frame& { return frames[k][instance]; };
-  std::size_t seen = key;
-  while (seen < frames.size() && !has_volume(frame_of(seen))) ++seen;
-  if (seen == frames.size()) {
-    seen = key;
-    while (seen > 0 && !has_volume(frame_of(seen))) --seen;
-  }
-  NodePose pose{.translation = frame_of(key).origin - shared.origin};
-  const Mat3& turned = frame_of(seen).axes;
-  if (has_volume(frame_of(seen))) {
-    const Mat3 turn(glm::normalize(turned[0]), glm::normalize(turned[1]), glm::normalize(turned[2]));
+  const std::vector<std::size_t> nearest =
+      nearest_keys(frames.size(), [&](std::size_t key) { return is_there(frames[key][instance]); });
+  std::vector<NodePose> poses(frames.size());
+  for (std::size_t key = 0; key < frames.size(); ++key) {
+    const Frame& now = frames[key][instance];
+    poses[key].translation = now.origin - shared.origin;
+    poses[key].scale = {glm::length(now.axes[0]), glm::length(now.axes[1]), glm::length(now.axes[2])};
+    const Frame& seen = frames[nearest[key]][instance];
+    if (!is_there(seen)) continue;
+    const Mat3 turn(glm::normalize(seen.axes[0]), glm::normalize(seen.axes[1]), glm::normalize(seen.axes[2]));
     const glm::quat rotation = glm::normalize(glm::quat_cast(turn));
-    pose.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
+    poses[key].rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
   }
-  const Mat3& axes = frame_of(key).axes;
-  pose.scale = {glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])};
-  return pose;
+  return poses;
 }
 
-void add_tracks(const std::vector<double>& times, GltfLayout& layout) {
+void add_tracks(const std::vector<double>& times, GltfLayout& layout, const Progress& progress) {
   TrackWriter tracks(times, layout.animation);
   for (const GltfComponent& component : layout.components) {
     for (const GltfSharedMesh& shared : component.shared) {
       for (std::size_t row = 0; shared.motion != nullptr && row < shared.instances.size(); ++row) {
+        progress.check();
         tracks.begin_node();
         add_poses(shared, row, tracks);
       }
     }
     for (const GltfMovingMesh& moving : component.moving) {
+      progress.check();
       tracks.begin_node();
       if (moving.shown_at == GltfMovingMesh::kAlways) {
         add_weights(times.size(), tracks);

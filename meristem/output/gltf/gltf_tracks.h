@@ -9,8 +9,8 @@
 namespace meristem {
 
 /// Adds the animation of a layout whose components are all in their order: a track for each property of each node that
-/// changes. A node that moves rigidly has a turn and a shift at all keys, also where it has no size.
-void add_tracks(const std::vector<double>& times, GltfLayout& layout);
+/// changes. A node that moves rigidly has a turn and a shift at all keys, also where it has no size. Throws Cancelled.
+void add_tracks(const std::vector<double>& times, GltfLayout& layout, const Progress& progress);
 
 /// A frame that is made of a shift, a turn and a scale, as a node holds it.
 struct NodePose {
@@ -19,8 +19,8 @@ struct NodePose {
   Vec3 scale{1};
 };
 
-/// The pose of one of the instances at a key. Where it has no size, it is turned as at the nearest key at which it has
-/// some: the next one, or else the last before.
-NodePose pose_at(const GltfSharedMesh& shared, std::size_t row, std::size_t key);
+/// The pose of one of the instances at each key. Where it has no size, it is turned as at the nearest key at which it
+/// has some: the next one, or else the last before.
+std::vector<NodePose> poses_of(const GltfSharedMesh& shared, std::size_t row);
 
 }  // namespace meristem

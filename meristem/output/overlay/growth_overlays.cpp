@@ -2,13 +2,15 @@
 // What plants grew by, at a step of their growth.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/counted.h"
 #include "meristem/output/overlay/overlay_makers.h"
-#include "meristem/plant/plant_variant.h"
 #include "meristem/scene/brighter_way.h"
 
 namespace meristem {
@@ -20,6 +22,7 @@ constexpr Vec3 kUsed{0.66F, 0.67F, 0.7F};
 constexpr Vec3 kRemoved{0.82F, 0.16F, 0.12F};
 constexpr Vec3 kPull{0.45F, 0.62F, 0.93F};
 constexpr Vec3 kWay{0.93F, 0.62F, 0.08F};
+constexpr Vec3 kRoomWay{0.1F, 0.55F, 0.55F};
 constexpr Vec3 kRoom{0.18F, 0.62F, 0.3F};
 constexpr Vec3 kShed{0.62F, 0.4F, 0.16F};
 constexpr Vec3 kCut{0.82F, 0.16F, 0.12F};
@@ -41,22 +44,35 @@ void show_places(const std::vector<TracedPlace>& places, const std::array<Vec3, 
   }
 }
 
-/// Where some of the nodes of plants find more light, all over the plants.
+/// Where some of the nodes of plants without buds find more light past obstacles, all over the plants.
 std::vector<TracedWay> ways_past_obstacles(const OverlaySubject& subject, double length) {
   std::vector<TracedWay> ways;
   std::size_t nodes = 0;
-  for (const Stem& stem : subject.plant.stems) nodes += stem.skeleton.node_count();
+  for (const Stem& stem : subject.plant.stems) nodes += has_buds(stem.skeleton) ? 0 : stem.skeleton.node_count();
   const std::size_t every = 1 + nodes / kMostWays;
+  std::size_t next = every / 2;  // among all nodes of all those stems
   for (const Stem& stem : subject.plant.stems) {
-    for (std::size_t node = every / 2; node < stem.skeleton.node_count(); node += every) {
+    if (has_buds(stem.skeleton)) continue;
+    const std::size_t count = stem.skeleton.node_count();
+    for (; next < count; next += every) {
       subject.progress.check();
-      const Vec3 from = stem.skeleton.position[node];
+      const Vec3 from = stem.skeleton.position[next];
       const DVec3 way = brighter_way(subject.scene, from, 1);
       const double size = std::sqrt(glm::dot(way, way));
       if (size > 1e-12) ways.push_back({from, from + Vec3(way * (length / size))});
     }
+    next -= count;
   }
   return ways;
+}
+
+/// Some of the ways of buds, as long as arrows are.
+void add_bud_ways(const std::vector<TracedWay>& ways, double length, Vec3 colour, OverlayLayer& layer) {
+  const std::size_t every = 1 + ways.size() / kMostWays;
+  for (std::size_t k = 0; k < ways.size(); k += every) {
+    const Vec3 from = ways[k].from;
+    layer.arrows.push_back({from, from + static_cast<float>(length) * (ways[k].to - from), colour});
+  }
 }
 
 }  // namespace
@@ -73,17 +89,12 @@ void show_pulls(const OverlaySubject& subject, OverlayLayer& layer) {
 void show_ways(const OverlaySubject& subject, OverlayLayer& layer) {
   const Vec3 size = subject.bounds.size();
   const double length = kWayShare * std::max({size.x, size.y, size.z});
-  if (subject.marks.ways.empty()) {
-    for (const TracedWay& way : ways_past_obstacles(subject, length)) layer.arrows.push_back({way.from, way.to, kWay});
-  }
-  const std::size_t every = 1 + subject.marks.ways.size() / kMostWays;
-  for (std::size_t k = 0; k < subject.marks.ways.size(); k += every) {
-    const TracedWay& way = subject.marks.ways[k];
-    layer.arrows.push_back({way.from, way.from + static_cast<float>(length) * (way.to - way.from), kWay});
-  }
-  if (layer.arrows.empty()) return;
-  const bool is_room = !subject.marks.markers.empty();
-  layer.legend.push_back({kWay, is_room ? "ways to more room" : "ways to more light"});
+  for (const TracedWay& way : ways_past_obstacles(subject, length)) layer.arrows.push_back({way.from, way.to, kWay});
+  add_bud_ways(subject.marks.ways, length, kWay, layer);
+  const std::size_t to_light = layer.arrows.size();
+  add_bud_ways(subject.marks.room_ways, length, kRoomWay, layer);
+  if (to_light > 0) layer.legend.push_back({kWay, "ways to more light"});
+  if (layer.arrows.size() > to_light) layer.legend.push_back({kRoomWay, "ways to more room"});
 }
 
 void show_markers(const OverlaySubject& subject, OverlayLayer& layer) {
@@ -91,19 +102,19 @@ void show_markers(const OverlaySubject& subject, OverlayLayer& layer) {
 }
 
 void show_losses(const OverlaySubject& subject, OverlayLayer& layer) {
-  std::map<std::string, std::size_t> counts;
+  std::map<std::pair<LossCause, std::string>, std::size_t> counts;
+  const auto colour_of = [](LossCause cause) { return cause == LossCause::shed ? kShed : kCut; };
   for (const TracedLoss& loss : subject.marks.losses) {
-    const bool is_shed = loss.why.ends_with(".shedding");
-    ++counts[loss.why];
+    ++counts[{loss.why.cause, loss.why.path}];
     for (const TracedWay& segment : loss.segments) {
-      layer.lines.push_back({segment.from, segment.to, is_shed ? kShed : kCut});
+      layer.lines.push_back({segment.from, segment.to, colour_of(loss.why.cause)});
     }
   }
   for (const auto& [why, count] : counts) {
-    const bool is_shed = why.ends_with(".shedding");
-    const std::string what = count == 1 ? "branch" : "branches";
-    layer.legend.push_back({is_shed ? kShed : kCut, is_shed ? fmt::format("{} {} shed", count, what)
-                                                            : fmt::format("{} {} cut by {}", count, what, why)});
+    const std::string what = fmt::format("{} {}", count, count == 1 ? "branch" : "branches");
+    const bool is_shed = why.first == LossCause::shed;
+    layer.legend.push_back(
+        {colour_of(why.first), is_shed ? what + " shed" : fmt::format("{} cut by {}", what, why.second)});
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/output/overlay/overlay_makers.h"
+#include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 
@@ -20,54 +21,78 @@ constexpr std::array<OverlayPartInfo, 14> kParts = {{
      "Attraction points",
      "Attraction points of the plants that colonize space: those that pull, those that are used up, and those that "
      "were removed before growth.",
-     {.points = true}},
+     {TracePart::points},
+     &show_points},
     {OverlayPart::pulls,
      "pulls",
      "Pull of the points",
      "Lines from the nodes of colonizing plants to the attraction points that pull them in the next step.",
-     {.pulls = true}},
+     {TracePart::pulls},
+     &show_pulls},
     {OverlayPart::ways,
      "ways",
      "Ways to the light",
      "Arrows toward more light or room: of self-organizing plants from the buds that grew in this step, of other "
-     "plants from some of their nodes.",
-     {.ways = true}},
+     "plants from some of their nodes past obstacles.",
+     {TracePart::ways},
+     &show_ways,
+     true},
     {OverlayPart::markers,
      "markers",
      "Markers of room",
      "Markers that the buds of self-organizing plants could see, and those that shoots have taken.",
-     {.steps = true, .markers = true}},
+     {TracePart::steps, TracePart::markers},
+     &show_markers},
     {OverlayPart::losses,
      "losses",
      "Shed and cut",
      "Branches that self-organizing plants lost in this step, shed for want of light or cut by an operation.",
-     {.losses = true}},
-    {OverlayPart::skeleton, "skeleton", "Skeleton", "Axes and nodes of all plants.", {}},
+     {TracePart::losses},
+     &show_losses},
+    {OverlayPart::skeleton, "skeleton", "Skeleton", "Axes and nodes of all plants.", {}, &show_skeleton, true},
     {OverlayPart::light,
      "light",
      "Light on buds",
      "Light of each open bud of self-organizing plants as a colour; of other plants the light that obstacles leave to "
      "each node.",
-     {}},
+     {},
+     &show_light,
+     true},
     {OverlayPart::resource,
      "resource",
      "Resource",
      "Resource that comes to each metamer of self-organizing plants, as the colour of its internode.",
-     {}},
+     {},
+     &show_resource,
+     true},
     {OverlayPart::hull,
      "hull",
      "Hull of the crown",
      "Convex hull of each tree's crown, whose lit share is measured.",
-     {}},
-    {OverlayPart::supports, "supports", "Supports", "Lines of the scene that shoots may be tied to.", {}},
+     {},
+     &show_hull,
+     true},
+    {OverlayPart::supports,
+     "supports",
+     "Supports",
+     "Lines of the scene that shoots may be tied to.",
+     {},
+     &show_supports},
     {OverlayPart::box,
      "box",
      "Box of the surface",
-     "Box in which the surface of each blended stem is sought, and one of the cells that fill it.",
-     {}},
-    {OverlayPart::sun, "sun", "Sun", "Arrows of the sun's light on the plant, and the sun's way over the day.", {}},
-    {OverlayPart::compass, "compass", "Compass", "A compass rose on the ground.", {}},
-    {OverlayPart::scale, "scale", "Scale", "A bar on the ground with its length.", {}},
+     "Box about each blended stem and each body of a crown, and one of the cells in which its surface is sought.",
+     {},
+     &show_box,
+     true},
+    {OverlayPart::sun,
+     "sun",
+     "Sun",
+     "Arrows of the sun's light on the plant, and the sun's way over the day.",
+     {},
+     &show_sun},
+    {OverlayPart::compass, "compass", "Compass", "A compass rose on the ground.", {}, &show_compass},
+    {OverlayPart::scale, "scale", "Scale", "A bar on the ground with its length.", {}, &show_scale},
 }};
 
 }  // namespace
@@ -104,58 +129,17 @@ TraceWish wish_for_overlays(std::span<const OverlayPart> parts) {
 
 std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
                                          const Progress& progress) {
-  const StepMarks marks = source.traces.marks(source.traces.shown_step(), wish_for_overlays(parts));
+  const StepMarks marks = source.traces.marks(source.traces.shown_step(), wish_for_overlays(parts), progress);
   Box bounds = source.bounds;
   for (const TracedPlace& point : marks.points) bounds.add(point.position);
-  const OverlaySubject subject{source.plant, source.scene, marks, bounds, source.right, progress};
+  const auto reads_plant = [](OverlayPart part) { return overlay_part(part).reads_plant; };
+  std::optional<ExpandedPlant> plant;
+  if (std::ranges::any_of(parts, reads_plant)) plant.emplace(source.plant, progress);
+  const OverlaySubject subject{plant ? **plant : source.plant, source.scene, marks, bounds, source.right, progress};
   std::vector<OverlayLayer> layers;
   for (const OverlayPart part : parts) {
     progress.check();
-    OverlayLayer& layer = layers.emplace_back(OverlayLayer{.part = part});
-    switch (part) {
-      case OverlayPart::points:
-        show_points(subject, layer);
-        break;
-      case OverlayPart::pulls:
-        show_pulls(subject, layer);
-        break;
-      case OverlayPart::ways:
-        show_ways(subject, layer);
-        break;
-      case OverlayPart::markers:
-        show_markers(subject, layer);
-        break;
-      case OverlayPart::losses:
-        show_losses(subject, layer);
-        break;
-      case OverlayPart::skeleton:
-        show_skeleton(subject, layer);
-        break;
-      case OverlayPart::light:
-        show_light(subject, layer);
-        break;
-      case OverlayPart::resource:
-        show_resource(subject, layer);
-        break;
-      case OverlayPart::hull:
-        show_hull(subject, layer);
-        break;
-      case OverlayPart::supports:
-        show_supports(subject, layer);
-        break;
-      case OverlayPart::box:
-        show_box(subject, layer);
-        break;
-      case OverlayPart::sun:
-        show_sun(subject, layer);
-        break;
-      case OverlayPart::compass:
-        show_compass(subject, layer);
-        break;
-      case OverlayPart::scale:
-        show_scale(subject, layer);
-        break;
-    }
+    overlay_part(part).show(subject, layers.emplace_back(OverlayLayer{.part = part}));
   }
   return layers;
 }

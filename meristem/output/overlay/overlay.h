@@ -36,13 +36,18 @@ enum class OverlayPart {
   scale,
 };
 
+struct OverlayLayer;
+struct OverlaySubject;  // what overlays are made from, with what was recorded of growth
+
 /// A part as people choose it.
 struct OverlayPartInfo {
   OverlayPart part;
   const char* name;
-  const char* title;  ///< for a switch: "Attraction points"
-  const char* doc;    ///< one sentence
-  TraceWish wish;     ///< what must have been recorded of growth
+  const char* title;                                                 ///< for a switch: "Attraction points"
+  const char* doc;                                                   ///< one sentence
+  TraceWish wish;                                                    ///< what must have been recorded of growth
+  void (*show)(const OverlaySubject& subject, OverlayLayer& layer);  ///< fills a layer with it
+  bool reads_plant = false;  ///< it shows something of each stem, also of plants that stand there as a whole
 };
 
 /// All parts, in the order in which they are listed.
@@ -94,8 +99,8 @@ struct OverlaySource {
   Vec3 right{1, 0, 0};  ///< unit vector on the ground along which the scale lies
 };
 
-/// The layers of the parts, in their order, at the step of growth that the plant stands at. Equal on any number of
-/// threads. Throws Cancelled.
+/// The layers of the parts, in their order, at the step of growth that the plant stands at. What was recorded of growth
+/// is that of the document's own plants. Equal on any number of threads. Throws InputError past limits, Cancelled.
 std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
                                          const Progress& progress);
 

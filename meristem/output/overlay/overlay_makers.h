@@ -7,13 +7,16 @@ namespace meristem {
 
 /// What overlays are made from.
 struct OverlaySubject {
-  const Plant& plant;
+  const Plant& plant;  ///< without plantings, where a part reads the plant
   const Scene& scene;
   const StepMarks& marks;
   Box bounds;  ///< around the plant, and the points that it grew by
   Vec3 right{1, 0, 0};
   const Progress& progress;
 };
+
+/// Whether a stem is of a self-organizing tree, whose metamers tell the light of their buds.
+bool has_buds(const Skeleton& skeleton);
 
 // Each fills a layer with one part.
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/overlay/overlay.h"
 
+#include <array>
+#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,7 +13,9 @@
 #include "meristem/document/grow.h"
 #include "meristem/output/overlay/overlay_meshes.h"
 #include "meristem/output/overlay/overlay_text.h"
+#include "meristem/plant/plant_variant.h"
 #include "tests/support/build_graph.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem::overlay_test {
 
@@ -22,6 +26,11 @@ constexpr const char* kTree = R"j({
     "type": "colonize", "crown": {"ellipsoid": {"centre": [0, 1.2, 0], "radii": [0.6, 0.7, 0.9]}},
     "points": 80, "step": 0.08, "influence": 0.8, "kill": 0.17
   }}
+})j";
+
+constexpr const char* kMarkers = R"j({
+  "meristem": 1, "seed": 2,
+  "components": {"tree": {"type": "organize", "iterations": 7, "length": 0.1, "light": {"model": "markers"}}}
 })j";
 
 constexpr const char* kOrganized = R"j({
@@ -91,6 +100,66 @@ TEST(Overlay, BudsOfOrganizedTreesHaveTheirLight) {
   EXPECT_FALSE(shown.layers[4].lines.empty());
 }
 
+TEST(Overlay, WaysOfBudsThatLookForRoomSaySoWithoutTheirMarkers) {
+  const Shown shown = show(kMarkers, "ways");
+  ASSERT_EQ(shown.layers[0].legend.size(), 1U);
+  EXPECT_EQ(shown.layers[0].legend[0].text, "ways to more room");
+  EXPECT_TRUE(show(kMarkers, "ways", 0).layers[0].arrows.empty()) << "no bud has grown before the first step";
+}
+
+TEST(Overlay, PlantsWithoutBudsHaveWaysBesideThoseWithSome) {
+  const Shown shown = show(R"j({
+    "meristem": 1, "seed": 4, "scene": {"obstacles": [{"box": [[-1, 0, 0.8], [1, 1.5, 1.2]]}]},
+    "components": {
+      "field": {"type": "world"},
+      "bush": {"type": "colonize", "crown": {"ellipsoid": {"centre": [0, 1.2, 0], "radii": [0.6, 0.7, 0.9]}},
+               "points": 80, "step": 0.08, "influence": 0.8, "kill": 0.17},
+      "tree": {"type": "organize", "iterations": 5, "length": 0.1, "light": {"model": "markers"},
+               "frame": {"translate": [4, 0, 0]}}
+    },
+    "links": [["field", "bush"], ["field", "tree"]]
+  })j",
+                           "ways");
+  std::array<std::size_t, 2> arrows{};
+  for (const OverlayLine& arrow : shown.layers[0].arrows) ++arrows[arrow.from.x < 2 ? 0 : 1];
+  EXPECT_GT(arrows[0], 10U);
+  EXPECT_GT(arrows[1], 0U);
+  EXPECT_EQ(shown.layers[0].legend.size(), 2U) << "to light and to room";
+}
+
+TEST(Overlay, ShortStemsHaveTheirShareOfTheWays) {
+  const Shown shown = show(R"j({
+    "meristem": 1, "scene": {"obstacles": [{"box": [[-30, 2, -30], [30, 3, 0.1]]}]},
+    "components": {
+      "row": {"type": "field", "rows": 1, "plants": 60, "spacing": 0.15},
+      "stem": {"type": "tree", "length": 0.2, "radius": 0.01}
+    },
+    "links": [["row", "stem"]]
+  })j",
+                           "ways");
+  EXPECT_GT(shown.layers[0].arrows.size(), 40U);
+}
+
+TEST(Overlay, PlantsOfOtherDocumentsAreShownAsWell) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "tree.json") << kOrganized;
+  const Document document = read_document(R"j({
+    "meristem": 1, "components": {
+      "row": {"type": "field", "rows": 1, "plants": 3, "spacing": 4},
+      "tree": {"type": "document", "file": "tree.json", "seed": 1}
+    },
+    "links": [["row", "tree"]]
+  })j",
+                                          (folder / "row.json").string(), builtin_components(), {});
+  Progress progress;
+  const GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
+  const OverlaySource source{grown.plant, grown.traces, document.scene, grown.meshes.bounds()};
+  const std::vector<OverlayPart> parts = overlay_parts_named("skeleton,light,resource,hull", "--show");
+  const std::vector<OverlayLayer> layers = overlay_layers(source, parts, progress);
+  EXPECT_EQ(layers[0].points.size(), totals_of(grown.plant).nodes);
+  for (const OverlayLayer& layer : layers) EXPECT_FALSE(layer.legend.empty());
+}
+
 TEST(Overlay, SunCompassAndScaleStandAboutThePlant) {
   const Shown shown = show(kTree, "sun,compass,scale");
   for (const OverlayLine& arrow : shown.layers[0].arrows) {
@@ -108,7 +177,20 @@ TEST(Overlay, BoxesAndCellsOfBlendedStems) {
   const Shown shown = show(R"j({"meristem": 1, "components": {"stem": {
     "type": "tree", "length": 1, "radius": 0.1, "surface": {"style": "blend", "resolution": 50}}}})j",
                            "box");
-  EXPECT_EQ(shown.layers[0].lines.size(), 24U) << "the box and a cell";
+  ASSERT_EQ(shown.layers[0].lines.size(), 24U) << "the box and a cell";
+  Box box;
+  for (const OverlayLine& line : shown.layers[0].lines) {
+    box.add(line.from);
+    box.add(line.to);
+  }
+  const Box made = shown.grown.meshes.bounds();
+  const OverlayLine& cell = shown.layers[0].lines.back();
+  const float side = glm::distance(cell.from, cell.to);
+  EXPECT_NEAR(side, 1.0F / 50, 0.01F);
+  EXPECT_NEAR(box.low.x, made.low.x, side) << "of the stem, not of its axis";
+  EXPECT_NEAR(box.high.x, made.high.x, side);
+  EXPECT_LE(box.low.y, made.low.y) << "solids have round ends below the base, which is flat";
+  EXPECT_NEAR(box.high.y, made.high.y, side);
   EXPECT_TRUE(show(kTree, "box").layers[0].lines.empty());
 }
 

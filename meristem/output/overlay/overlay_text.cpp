@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "meristem/base/colour.h"
 #include "meristem/output/write/small_text.h"
 
 namespace meristem {
@@ -20,18 +21,11 @@ void write_with_rim(Image& image, int x, int y, int scale, std::string_view text
   draw_small_text(image, x, y, scale, kLegendInk, text);
 }
 
-void fill_square(Image& image, int x, int y, int size, Vec3 colour) {
-  for (int row = std::max(0, y); row < std::min(image.height, y + size); ++row) {
-    for (int column = std::max(0, x); column < std::min(image.width, x + size); ++column) {
-      std::uint8_t* const pixel = image.pixel(column, row);
-      const bool is_rim = row == y || column == x || row == y + size - 1 || column == x + size - 1;
-      for (int k = 0; k < 3; ++k) {
-        pixel[k] = is_rim ? kLegendRim[static_cast<std::size_t>(k)]
-                          : static_cast<std::uint8_t>(std::clamp(255 * colour[k] + 0.5F, 0.0F, 255.0F));
-      }
-      pixel[3] = 255;
-    }
-  }
+/// A square of a colour with a rim.
+void draw_key(Image& image, int x, int y, int size, Vec3 colour) {
+  fill_square(image, x, y, size, kLegendRim);
+  fill_square(image, x + 1, y + 1, size - 2,
+              {byte_from_srgb(colour.r), byte_from_srgb(colour.g), byte_from_srgb(colour.b)});
 }
 
 }  // namespace
@@ -53,7 +47,7 @@ void write_overlay_text(Image& image, std::span<const OverlayLayer> layers, OnFi
   for (const OverlayLayer& layer : layers) {
     for (const OverlayKey& key : layer.legend) {
       const int square = scale * kSmallTextHeight;
-      fill_square(image, line / 2, y, square, key.colour);
+      draw_key(image, line / 2, y, square, key.colour);
       write_with_rim(image, line / 2 + square + 4 * scale, y, scale, key.text);
       y += line;
     }

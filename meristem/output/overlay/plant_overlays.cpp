@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,8 +12,8 @@
 #include "meristem/measure/tree_form.h"
 #include "meristem/output/overlay/hull_edges.h"
 #include "meristem/output/overlay/overlay_makers.h"
-#include "meristem/plant/plant_variant.h"
 #include "meristem/plant/split_trees.h"
+#include "meristem/shape/body_meshes.h"
 
 namespace meristem {
 
@@ -101,6 +103,8 @@ void add_box(const Box& box, Vec3 colour, OverlayLayer& layer) {
 
 }  // namespace
 
+bool has_buds(const Skeleton& skeleton) { return skeleton.extra.contains(kLight); }
+
 void show_skeleton(const OverlaySubject& subject, OverlayLayer& layer) {
   std::size_t nodes = 0;
   for (const Stem& stem : subject.plant.stems) {
@@ -115,9 +119,9 @@ void show_light(const OverlaySubject& subject, OverlayLayer& layer) {
   std::vector<Reading> readings;
   bool are_buds = false;
   for (const Stem& stem : subject.plant.stems) {
-    const bool has_buds = stem.skeleton.extra.contains(kLight);
-    are_buds = are_buds || has_buds;
-    if (has_buds) {
+    const bool has_own = has_buds(stem.skeleton);
+    are_buds = are_buds || has_own;
+    if (has_own) {
       read_buds(stem.skeleton, readings);
     } else {
       read_scene(stem.skeleton, subject, readings);
@@ -172,19 +176,26 @@ void show_supports(const OverlaySubject& subject, OverlayLayer& layer) {
 }
 
 void show_box(const OverlaySubject& subject, OverlayLayer& layer) {
-  for (const Stem& stem : subject.plant.stems) {
-    if (stem.parts.front().surface.style != Surface::Style::blend) continue;
-    const Box box = bounds(stem.skeleton);
-    const Vec3 size = box.size();
-    const float cell = std::max({size.x, size.y, size.z}) / static_cast<float>(stem.parts.front().surface.resolution);
-    add_box(box, kBox, layer);
+  const std::vector<BodyCells> bodies = find_body_cells(subject.plant, subject.progress);
+  if (bodies.empty()) return;
+  double least = bodies[0].cell;
+  double most = least;
+  for (const BodyCells& body : bodies) {
+    add_box(body.box, kBox, layer);
     Box corner;
-    corner.add(box.low);
-    corner.add(box.low + Vec3(cell));
+    corner.add(body.box.low);
+    corner.add(body.box.low + Vec3(static_cast<float>(body.cell)));
     add_box(corner, kBox, layer);
-    layer.legend.push_back({kBox, fmt::format("box of {:.3g} x {:.3g} x {:.3g} m, cells of {:.3g} mm", size.x, size.y,
-                                              size.z, 1000 * cell)});
+    least = std::min(least, body.cell);
+    most = std::max(most, body.cell);
   }
+  const Vec3 size = bodies[0].box.size();
+  const std::string boxes = bodies.size() == 1
+                                ? fmt::format("box of {:.3g} x {:.3g} x {:.3g} m", size.x, size.y, size.z)
+                                : fmt::format("{} boxes", bodies.size());
+  const std::string cells = fmt::format("cells of {:.3g}", 1000 * least);
+  const std::string up_to = most > least ? fmt::format(" to {:.3g}", 1000 * most) : "";
+  layer.legend.push_back({kBox, fmt::format("{}, {}{} mm", boxes, cells, up_to)});
 }
 
 }  // namespace meristem

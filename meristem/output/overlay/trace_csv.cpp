@@ -1,45 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/overlay/trace_csv.h"
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
+#include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
 
 namespace meristem {
 
+namespace {
+
+constexpr std::array<const char*, 3> kStates{"free", "used", "removed"};
+constexpr std::size_t kRowBytes = 5 * kCsvNumberBytes + 16;  // of a point, without what it is of
+
+void append_point(const TracedPlace& point, std::size_t number, std::string& out) {
+  append_csv_number(number, out);
+  for (int axis = 0; axis < 3; ++axis) {
+    out += ',';
+    append_csv_number(point.position[axis], out);
+  }
+  out += ',';
+  out += kStates[static_cast<std::size_t>(point.state)];
+  out += ',';
+  append_csv_number(point.used_in, out);
+  out += '\n';
+}
+
+}  // namespace
+
 void write_points_csv(const GrowthTraces& traces, const std::string& path, Progress& progress) {
-  static constexpr std::array<const char*, 3> kStates{"free", "used", "removed"};
-  if (!traces.recorded.points) {
+  if (!traces.recorded.has(TracePart::points)) {
     throw InputError(Diagnostic{.message = "the growth of the plants was not recorded, so their points are not known",
                                 .expected = "a growth that records points: in Python, document.grow(trace=True)"});
   }
-  progress.begin("writing CSV", traces.growths.size());
-  std::string text = "component,instance,number,x,y,z,state,used_in\n";
+  std::vector<std::vector<TracedPlace>> points;
+  std::uint64_t count = 0;
   for (const TracedGrowth& growth : traces.growths) {
-    const StepMarks marks =
-        growth.trace->marks(std::clamp(traces.shown_step(), 0, growth.trace->last_step()), {.points = true});
-    const std::string of = csv_field(growth.component) + "," + std::to_string(growth.instance) + ",";
-    for (std::size_t k = 0; k < marks.points.size(); ++k) {
-      const TracedPlace& point = marks.points[k];
-      text += of;
-      append_csv_number(k, text);
-      for (int axis = 0; axis < 3; ++axis) {
-        text += ',';
-        append_csv_number(point.position[axis], text);
-      }
-      text += ',';
-      text += kStates[static_cast<std::size_t>(point.state)];
-      text += ',';
-      append_csv_number(point.used_in, text);
-      text += '\n';
-    }
-    progress.advance();
+    points.push_back(growth.trace->marks(traces.shown_step(), {TracePart::points}, progress).points);
+    count += points.back().size();
   }
+  progress.begin("writing CSV", count);
   AtomicFile file(path);
-  file.write(text);
+  file.write("component,instance,number,x,y,z,state,used_in\n");
+  BlockWriter writer(file, progress);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TracedGrowth& growth = traces.growths[k];
+    const std::string of = csv_field(growth.component) + "," + std::to_string(growth.instance) + ",";
+    writer.write(points[k].size(), of.size() + kRowBytes, [&](std::size_t begin, std::size_t end, std::string& out) {
+      for (std::size_t point = begin; point < end; ++point) {
+        out += of;
+        append_point(points[k][point], point, out);
+      }
+    });
+  }
   file.commit();
 }
 

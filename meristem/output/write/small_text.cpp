@@ -90,7 +90,9 @@ constexpr std::array<std::array<std::uint8_t, 7>, 75> kDots = {{
     {0b00000, 0b00000, 0b11111, 0b00000, 0b11111, 0b00000, 0b00000},
 }};
 
-void fill(Image& image, int x, int y, int size, Pixel colour) {
+}  // namespace
+
+void fill_square(Image& image, int x, int y, int size, Pixel colour) {
   for (int row = std::max(y, 0); row < std::min(y + size, image.height); ++row) {
     for (int column = std::max(x, 0); column < std::min(x + size, image.width); ++column) {
       std::copy(colour.begin(), colour.end(), image.pixel(column, row));
@@ -99,15 +101,13 @@ void fill(Image& image, int x, int y, int size, Pixel colour) {
   }
 }
 
-}  // namespace
-
 void draw_small_text(Image& image, int x, int y, int scale, Pixel colour, std::string_view text) {
   for (const char letter : text) {
     const std::size_t number = kLetters.find(letter);
     for (int row = 0; number != std::string_view::npos && row < kSmallTextHeight; ++row) {
       for (int column = 0; column < kWidth; ++column) {
         const bool is_dot = (kDots[number][static_cast<std::size_t>(row)] >> (kWidth - 1 - column) & 1) != 0;
-        if (is_dot) fill(image, x + scale * column, y + scale * row, scale, colour);
+        if (is_dot) fill_square(image, x + scale * column, y + scale * row, scale, colour);
       }
     }
     x += scale * kAdvance;

@@ -46,9 +46,9 @@ std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
   return static_cast<std::uint32_t>(volumes_.size() - 1);
 }
 
-MarkerField MarkerField::vacant(std::uint32_t volume) const {
+MarkerField MarkerField::vacant() const {
   MarkerField vacant(form_, key_, obstacles_);
-  vacant.add_volume(volumes_[volume].crown, volumes_[volume].root);
+  vacant.volumes_ = volumes_;
   return vacant;
 }
 

@@ -74,8 +74,8 @@ class MarkerField {
   /// The free markers of a volume in a box, in no special order; for pictures and tests. Time goes with the box.
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;
 
-  /// The same markers without any shoots, in this one volume, whose number is then 0.
-  MarkerField vacant(std::uint32_t volume) const;
+  /// The same markers and volumes without any shoots.
+  MarkerField vacant() const;
 
   const MarkerParameters& form() const { return form_; }
   /// Kept between rounds: some 120 per brick of 64 markers that a shoot or a cone has touched. A round takes, for its

@@ -8,9 +8,12 @@
 // grown yet lies together at its tip, and what is not there at its base, so that it grows out of nothing.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
+
+#include <glm/matrix.hpp>
 
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
@@ -38,6 +41,9 @@ struct MeshMotion {
   std::size_t shown_at = 0;  ///< key
 };
 
+/// Whether a frame of a motion has a size, so that its instance is there.
+inline bool is_there(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) > 0; }
+
 /// The scene is what stands at the last key, and what has gone by then without size.
 struct MovingScene {
   MeshScene scene;
@@ -47,8 +53,9 @@ struct MovingScene {
 
 /// What a moving scene may take.
 struct MovingLimits {
-  std::uint64_t bytes = 500'000'000;   ///< of positions, normals and colours that change, with all keys
-  std::size_t rigid_instances = 1000;  ///< that move as nodes; more of them move by their vertices
+  std::uint64_t bytes = 500'000'000;     ///< of positions, normals and colours that change, with all keys
+  std::uint64_t part_keys = 20'000'000;  ///< organs and bodies, times the keys at which each is noted
+  std::size_t rigid_instances = 1000;    ///< that move as nodes; more of them move by their vertices
 };
 
 /// Puts a moving scene together from a plant at one time after another.
@@ -58,11 +65,12 @@ class MovingSceneMaker {
   MovingSceneMaker(const Limits& limits, const MovingLimits& moving, std::size_t keys);
   ~MovingSceneMaker();
 
-  /// The plant at the next time, with pictures in its materials and without plantings (`expanded`). Throws as
-  /// make_mesh_scene does, and InputError where what moves takes more bytes than it may, naming `--keys`.
-  void add(double time, const Plant& plant, Progress& progress);
+  /// The plant at one of the keys, each once and in any order, with pictures in its materials and without plantings
+  /// (`expanded`). Throws as make_mesh_scene does, and InputError at the key "animation" where what moves takes more
+  /// than it may: most is told after two plants where the first and the last come first.
+  void add(std::size_t key, double time, const Plant& plant, Progress& progress);
 
-  /// The scene, once all plants have been added.
+  /// The scene, once the plants of all keys have been added. Throws InputError as add() does.
   MovingScene take(Progress& progress);
 
  private:

@@ -140,7 +140,7 @@ std::optional<TubeShape> tube_shape(const TubePlan& plan, AxisIndex axis, const 
   return tube;
 }
 
-std::size_t fullest_shape(const std::vector<std::optional<TubeShape>>& shapes) {
+std::size_t fullest_shape(const std::vector<std::shared_ptr<const TubeShape>>& shapes) {
   std::size_t best = 0;
   std::size_t most = 0;
   for (std::size_t k = 0; k < shapes.size(); ++k) {

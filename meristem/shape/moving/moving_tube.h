@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct TubeShape {
   std::vector<Vec3> normals;
   std::vector<Vec2> uvs;
 
+  bool operator==(const TubeShape&) const = default;
   std::uint32_t ring_vertex(std::uint32_t ring, std::uint32_t side) const {
     return start_vertices + ring * (sides + 1) + side;
   }
@@ -35,8 +37,8 @@ struct TubeShape {
 /// The tube of an axis in the meshes that make_tubes has made of the plan; nothing where it has none.
 std::optional<TubeShape> tube_shape(const TubePlan& plan, AxisIndex axis, const std::vector<Mesh>& meshes);
 
-/// Which of the shapes of one axis (nothing where it is not there) has most rings: the last of those.
-std::size_t fullest_shape(const std::vector<std::optional<TubeShape>>& shapes);
+/// Which of the shapes of one axis (null where it is not there) has most rings: the last of those.
+std::size_t fullest_shape(const std::vector<std::shared_ptr<const TubeShape>>& shapes);
 
 /// The triangles of a tube whose first vertex has the number `first`, appended.
 void add_tube_triangles(const TubeShape& tube, std::uint32_t first, Mesh& to);

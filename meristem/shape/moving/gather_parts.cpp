@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <compare>
+#include <map>
+#include <utility>
+
+#include "meristem/shape/moving/moving_blade.h"
+#include "meristem/shape/moving/moving_likeness.h"
+#include "meristem/shape/moving/moving_meshes.h"
+
+namespace meristem {
+
+namespace {
+
+using Kind = MeshMotion::Kind;
+
+/// What the instances of one mesh have in common.
+struct PartGroup {
+  std::uint32_t component = 0;
+  std::uint32_t material = 0;
+  Kind kind = Kind::still;
+  bool has_tints = false;           ///< that change
+  std::size_t shown_at = 0;         ///< key
+  std::vector<const Mesh*> meshes;  ///< by key, or the only one
+
+  auto operator<=>(const PartGroup&) const = default;
+};
+
+/// The blade with the vertices of the model; null where it cannot have them.
+SharedMesh cut_as(const Mesh& blade, const Mesh& model) {
+  std::optional<Mesh> cut = as_model_is_cut(blade, model);
+  if (!cut) return nullptr;
+  cut->uvs = model.uvs;
+  cut->triangles = model.triangles;
+  cut->stalk_triangles = model.stalk_triangles;
+  return std::make_shared<const Mesh>(std::move(*cut));
+}
+
+class PartGatherer {
+ public:
+  PartGatherer(MovingParts& parts, std::size_t rigid_instances, const Progress& progress)
+      : parts_(parts), rigid_instances_(rigid_instances), progress_(progress) {}
+
+  std::vector<MovingMesh> gather();
+
+ private:
+  std::size_t key_count() const { return parts_.key_count; }
+  Vec3 tint_at(const MovingPart& part, std::size_t key) const {
+    return parts_.tint_at(part.look, part.keys[key].tint, key);
+  }
+  void cut_alike(MovingPart& part);
+  void count_rigid();
+  Kind kind_of(const MovingPart& part) const;
+  bool can_be_rigid(const MovingPart& part) const;
+  bool changes_tint(const MovingPart& part) const;
+  void add(const MovingPart& part);
+  void add_shown(const MovingPart& part);
+  MovingMesh& group(PartGroup key, const std::shared_ptr<const Mesh>& mesh);
+
+  MovingParts& parts_;
+  const std::size_t rigid_instances_;
+  const Progress& progress_;
+  std::map<std::pair<const Mesh*, const Mesh*>, SharedMesh> cut_meshes_;  // as the second is cut; null: it cannot be
+  std::map<MovingLook, std::size_t> rigid_;                               // how many parts of a look may be nodes
+  std::vector<MovingMesh> made_;
+  std::map<PartGroup, std::size_t> number_of_;
+};
+
+/// Gives the blades of a part that are cut in several ways the vertices of the one that has most.
+void PartGatherer::cut_alike(MovingPart& part) {
+  SharedMesh model;
+  for (const PartKey& key : part.keys) {
+    if (key.mesh != nullptr && (model == nullptr || key.mesh->vertex_count() >= model->vertex_count()))
+      model = key.mesh;
+  }
+  std::vector<SharedMesh> cut;
+  for (const PartKey& key : part.keys) {
+    cut.push_back(key.mesh);
+    if (key.mesh == nullptr || are_of_one_form(*key.mesh, *model)) continue;
+    const auto [known, is_new] = cut_meshes_.try_emplace({key.mesh.get(), model.get()});
+    if (is_new) known->second = cut_as(*key.mesh, *model);
+    if (known->second == nullptr) return;
+    cut.back() = known->second;
+  }
+  for (std::size_t k = 0; k < cut.size(); ++k) part.keys[k].mesh = cut[k];
+}
+
+bool PartGatherer::changes_tint(const MovingPart& part) const {
+  const Vec3 shown = tint_at(part, part.nearest().back());
+  for (std::size_t k = 0; k < key_count(); ++k) {
+    if (part.keys[k].mesh != nullptr && tint_at(part, k) != shown) return true;
+  }
+  return false;
+}
+
+Kind PartGatherer::kind_of(const MovingPart& part) const {
+  const PartKey& first = part.keys[part.nearest().front()];
+  bool is_still = !changes_tint(part);
+  bool is_one_mesh = true;
+  for (const PartKey& key : part.keys) {
+    is_still = is_still && key.mesh == first.mesh && are_one_frame(key.frame, first.frame);
+    if (key.mesh == nullptr || key.mesh == first.mesh) continue;
+    is_one_mesh = false;
+    if (!are_of_one_form(*key.mesh, *first.mesh)) return Kind::shown;
+  }
+  if (is_still) return Kind::still;
+  return is_one_mesh ? Kind::rigid : Kind::shape;
+}
+
+bool PartGatherer::can_be_rigid(const MovingPart& part) const {
+  if (changes_tint(part)) return false;
+  return std::ranges::all_of(part.keys,
+                             [](const PartKey& key) { return key.mesh == nullptr || is_rigid_frame(key.frame); });
+}
+
+/// Looks of which few parts move are nodes, in their order, as long as there is room for them.
+void PartGatherer::count_rigid() {
+  std::map<MovingLook, std::size_t> wanted;
+  for (const MovingPart& part : parts_.parts) {
+    progress_.check();
+    if (kind_of(part) == Kind::rigid && can_be_rigid(part)) ++wanted[part.look];
+  }
+  std::size_t room = rigid_instances_;
+  for (const auto& [look, count] : wanted) {
+    if (count > room) continue;
+    room -= count;
+    rigid_[look] = count;
+  }
+}
+
+MovingMesh& PartGatherer::group(PartGroup key, const SharedMesh& mesh) {
+  const auto [entry, is_new] = number_of_.try_emplace(std::move(key), made_.size());
+  if (is_new) {
+    MovingMesh& fresh = made_.emplace_back();
+    fresh.instances.component = parts_.components[entry->first.component];
+    fresh.instances.mesh = mesh;
+    fresh.instances.material = entry->first.material;
+    fresh.motion.kind = entry->first.kind;
+  }
+  return made_[entry->second];
+}
+
+void PartGatherer::add(const MovingPart& part) {
+  PartGroup key{.component = part.look.component, .material = part.look.material, .kind = kind_of(part), .meshes = {}};
+  if (key.kind == Kind::shown) return add_shown(part);
+  if (key.kind == Kind::rigid && !(rigid_.contains(part.look) && can_be_rigid(part))) key.kind = Kind::shape;
+  key.has_tints = key.kind == Kind::shape && changes_tint(part);
+  const bool is_still = key.kind == Kind::still;
+  const bool has_tints = key.has_tints;
+  const std::vector<std::size_t> nearest = part.nearest();
+  const std::size_t last = nearest.back();
+  const auto frame_at = [&](std::size_t k) {
+    const Frame& there = part.keys[nearest[k]].frame;
+    return nearest[k] == k ? there : Frame{Mat3(0), there.origin};
+  };
+
+  // Parts with the same meshes at all keys are instances of one.
+  std::vector<SharedMesh> of_keys;
+  for (const std::size_t there : nearest) of_keys.push_back(part.keys[there].mesh);
+  const bool is_one_mesh = std::ranges::all_of(of_keys, [&](const SharedMesh& mesh) { return mesh == of_keys[0]; });
+  for (const SharedMesh& mesh : of_keys) {
+    key.meshes.push_back(mesh.get());
+    if (is_one_mesh) break;
+  }
+  MovingMesh& all = group(std::move(key), part.keys[last].mesh);
+  all.instances.frames.push_back(frame_at(key_count() - 1));
+  all.instances.tints.push_back(tint_at(part, last));
+  all.instances.individuals.push_back(part.look.individual);
+  if (is_still) return;
+  if (!is_one_mesh && all.motion.meshes.empty()) {
+    all.motion.meshes = of_keys;
+    for (const SharedMesh& mesh : of_keys) {
+      all.motion.turns = all.motion.turns || are_turned(mesh->normals, all.instances.mesh->normals);
+    }
+  }
+  all.motion.frames.resize(key_count());
+  if (has_tints) all.motion.tints.resize(key_count());
+  for (std::size_t k = 0; k < key_count(); ++k) {
+    const Frame frame = frame_at(k);
+    const bool are_seen = is_there(frame) && is_there(part.keys[last].frame);
+    if (are_seen && are_turned(frame, part.keys[last].frame)) all.motion.turns = true;
+    all.motion.frames[k].push_back(frame);
+    if (has_tints) all.motion.tints[k].push_back(tint_at(part, nearest[k]));
+  }
+}
+
+void PartGatherer::add_shown(const MovingPart& part) {
+  for (std::size_t k = 0; k < key_count(); ++k) {
+    const PartKey& then = part.keys[k];
+    if (then.mesh == nullptr) continue;
+    MovingMesh& all = group({.component = part.look.component,
+                             .material = part.look.material,
+                             .kind = Kind::shown,
+                             .shown_at = k,
+                             .meshes = {then.mesh.get()}},
+                            then.mesh);
+    all.motion.shown_at = k;
+    all.instances.frames.push_back(then.frame);
+    all.instances.tints.push_back(tint_at(part, k));
+    all.instances.individuals.push_back(part.look.individual);
+  }
+}
+
+std::vector<MovingMesh> PartGatherer::gather() {
+  for (MovingPart& part : parts_.parts) {
+    progress_.check();
+    cut_alike(part);
+  }
+  count_rigid();
+  for (const MovingPart& part : parts_.parts) {
+    progress_.check();
+    add(part);
+  }
+  return std::move(made_);
+}
+
+}  // namespace
+
+void gather_parts(MovingParts& parts, std::size_t rigid_instances, MovingMeshes& to, Progress& progress) {
+  for (MovingMesh& mesh : PartGatherer(parts, rigid_instances, progress).gather()) {
+    progress.check();
+    to.add(std::move(mesh), parts.materials);
+  }
+  parts.parts.clear();
+}
+
+}  // namespace meristem

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a page asks of a plant that has grown.
+#include <gtest/gtest.h>
+
+#include "test_studio.h"
+
+namespace meristem::studio::session_questions_test {
+
+constexpr const char* kGrammarPlant = R"json("text": "{\"meristem\": 1, \"components\": {\"weed\":
+ {\"type\": \"lsystem\", \"grammar\": [\"F\", \"#rules\", \"F -> F[+F]F\"], \"steps\": 3, \"length\": 1}}}")json";
+
+TEST(StudioSession, TellsAStepOfADerivation) {
+  Studio studio;
+  std::string text = kGrammarPlant;
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  const Value answer = studio.ask("grammar", R"("component": "weed", "step": 1)");
+  const Value& told = *answer.find("derivation");
+  EXPECT_EQ(*told.find("steps")->number(), 3);
+  EXPECT_EQ(*told.find("step")->number(), 1);
+  EXPECT_EQ(*told.find("count")->number(), 6);
+  EXPECT_EQ(write_json_line(*told.find("modules")), R"(["F", "[", "+", "F", "]", "F"])");
+  EXPECT_EQ(told.find("places")->list()->size(), 3U * 7);
+  EXPECT_EQ(write_json_line(*told.find("counts")), R"([["[", 1], ["]", 1], ["F", 3], ["+", 1]])");
+  const Value part = studio.ask("grammar", R"("component": "weed", "step": 1, "first": 3, "count": 2)");
+  EXPECT_EQ(write_json_line(*part.find("derivation")->find("modules")), R"(["F", "]"])");
+  EXPECT_EQ(part.find("derivation")->find("places")->list()->size(), 7U);
+  EXPECT_TRUE(studio.ask("grammar", R"("component": "nobody")").find("derivation")->find("text")->is_null());
+  // A drag that shows another step leaves the text's number of steps.
+  studio.ask("drag", R"("values": {"weed.steps": 2})");
+  EXPECT_EQ(*studio.ask("grammar", R"("component": "weed", "step": 2)").find("derivation")->find("steps")->number(), 3);
+  studio.ask("drag", R"("values": {})");
+  // Too much is refused before it is made.
+  EXPECT_TRUE(is_refused(studio.ask("grammar", R"("component": "weed", "step": 60)")));
+}
+
+TEST(StudioSession, TellsTheDerivationOfTheInstanceThatWasPointedAt) {
+  Studio studio;
+  std::string text = R"json("text": "{\"meristem\": 1, \"components\": {\"view\": {\"type\": \"camera\"},
+    \"row\": {\"type\": \"hydra\", \"number\": 3, \"radius\": 1}, \"weed\": {\"type\": \"lsystem\", \"steps\": 3, \"length\": 1,
+    \"grammar\": [\"F\", \"#rules\", \"F : 1 -> F[+F]F\", \"F : 1 -> FF\"]}},
+    \"links\": [[\"view\", \"row\"], [\"row\", \"weed\"]]}")json";
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  const auto instance_of = [&](const std::string& members) {
+    const Value answer = studio.ask("grammar", R"("component": "weed", )" + members);
+    return *answer.find("derivation")->find("instance");
+  };
+  const Value third = instance_of(R"("number": 2)");
+  EXPECT_EQ(*third.find("number")->number(), 2);
+  EXPECT_EQ(*third.find("of")->number(), 3);
+  const Value by_key = instance_of(R"("instance": ")" + *third.find("key")->text() + "\"");
+  EXPECT_EQ(*by_key.find("number")->number(), 2);
+  EXPECT_NE(*instance_of(R"("number": 0)").find("key")->text(), *third.find("key")->text());
+}
+
+TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
+  Studio studio;
+  const Value opened = studio.ask(
+      "open", R"json("text": "{\"meristem\": 1, \"seed\": 4, \"components\": {\"tree\": {)json"
+              R"json(\"type\": \"colonize\", \"crown\": {\"sphere\": {\"centre\": [0, 1, 0], \"radius\": 0.5}},)json"
+              R"json(\"points\": 60, \"step\": 0.06, \"influence\": 0.8, \"kill\": 0.16,)json"
+              R"json(\"iterations\": 18}}}", "path": null)json");
+  const std::string hash = Studio::text_of(opened, "hash");
+  const auto news_of = [&](const std::string& growth) {
+    studio.ask("view", "\"growth\": " + growth);
+    studio.show(hash);
+  };
+  studio.show(hash);
+  news_of(R"({"step": null, "recorded": true})");
+  news_of(R"({"step": 7, "recorded": true})");
+  const Value grown = studio.mailbox().wait_for([](const Value& message) {
+    const Value* step = message.find("step");
+    return step != nullptr && *message.find("is") == Value("grown") && *step == Value(7);
+  });
+  EXPECT_EQ(*grown.find("steps"), Value(18));
+  bool is_reused = false;
+  for (const Value& reuse : *grown.find("reuse")->list()) {
+    if (*reuse.find("what") == Value("grown skeletons")) is_reused = *reuse.find("made") == Value(0);
+  }
+  EXPECT_TRUE(is_reused) << "one growth gives all steps";
+  const Value answer = studio.ask("overlays", R"("parts": ["points", "skeleton"])");
+  const Value& overlays = *answer.find("overlays");
+  EXPECT_EQ(*overlays.find("step"), Value(7));
+  const Value::List& layers = *overlays.find("layers")->list();
+  ASSERT_EQ(layers.size(), 2U);
+  EXPECT_EQ(Studio::text_of(*layers[0].find("points"), "positions").size(), 60U * 12 * 4 / 3) << "in base 64";
+  EXPECT_FALSE(layers[0].find("legend")->list()->empty());
+  EXPECT_EQ(Studio::text_of(studio.ask("overlays", R"("parts": ["nothing"])"), "is"), "refused");
+}
+
+TEST(StudioSession, TellsWhichInstanceIsSeenWithItsValues) {
+  Studio studio;
+  studio.ask(
+      "open",
+      R"json("text": "{\"meristem\": 1, \"components\": {\"line\": {\"type\": \"places\", \"line\": {\"points\": [[0, 0], [8, 0]], \"spacing\": 2}}, \"ball\": {\"type\": \"simple\", \"size\": [1, 1, 1], \"colours\": [\"#112233\", \"#ffffff\"], \"colour_at\": \"i/4\"}}, \"links\": [[\"line\", \"ball\"]]}")json");
+  studio.mailbox().packet(0);
+  const Value answer =
+      studio.ask("instance", R"("component": "ball", "frame": [1,0,0,4, 0,1,0,0, 0,0,1,0], "position": [4, 1, 0])");
+  const Value* instance = answer.find("instance");
+  ASSERT_NE(instance, nullptr);
+  EXPECT_EQ(*instance->find("i")->number(), 2);
+  EXPECT_EQ(*instance->find("n")->number(), 5);
+  const Value& value = (*instance->find("values")->list())[0];
+  EXPECT_EQ(Studio::text_of(value, "path"), "components.ball.colour_at");
+  EXPECT_EQ(*value.find("value")->number(), 0.5);
+  EXPECT_TRUE(
+      studio.ask("instance", R"("component": "no", "frame": [1,0,0,4, 0,1,0,0, 0,0,1,0], "position": [0, 0, 0])")
+          .find("instance")
+          ->is_null());
+}
+
+TEST(StudioSession, TellsTheShootThatIsSeen) {
+  Studio studio;
+  studio.open_bush();
+  studio.mailbox().packet(0);
+  const Value answer =
+      studio.ask("instance", R"("component": "stem", "frame": [1,0,0,0, 0,1,0,0, 0,0,1,0], "position": [0, 1, 0.01])");
+  ASSERT_NE(answer.find("instance"), nullptr);
+  EXPECT_EQ(Studio::text_of(*answer.find("instance"), "shoot"), "main");
+  EXPECT_TRUE(answer.find("instance")->find("iteration")->is_null());
+}
+
+const std::string kPear =
+    R"json("text": "{\"meristem\": 1, \"scene\": {\"sun\": {\"azimuth\": 90, \"altitude\": 45}, \"obstacles\": [{\"box\": [[-3, 0, -2], [3, 2, -1]]}]}, \"components\": {\"pear\": {\"type\": \"organize\", \"frame\": {\"translate\": [0, 0, 1]}, \"iterations\": 9, \"roots\": [[0, 0, 0], [2, 0, 0]], \"operations\": [{\"do\": \"cut\", \"at\": 8, \"shoots\": \"leader\", \"above\": 5}, {\"do\": \"cut\", \"at\": 9, \"shoots\": \"rank == 1\", \"above\": 1, \"off\": true}]}}}")json";
+
+TEST(StudioSession, TellsWhereAShootIsSeenAndWhatCouldCutIt) {
+  Studio studio;
+  studio.ask("open", kPear);
+  studio.mailbox().packet(0);
+  const Value answer = studio.ask(
+      "instance", R"("component": "pear", "frame": [1,0,0,0, 0,1,0,0, 0,0,1,0], "position": [2, 0.305, 1.01])");
+  const Value& instance = *answer.find("instance");
+  EXPECT_EQ(Studio::text_of(instance, "shoot"), "main");
+  EXPECT_EQ(*instance.find("tree")->number(), 1);
+  EXPECT_EQ(*instance.find("metamer")->number(), 3);
+  EXPECT_EQ(*instance.find("iteration")->number(), 9);
+  const std::size_t nodes = instance.find("metamers")->list()->size();
+  EXPECT_EQ(instance.find("course")->list()->size(), 3 * nodes);
+  EXPECT_EQ(*(*instance.find("metamers")->list())[0].number(), 0);
+}
+
+TEST(StudioSession, TellsWhatOperationsHaveDone) {
+  Studio studio;
+  studio.ask("open", kPear);
+  studio.mailbox().packet(0);
+  const Value all = studio.ask("operations", R"("component": "pear")");
+  const Value& told = *all.find("operations");
+  EXPECT_EQ(*told.find("iteration")->number(), 9);
+  // One that is off does nothing.
+  const Value::List& acts = *told.find("acts")->list();
+  ASSERT_EQ(acts.size(), 1U);
+  EXPECT_EQ(acts[0], Value(Value::List{"components.pear.operations[0]", 8, "cut", 2.0}));
+  EXPECT_TRUE(told.find("places")->list()->empty());
+  const Value one =
+      studio.ask("operations", R"("component": "pear", "operation": "components.pear.operations[0]", "iteration": 8)");
+  const Value::List& places = *one.find("operations")->find("places")->list();
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_EQ(*places[1].find("tree")->number(), 1);
+  EXPECT_EQ(Studio::text_of(places[1], "shoot"), "main");
+  EXPECT_EQ(places[1].find("course")->list()->size(), 6U);
+  EXPECT_TRUE(studio.ask("operations", R"("component": "nobody")").find("operations")->is_null());
+}
+
+TEST(StudioSession, TellsWhereAComponentStandsAndWhatSurroundsIt) {
+  Studio studio;
+  studio.ask("open", kPear);
+  const ReadPacket packet(studio.mailbox().packet(0));
+  const Value::List& batches = *packet.head.find("batches")->list();
+  EXPECT_EQ(Studio::text_of(batches.back(), "component"), "scene.obstacles[0]");
+  EXPECT_NE(packet.head.find("scene"), nullptr);
+  const Value answer = studio.ask("stand", R"("component": "pear")");
+  const Value::List& stand = *answer.find("stand")->list();
+  ASSERT_EQ(stand.size(), 12U);
+  EXPECT_EQ(*stand[0].number(), 1);
+  EXPECT_EQ(*stand[11].number(), 0);  // before the component's own frame
+  EXPECT_TRUE(studio.ask("stand", R"("component": "nobody")").find("stand")->is_null());
+}
+
+}  // namespace meristem::studio::session_questions_test

@@ -233,6 +233,15 @@ class StudioTest(unittest.TestCase):
                 page.wait(lambda message: False)
             page.__exit__()
 
+    def test_ends_on_ctrl_c_in_the_middle_of_a_film(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio:
+            page = studio.page()
+            page.ask("open", path="bush.json")
+            page.send("export", format=".png", options={"frames": {"from": 0, "to": 900, "step": 0.1}})
+            page.wait(lambda message: message["is"] == "working" and message["job"] == "export")
+            self.assertEqual(studio.stop(), 0)
+            page.__exit__()
+
     def test_names_the_port_that_is_taken(self) -> None:
         run = subprocess.run([PROGRAM, "studio", "--no-browser", "--port", str(self.studio.port)], capture_output=True, text=True)
         self.assertEqual(run.returncode, 1)

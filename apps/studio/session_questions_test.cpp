@@ -54,13 +54,25 @@ TEST(StudioSession, TellsTheDerivationOfTheInstanceThatWasPointedAt) {
   EXPECT_NE(*instance_of(R"("number": 0)").find("key")->text(), *third.find("key")->text());
 }
 
+const std::string kColonizedTree =
+    R"json("text": "{\"meristem\": 1, \"seed\": 4, \"components\": {\"tree\": {)json"
+    R"json(\"type\": \"colonize\", \"crown\": {\"sphere\": {\"centre\": [0, 1, 0], \"radius\": 0.5}},)json"
+    R"json(\"points\": 60, \"step\": 0.06, \"influence\": 0.8, \"kill\": 0.16,)json"
+    R"json(\"iterations\": 18}}}", "path": null)json";
+
+TEST(StudioSession, MeasuresAllOfGrowthWhileAStepOfItIsShown) {
+  Studio studio;
+  const std::string hash = Studio::text_of(studio.ask("open", kColonizedTree), "hash");
+  studio.show(hash);
+  const Value grown = *studio.ask("measures").find("measures");
+  studio.ask("view", R"("growth": {"step": 7, "recorded": true})");
+  studio.show(hash);
+  EXPECT_EQ(write_json_line(*studio.ask("measures").find("measures")), write_json_line(grown));
+}
+
 TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
   Studio studio;
-  const Value opened = studio.ask(
-      "open", R"json("text": "{\"meristem\": 1, \"seed\": 4, \"components\": {\"tree\": {)json"
-              R"json(\"type\": \"colonize\", \"crown\": {\"sphere\": {\"centre\": [0, 1, 0], \"radius\": 0.5}},)json"
-              R"json(\"points\": 60, \"step\": 0.06, \"influence\": 0.8, \"kill\": 0.16,)json"
-              R"json(\"iterations\": 18}}}", "path": null)json");
+  const Value opened = studio.ask("open", kColonizedTree);
   const std::string hash = Studio::text_of(opened, "hash");
   const auto news_of = [&](const std::string& growth) {
     studio.ask("view", "\"growth\": " + growth);

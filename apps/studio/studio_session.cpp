@@ -459,11 +459,11 @@ std::shared_ptr<const Document> StudioSession::document_for(const ExportOptions&
   return std::make_shared<const Document>(read_document(session().text(), session().file(), host_.registry, reading));
 }
 
-/// What has grown, if it is what the options ask for.
+/// What has grown, if it is what the options ask for: all of its growth, and not a step of it.
 std::shared_ptr<const GrownWish> StudioSession::grown_for(const ExportOptions& options) const {
   std::shared_ptr<const GrownWish> grown = grower_->grown();
   const bool fits = grown != nullptr && grown->wish.hash == hash_ && !grown->wish.is_dragged && !options.seed &&
-                    grown->time == options.time;
+                    grown->time == options.time && !grown->view.step;
   return fits ? grown : nullptr;
 }
 

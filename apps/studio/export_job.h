@@ -17,7 +17,7 @@ namespace meristem::studio {
 
 /// What is exported: a document, and what has grown of it already.
 struct ExportSource {
-  std::shared_ptr<const Document> document;  ///< with the seed that was asked for
+  std::shared_ptr<const Document> document;  ///< at the time and with the seed that were asked for
   std::string text;                          ///< as it stands
   std::string name;                          ///< for files, without ending
   std::shared_ptr<const GrownWish> grown;    ///< of the same document and time; null: it grows anew

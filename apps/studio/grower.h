@@ -35,7 +35,8 @@ struct Wish {
 /// What has grown of it.
 struct GrownWish {
   Wish wish;
-  double time = 0;  ///< seconds, of the document
+  double time = 0;                           ///< seconds, of the document
+  std::shared_ptr<const Document> document;  ///< the wish's as it stands at that time: it is what has grown
   GrowthView view{};
   Plant plant{};  ///< painted
   GrowthTraces traces{};

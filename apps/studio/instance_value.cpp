@@ -140,7 +140,7 @@ Value::Object described(const std::string& component, const FoundInstance& found
 std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.key.bits()); }
 
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
-  const Document& document = *grown.wish.document;
+  const Document& document = *grown.document;
   InstanceWish wish{.component = request.component};
   Value::Object shoot{{"shoot", Value()}};
   const bool is_in_world = request.frame.axes == Mat3(1) && request.frame.origin == Vec3(0);
@@ -165,7 +165,7 @@ Value instance_value(const GrownWish& grown, const InstanceRequest& request, Pro
 }
 
 Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
-  const Document& document = *grown.wish.document;
+  const Document& document = *grown.document;
   const auto found = find_instance(document.graph, document.scene, grown.time,
                                    {.component = component, .of = InstanceWish::Of::instance}, progress, &cache);
   if (!found) return {};

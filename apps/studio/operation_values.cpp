@@ -58,8 +58,8 @@ std::map<ShootName, Value::List> courses_of(const Plant& plant, const std::strin
 }  // namespace
 
 Value operations_value(const GrownWish& grown, const OperationsRequest& request, const Progress& progress) {
-  const auto prototype = std::ranges::find(grown.wish.document->graph.components, request.component, &Prototype::id);
-  if (prototype == grown.wish.document->graph.components.end()) return {};
+  const auto prototype = std::ranges::find(grown.document->graph.components, request.component, &Prototype::id);
+  if (prototype == grown.document->graph.components.end()) return {};
   const std::optional<int> last = last_iteration(*prototype);
 
   const std::string own = "components." + request.component + ".";

@@ -84,7 +84,7 @@ Value overlays_value(const GrownWish& grown, const OverlaysRequest& request, con
     if (found == known.end()) throw Refusal("there is no such overlay");
     parts.push_back(found->part);
   }
-  const OverlaySource source{grown.plant, grown.traces, grown.wish.document->scene, bounds_of(grown.plant)};
+  const OverlaySource source{grown.plant, grown.traces, grown.document->scene, bounds_of(grown.plant)};
   Value::List layers;
   for (const OverlayLayer& layer : overlay_layers(source, parts, progress)) layers.push_back(layer_value(layer));
   return Value::Object{{"step", grown.traces.shown_step()}, {"layers", std::move(layers)}};

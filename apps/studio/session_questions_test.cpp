@@ -34,6 +34,17 @@ TEST(StudioSession, TellsAStepOfADerivation) {
   EXPECT_TRUE(is_refused(studio.ask("grammar", R"("component": "weed", "step": 60)")));
 }
 
+TEST(StudioSession, TellsTheDerivationAtTheTimeThatIsShown) {
+  Studio studio;
+  std::string text = R"json("text": "{\"meristem\": 1, \"components\": {\"weed\":
+    {\"type\": \"lsystem\", \"grammar\": [\"F\", \"#rules\", \"F -> F[+F]F\"], \"steps\": 1, \"length\": 1}},
+    \"animation\": {\"length\": 4, \"keys\": {\"weed.steps\": [[0, 1], [4, 3]]}}}")json";
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  studio.ask("view", R"("time": 4)");
+  EXPECT_EQ(*studio.ask("grammar", R"("component": "weed")").find("derivation")->find("steps")->number(), 3);
+}
+
 TEST(StudioSession, TellsTheDerivationOfTheInstanceThatWasPointedAt) {
   Studio studio;
   std::string text = R"json("text": "{\"meristem\": 1, \"components\": {\"view\": {\"type\": \"camera\"},

@@ -219,4 +219,23 @@ TEST(StudioSession, CountsInstancesOfTheGraph) {
   EXPECT_EQ(*grown.find("placed")->find("stem")->number(), 1);
 }
 
+TEST(StudioSession, WhatStandsBesideAPlantIsOfThePlantsTime) {
+  Studio studio;
+  const std::string hash = Studio::text_of(
+      studio.ask(
+          "open",
+          R"json("text": "{\"meristem\": 1, \"scene\": {\"sun\": {\"azimuth\": 90, \"altitude\": 30}}, \"components\": {\"row\": {\"type\": \"hydra\", \"number\": 3, \"radius\": 1}, \"ball\": {\"type\": \"simple\", \"size\": [1, 1, 1]}}, \"links\": [[\"row\", \"ball\"]], \"animation\": {\"length\": 4, \"keys\": {\"row.number\": [[0, 3], [4, 7]], \"scene.sun.altitude\": [[0, 30], [4, 90]]}}}")json"),
+      "hash");
+  studio.show(hash);
+  studio.ask("view", R"("time": 4)");
+  const ReadPacket packet = studio.show(hash);
+  const Value& sun = *packet.head.find("scene")->find("sun");
+  EXPECT_NEAR(*sun.list()->at(1).number(), 1, 1e-6) << write_json_line(sun);
+  const Value grown = studio.mailbox().wait_for([](const Value& message) {
+    const Value* placed = message.find("placed");
+    return placed != nullptr && *placed->find("ball")->number() != 3;
+  });
+  EXPECT_EQ(*grown.find("placed")->find("ball")->number(), 7);
+}
+
 }  // namespace meristem::studio::shown_plant_test

@@ -453,9 +453,9 @@ void StudioSession::cancel_jobs() {
   sweeps_->begin();
 }
 
-/// The document of the present text, with the seed that the options ask for. Throws the text's faults.
+/// The document of the present text at the time and with the seed that the options ask for. Throws the text's faults.
 std::shared_ptr<const Document> StudioSession::document_for(const ExportOptions& options) {
-  ReadOptions reading{.seed = options.seed, .root = root_, .models = host_.models_folder};
+  ReadOptions reading{.seed = options.seed, .time = options.time, .root = root_, .models = host_.models_folder};
   return std::make_shared<const Document>(read_document(session().text(), session().file(), host_.registry, reading));
 }
 

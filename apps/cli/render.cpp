@@ -360,7 +360,9 @@ void render(const RenderOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     warnings = PictureTaker(document, picture_options, options, terminal).take(pictures, films);
-    if (films) film::make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
+    if (films) {
+      film::make_film(folder, pictures.size(), film_rate(pictures, document), options.output, terminal.progress());
+    }
   }
   if (!options.document.quiet) print_diagnostics(warnings);
   if (!options.document.quiet && !options.fingerprint) {

@@ -100,7 +100,7 @@ Value export_frames(const ExportSource& source, const ExportOptions& options, Do
     news.begin_part("frame", k, count);
     taker.take(times.at(k), paths[k]);
   }
-  if (is_film) film::make_film(pictures, count, 1 / times.step, path);
+  if (is_film) film::make_film(pictures, count, 1 / times.step, path, news.progress());
   return made_file(folder, fs::path(paths[0]).filename().string(), source.name, news.progress());
 }
 

@@ -355,7 +355,9 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "view") return view_request(members);
   if (what == "shown") return ShownRequest{members.whole("packet")};
   if (what == "all") return AllRequest{};
-  if (what == "cancel") return CancelRequest{};
+  if (what == "cancel") {
+    return members.has("re") ? CancelRequest{static_cast<double>(members.whole("re"))} : CancelRequest{};
+  }
   if (what == "pause") return PauseRequest{members.flag("paused")};
   if (what == "files") return FilesRequest{members.text("folder")};
   if (what == "save") {

@@ -57,7 +57,9 @@ struct ShownRequest {
   std::uint64_t packet = 0;
 };
 struct AllRequest {};
-struct CancelRequest {};
+struct CancelRequest {
+  std::optional<double> re;  ///< number of the request whose job is meant; unset: growth in hand
+};
 struct PauseRequest {
   bool paused = false;
 };

@@ -120,6 +120,30 @@ TEST(StudioSession, MeasuresAsTheCommandLineDoes) {
   EXPECT_EQ(*studio.ask("measures").find("measures")->find("leaf_count")->number(), 40);
 }
 
+TEST(StudioSession, CancelsTheJobOfOneRequestWhetherItRunsOrWaits) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  const auto sends = [&](double id, const std::string& rest) {
+    studio.page().receive("{\"do\": " + rest + ", \"id\": " + std::to_string(static_cast<int>(id)) + "}");
+  };
+  // Pictures one after another; the second waits for the first.
+  const std::string picture =
+      R"("export", "format": ".png", "options": {"width": 400, "height": 400, "samples": 4000})";
+  sends(901, picture);
+  sends(902, picture);
+  sends(903, R"("stills", "states": [{}], )" + std::string(kSideCamera));
+  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  sends(904, R"("cancel", "re": 902)");
+  EXPECT_TRUE(*studio.mailbox().answer(902).find("cancelled")->boolean()) << "while the first is still made";
+  sends(905, R"("cancel", "re": 901)");
+  EXPECT_TRUE(*studio.mailbox().answer(901).find("cancelled")->boolean());
+  EXPECT_FALSE(is_refused(studio.mailbox().answer(903))) << "no other job ends";
+  studio.show();  // nor does growth
+  sends(906, R"("cancel", "re": "all")");
+  EXPECT_TRUE(is_refused(studio.mailbox().answer(906)));
+}
+
 TEST(StudioSession, EndsInTheMiddleOfWork) {
   Studio studio;
   studio.open_bush();

@@ -78,13 +78,13 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
 /// Answers a request with what `work` gives, or why it gives nothing. Work of many parts takes the news, a film; other
 /// work takes their progress.
 template <class Work>
-void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, RunningJobs& jobs, double id, const char* job,
-               Work& work) {
+void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& jobs, const AskedJobs::Job& asked,
+               const char* job, Work& work) {
   constexpr bool kHasParts = std::is_invocable_v<Work&, Host&, JobNews&>;
-  if (jobs.is_closed()) return;
+  const double id = asked->request;
   JobNews news(outbox, job, id);
+  if (!jobs.begin(asked, news.progress())) return;
   JobWatch watch(news.progress(), host.limits, kHasParts);
-  jobs.add(news.progress());
   try {
     Value::Object done{{"is", "done"}, {"re", id}};
     if constexpr (kHasParts) {
@@ -104,37 +104,10 @@ void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, RunningJobs& j
   } catch (const std::exception& error) {
     outbox->send_text(refused_text(id, error.what(), {}));
   }
-  jobs.remove(news.progress());
+  jobs.end(asked);
 }
 
 }  // namespace
-
-void RunningJobs::add(Progress& progress) {
-  const std::lock_guard lock(mutex_);
-  running_.insert(&progress);
-  if (is_closed_) progress.cancel();
-}
-
-void RunningJobs::remove(Progress& progress) {
-  const std::lock_guard lock(mutex_);
-  running_.erase(&progress);
-}
-
-void RunningJobs::cancel() {
-  const std::lock_guard lock(mutex_);
-  for (Progress* progress : running_) progress->cancel();
-}
-
-void RunningJobs::close() {
-  is_closed_ = true;
-  cancel();
-}
-
-std::uint64_t NewestJobs::begin() {
-  const std::uint64_t number = ++newest_;
-  running_.cancel();
-  return number;
-}
 
 StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
     : host_(host), outbox_(std::move(outbox)), grower_(std::make_shared<Grower>(host, outbox_)) {
@@ -150,10 +123,7 @@ StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
 }
 
 StudioSession::~StudioSession() {
-  jobs_->close();
-  stills_->running().close();
-  derivations_->running().close();
-  sweeps_->running().close();
+  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_}) jobs->close();
   grower_->close();
 }
 
@@ -378,9 +348,9 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const AllRequest
   return Answer{};
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequest&) {
-  grower_->cancel();
-  cancel_jobs();
+std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequest& request) {
+  if (request.re) cancel_jobs(request.re);
+  if (!request.re) grower_->cancel();
   return Answer{};
 }
 
@@ -429,28 +399,28 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const ModelsRequ
 
 /// Has a job answer the request.
 template <class Work>
-void StudioSession::run_later(double id, const char* job, Work work) {
-  host_.exports.post([&host = host_, outbox = outbox_, jobs = jobs_, id, job, work = std::move(work)]() mutable {
-    answer_by(host, outbox, *jobs, id, job, work);
-  });
+void StudioSession::run_later(double id, const char* job, Worker& worker, Work work) {
+  worker.post([&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), job,
+               work = std::move(work)]() mutable { answer_by(host, outbox, *jobs, asked, job, work); });
 }
 
 /// Has a job answer the request unless a newer one of its kind comes.
 template <class Work>
-void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Worker& worker,
+void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker,
                                Work work) {
-  const std::uint64_t number = jobs->begin();
-  worker.post([&host = host_, outbox = outbox_, jobs, number, id, job, work = std::move(work)]() mutable {
-    if (jobs->is_newest(number)) return answer_by(host, outbox, jobs->running(), id, job, work);
-    outbox->send_text(refused_text(id, "cancelled", {{"cancelled", true}}));
+  refuse_cancelled(jobs->cancel());
+  worker.post([&host = host_, outbox = outbox_, jobs, asked = jobs->ask(id), job, work = std::move(work)]() mutable {
+    answer_by(host, outbox, *jobs, asked, job, work);
   });
 }
 
-void StudioSession::cancel_jobs() {
-  jobs_->cancel();
-  stills_->begin();
-  derivations_->begin();
-  sweeps_->begin();
+/// Calls off the job of a request, or all.
+void StudioSession::cancel_jobs(std::optional<double> request) {
+  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_}) refuse_cancelled(jobs->cancel(request));
+}
+
+void StudioSession::refuse_cancelled(const std::vector<double>& requests) {
+  for (const double request : requests) outbox_->send_text(refused_text(request, "cancelled", {{"cancelled", true}}));
 }
 
 /// The document of the present text at the time and with the seed that the options ask for. Throws the text's faults.
@@ -474,7 +444,7 @@ std::string StudioSession::name_for(const ExportOptions& options) {
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest& request) {
   const ExportOptions options{.time = grower_->parts().time};
-  run_later(id, "measure",
+  run_later(id, "measure", host_.exports,
             [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
                 Host&, Progress& progress) -> Value::Member {
               return {"measures", measured(source, request, progress)};
@@ -593,16 +563,13 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
     source.grown = grown_for(request.options);
   }
   if (has_frames(request.options)) {
-    host_.films.post(
-        [&host = host_, outbox = outbox_, jobs = jobs_, id, source = std::move(source), options = request.options] {
-          const auto work = [&](Host& of, JobNews& news) -> Value::Member {
-            return {"file", export_frames(source, options, of.downloads, news)};
-          };
-          answer_by(host, outbox, *jobs, id, "export", work);
-        });
+    run_later(id, "export", host_.films,
+              [source = std::move(source), options = request.options](Host& host, JobNews& news) -> Value::Member {
+                return {"file", export_frames(source, options, host.downloads, news)};
+              });
     return std::nullopt;
   }
-  run_later(id, "export",
+  run_later(id, "export", host_.exports,
             [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
               return {"file", export_file(source, options, host.downloads, progress)};
             });
@@ -643,13 +610,10 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const PictureRequest& request) {
-  const std::string document = session().file();
-  host_.stills.post([&host = host_, outbox = outbox_, jobs = jobs_, id, request, document, root = root_]() {
-    const auto work = [&](Host&, Progress&) -> Value::Member {
-      return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
-    };
-    answer_by(host, outbox, *jobs, id, "picture", work);
-  });
+  run_later(id, "picture", host_.stills,
+            [request, document = session().file(), root = root_](Host&, Progress&) -> Value::Member {
+              return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
+            });
   return std::nullopt;
 }
 

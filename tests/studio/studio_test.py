@@ -267,7 +267,7 @@ class StudioTest(unittest.TestCase):
             number = page.send("export", format=".mp4", options=self.FILM)
             while not begun.exists():
                 time.sleep(0.02)
-            page.send("cancel")
+            page.send("cancel", re=number)
             refused = page.wait(lambda message: message.get("re") == number and message["is"] != "working")
             self.assertTrue(refused["cancelled"])
             self.assertFalse(Path(f"/proc/{begun.read_text().strip()}").exists(), "the encoder has ended")

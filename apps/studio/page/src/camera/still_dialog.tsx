@@ -45,7 +45,7 @@ export function StillDialog({ close }: { close: () => void }): ReactElement {
         Copy as command
       </Button>
       <span className="stretch" />
-      {is_busy && <Button press={() => studio.connection.tell('cancel')}>Cancel</Button>}
+      {is_busy && <Button press={() => still.cancel()}>Cancel</Button>}
       <Button kind="main" icon="camera" is_off={is_busy || !good} press={() => still.make(wish)}>
         {is_busy ? 'Rendering…' : 'Render'}
       </Button>

@@ -47,7 +47,7 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
         Copy as command
       </Button>
       <span className="stretch" />
-      {is_busy && <Button press={() => studio.connection.tell('cancel')}>Cancel</Button>}
+      {is_busy && <Button press={() => studio.bench.record.cancel()}>Cancel</Button>}
       <Button kind="main" icon="film" is_off={is_busy || !good} press={() => studio.bench.record.make(wish)}>
         {is_busy ? 'Recording…' : `Record ${frames} frames`}
       </Button>

@@ -120,6 +120,17 @@ TEST(StudioSession, MeasuresAsTheCommandLineDoes) {
   EXPECT_EQ(*studio.ask("measures").find("measures")->find("leaf_count")->number(), 40);
 }
 
+TEST(StudioSession, ASweepHasTheTimeOfAMeasurementForEachOfItsPlants) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  studio.edit(R"([{"set": "links[0].count", "value": 200000}])");
+  studio.host().limits.job_seconds = 0.1;
+  const Value refused = studio.ask("sweep", R"("path": "stem.length", "values": [1, 2], "light": true)");
+  EXPECT_EQ(Studio::text_of(refused, "limit"), "job_seconds");
+  EXPECT_EQ(Studio::text_of(refused, "message"), "stopped after 0.2 seconds (job_seconds)");
+}
+
 TEST(StudioSession, CancelsTheJobOfOneRequestWhetherItRunsOrWaits) {
   Studio studio;
   studio.open_bush();

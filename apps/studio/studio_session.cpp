@@ -75,16 +75,16 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
   return write_json_line(refusal);
 }
 
-/// Answers a request with what `work` gives, or why it gives nothing. Work of many parts takes the news, a film; other
-/// work takes their progress.
+/// Answers a request with what `work` gives, or why it gives nothing. Work of many parts, a film or a sweep, takes the
+/// news; other work takes their progress.
 template <class Work>
 void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& jobs, const AskedJobs::Job& asked,
-               const char* job, Work& work) {
+               const Job& job, Work& work) {
   constexpr bool kHasParts = std::is_invocable_v<Work&, Host&, JobNews&>;
   const double id = asked->request;
-  JobNews news(outbox, job, id);
+  JobNews news(outbox, job.name, id);
   if (!jobs.begin(asked, news.progress())) return;
-  JobWatch watch(news.progress(), host.limits, kHasParts);
+  JobWatch watch(news.progress(), host.limits, job.time);
   try {
     Value::Object done{{"is", "done"}, {"re", id}};
     if constexpr (kHasParts) {
@@ -399,14 +399,14 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const ModelsRequ
 
 /// Has a job answer the request.
 template <class Work>
-void StudioSession::run_later(double id, const char* job, Worker& worker, Work work) {
+void StudioSession::run_later(double id, const Job& job, Worker& worker, Work work) {
   worker.post([&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), job,
                work = std::move(work)]() mutable { answer_by(host, outbox, *jobs, asked, job, work); });
 }
 
 /// Has a job answer the request unless a newer one of its kind comes.
 template <class Work>
-void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker,
+void StudioSession::run_newest(double id, const Job& job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker,
                                Work work) {
   refuse_cancelled(jobs->cancel());
   worker.post([&host = host_, outbox = outbox_, jobs, asked = jobs->ask(id), job, work = std::move(work)]() mutable {
@@ -444,7 +444,7 @@ std::string StudioSession::name_for(const ExportOptions& options) {
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest& request) {
   const ExportOptions options{.time = grower_->parts().time};
-  run_later(id, "measure", host_.exports,
+  run_later(id, {"measure"}, host_.exports,
             [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
                 Host&, Progress& progress) -> Value::Member {
               return {"measures", measured(source, request, progress)};
@@ -462,7 +462,9 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
                            .root = root_,
                            .models = host_.models_folder,
                            .time = grower_->parts().time};
-  run_newest(id, "sweep", sweeps_, host_.exports,
+  // Each of its plants has the time that one measurement has.
+  const TimeLimit time{host_.limits.job_seconds * static_cast<double>(request.values.size()), "job_seconds"};
+  run_newest(id, {"sweep", time}, sweeps_, host_.exports,
              [source, request, maker = sweep_maker_](Host& host, JobNews& news) -> Value::Member {
                return {"sweep", maker->make(source, request, host.registry, news)};
              });
@@ -563,13 +565,13 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
     source.grown = grown_for(request.options);
   }
   if (has_frames(request.options)) {
-    run_later(id, "export", host_.films,
+    run_later(id, {"export", TimeLimit{host_.limits.film_seconds, "film_seconds"}}, host_.films,
               [source = std::move(source), options = request.options](Host& host, JobNews& news) -> Value::Member {
                 return {"file", export_frames(source, options, host.downloads, news)};
               });
     return std::nullopt;
   }
-  run_later(id, "export", host_.exports,
+  run_later(id, {"export"}, host_.exports,
             [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
               return {"file", export_file(source, options, host.downloads, progress)};
             });
@@ -590,7 +592,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
                            .models = host_.models_folder,
                            .time = grower_->parts().time,
                            .grown = grower_->grown()};
-  run_newest(id, "stills", stills_, host_.stills,
+  run_newest(id, {"stills"}, stills_, host_.stills,
              [source, request, maker = still_maker_](Host& host, Progress& progress) -> Value::Member {
                return {"stills", maker->make(source, request, host.registry, progress)};
              });
@@ -601,7 +603,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
   // The text derives, also while a drag shows another step of it.
   const bool is_plain = session().overrides().empty();
   if (is_plain && !session().is_good()) throw Refusal("the document has faults");
-  run_newest(id, "grammar", derivations_, host_.stills,
+  run_newest(id, {"grammar"}, derivations_, host_.stills,
              [document = is_plain ? std::make_shared<const Document>(*session().document()) : document_for({}), request,
               time = grower_->parts().time](Host&, Progress& progress) -> Value::Member {
                return {"derivation", derivation(*document, request, time, progress)};
@@ -610,7 +612,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const PictureRequest& request) {
-  run_later(id, "picture", host_.stills,
+  run_later(id, {"picture"}, host_.stills,
             [request, document = session().file(), root = root_](Host&, Progress&) -> Value::Member {
               return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
             });

@@ -13,12 +13,19 @@
 #include "asked_jobs.h"
 #include "grower.h"
 #include "host.h"
+#include "job_watch.h"
 #include "measure_job.h"
 #include "meristem/document/edit/session.h"
 #include "request.h"
 #include "still_maker.h"
 
 namespace meristem::studio {
+
+/// What a job is called in news, and how long it may take; unset: `job_seconds`.
+struct Job {
+  const char* name = "";
+  std::optional<TimeLimit> time{};
+};
 
 /// One call at a time.
 class StudioSession {
@@ -87,9 +94,9 @@ class StudioSession {
   template <class Question>
   void ask_grown(double id, Question question);
   template <class Work>
-  void run_later(double id, const char* job, Worker& worker, Work work);
+  void run_later(double id, const Job& job, Worker& worker, Work work);
   template <class Work>
-  void run_newest(double id, const char* job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker, Work work);
+  void run_newest(double id, const Job& job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker, Work work);
   void cancel_jobs(std::optional<double> request = {});
   void refuse_cancelled(const std::vector<double>& requests);
   std::shared_ptr<const Document> document_for(const ExportOptions& options);

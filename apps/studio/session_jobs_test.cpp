@@ -120,6 +120,18 @@ TEST(StudioSession, MeasuresAsTheCommandLineDoes) {
   EXPECT_EQ(*studio.ask("measures").find("measures")->find("leaf_count")->number(), 40);
 }
 
+TEST(StudioSession, OfMeasuresOnlyTheNewestAreTaken) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  for (int k = 0; k < 20; ++k)
+    studio.page().receive("{\"do\": \"measures\", \"light\": true, \"id\": " + std::to_string(2000 + k) + "}");
+  int made = 0;
+  for (int k = 0; k < 20; ++k) made += is_refused(studio.mailbox().answer(2000 + k)) ? 0 : 1;
+  EXPECT_FALSE(is_refused(studio.mailbox().answer(2019)));
+  EXPECT_LT(made, 20);
+}
+
 TEST(StudioSession, ASweepHasTheTimeOfAMeasurementForEachOfItsPlants) {
   Studio studio;
   studio.open_bush();

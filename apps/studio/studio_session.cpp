@@ -123,7 +123,7 @@ StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
 }
 
 StudioSession::~StudioSession() {
-  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_}) jobs->close();
+  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_, measures_}) jobs->close();
   grower_->close();
 }
 
@@ -416,7 +416,7 @@ void StudioSession::run_newest(double id, const Job& job, const std::shared_ptr<
 
 /// Calls off the job of a request, or all.
 void StudioSession::cancel_jobs(std::optional<double> request) {
-  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_}) refuse_cancelled(jobs->cancel(request));
+  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_, measures_}) refuse_cancelled(jobs->cancel(request));
 }
 
 void StudioSession::refuse_cancelled(const std::vector<double>& requests) {
@@ -444,11 +444,11 @@ std::string StudioSession::name_for(const ExportOptions& options) {
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest& request) {
   const ExportOptions options{.time = grower_->parts().time};
-  run_later(id, {"measure"}, host_.exports,
-            [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
-                Host&, Progress& progress) -> Value::Member {
-              return {"measures", measured(source, request, progress)};
-            });
+  run_newest(id, {"measure"}, measures_, host_.exports,
+             [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
+                 Host&, Progress& progress) -> Value::Member {
+               return {"measures", measured(source, request, progress)};
+             });
   return std::nullopt;
 }
 

@@ -111,6 +111,7 @@ class StudioSession {
   const std::shared_ptr<AskedJobs> stills_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> derivations_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> sweeps_ = std::make_shared<AskedJobs>();
+  const std::shared_ptr<AskedJobs> measures_ = std::make_shared<AskedJobs>();
   std::shared_ptr<StillMaker> still_maker_;  // of the document; the worker's thread alone calls it
   std::shared_ptr<SweepMaker> sweep_maker_;  // the same
   std::optional<Session> session_;

@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace meristem::studio {
 
@@ -20,21 +21,34 @@ class Downloads {
   Downloads(const Downloads&) = delete;
   Downloads& operator=(const Downloads&) = delete;
 
-  /// An empty folder for the files of one export, and its number.
-  struct Folder {
-    std::uint64_t number = 0;
-    std::filesystem::path path;
+  /// An empty folder for the files of one export while they are made; it goes with its owner.
+  class Draft {
+   public:
+    explicit Draft(std::filesystem::path path) : path_(std::move(path)) {}
+    ~Draft();
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+   private:
+    std::filesystem::path path_;
   };
-  /// The oldest goes where there are too many.
-  Folder add();
+  /// The downloads outlive their drafts. Throws MachineError.
+  std::unique_ptr<Draft> begin();
+  /// Keeps the files of a draft, which has no folder any more, and gives their number. The oldest files go where there
+  /// are too many. Throws MachineError.
+  std::uint64_t keep(const Draft& draft);
   /// The path of a file; nothing where there is none.
   std::optional<std::string> find(std::uint64_t number, const std::string& name) const;
 
  private:
+  void require_folder();
+
   mutable std::mutex mutex_;
   std::filesystem::path folder_;  // empty until there is an export
   std::deque<std::uint64_t> kept_;
   std::uint64_t count_ = 0;
+  std::uint64_t drafts_ = 0;
 };
 
 }  // namespace meristem::studio

@@ -2,6 +2,7 @@
 #include "film_job.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -83,11 +84,11 @@ Value export_frames(const ExportSource& source, const ExportOptions& options, Do
   FrameTaker taker(source, options, news.progress());
   const bool is_film = film::is_film(options.format);
   if (is_film) film::check_film(source.name + options.format, taker.still().width, taker.still().height);
-  const Downloads::Folder folder = downloads.add();
-  const std::string path = (folder.path / (source.name + options.format)).string();
+  const std::unique_ptr<Downloads::Draft> draft = downloads.begin();
+  const std::string path = (draft->path() / (source.name + options.format)).string();
 
   std::vector<std::string> paths;
-  const std::string pictures = (folder.path / "frames").string();
+  const std::string pictures = (draft->path() / "frames").string();
   if (is_film) {
     fs::create_directories(pictures);
     for (std::size_t k = 0; k < count; ++k) paths.push_back(film::frame_path(pictures, k));
@@ -101,7 +102,9 @@ Value export_frames(const ExportSource& source, const ExportOptions& options, Do
     taker.take(times.at(k), paths[k]);
   }
   if (is_film) film::make_film(pictures, count, 1 / times.step, path, news.progress());
-  return made_file(folder, fs::path(paths[0]).filename().string(), source.name, news.progress());
+  return made_file(downloads, *draft,
+                   is_film ? fs::path(path).filename().string() : fs::path(paths[0]).filename().string(), source.name,
+                   news.progress());
 }
 
 }  // namespace meristem::studio

@@ -166,8 +166,9 @@ Value instance_value(const GrownWish& grown, const InstanceRequest& request, Pro
 
 Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
   const Document& document = *grown.document;
-  const auto found = find_instance(document.graph, document.scene, grown.time,
-                                   {.component = component, .of = InstanceWish::Of::instance}, progress, &cache);
+  const auto found =
+      find_instance(document.graph, document.scene, grown.time,
+                    {.component = component, .of = InstanceWish::Of::instance}, progress, &cache, grown.view);
   if (!found) return {};
   Value::List rows;
   for (int row = 0; row < 3; ++row) {

@@ -81,6 +81,26 @@ TEST(StudioSession, MeasuresAllOfGrowthWhileAStepOfItIsShown) {
   EXPECT_EQ(write_json_line(*studio.ask("measures").find("measures")), write_json_line(grown));
 }
 
+TEST(StudioSession, QuestionsDoNotGrowWhatIsShownAgain) {
+  Studio studio;
+  const std::string hash = Studio::text_of(studio.ask("open", kColonizedTree), "hash");
+  studio.ask("view", R"("growth": {"step": 7, "recorded": true})");
+  studio.show(hash);
+  EXPECT_FALSE(studio.ask("stand", R"("component": "tree")").find("stand")->is_null());
+  EXPECT_FALSE(is_refused(studio.ask("clocks", R"("up_to": 0)")));
+  // What those two asked has left the growth in the cache as it was: another step of it is there.
+  studio.ask("view", R"("growth": {"step": 8, "recorded": true})");
+  studio.show(hash);
+  const Value grown = studio.mailbox().wait_for([](const Value& message) {
+    const Value* step = message.find("step");
+    return step != nullptr && *message.find("is") == Value("grown") && *step == Value(8);
+  });
+  for (const Value& reuse : *grown.find("reuse")->list()) {
+    if (*reuse.find("what") != Value("grown skeletons")) continue;
+    EXPECT_EQ(*reuse.find("made"), Value(0));
+  }
+}
+
 TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
   Studio studio;
   const Value opened = studio.ask("open", kColonizedTree);

@@ -474,16 +474,13 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
 /// Has the thread that grows answer the request by what has grown.
 template <class Question>
 void StudioSession::ask_grown(double id, Question question) {
-  grower_->ask([outbox = outbox_, id, question](const GrownWish* grown, GrowthCache& cache) {
-    try {
+  grower_->ask([&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), question](const GrownWish* grown,
+                                                                                                 GrowthCache& cache) {
+    const auto work = [&](Host&, Progress& progress) -> Value::Member {
       if (grown == nullptr) throw Refusal("nothing has grown yet");
-      Progress progress;
-      Value::Object done{{"is", "done"}, {"re", id}};
-      done.push_back(question(*grown, progress, cache));
-      outbox->send_text(write_json_line(done));
-    } catch (const std::exception& error) {
-      outbox->send_text(refused_text(id, error.what(), {}));
-    }
+      return question(*grown, progress, cache);
+    };
+    answer_by(host, outbox, *jobs, asked, {"question"}, work);
   });
 }
 
@@ -525,14 +522,8 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ClocksR
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const OverlaysRequest& request) {
-  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache&) {
-    try {
-      if (grown == nullptr) throw Refusal("nothing has grown yet");
-      Value::Object done{{"is", "done"}, {"re", id}, {"overlays", overlays_value(*grown, request, Progress())}};
-      outbox->send_text(write_json_line(done));
-    } catch (const std::exception& error) {
-      outbox->send_text(refused_text(id, error.what(), {}));
-    }
+  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache&) -> Value::Member {
+    return {"overlays", overlays_value(grown, request, progress)};
   });
   return std::nullopt;
 }

@@ -26,7 +26,7 @@ export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
   return { ...growth, grown: { ...grown, ...counts }, failed: null };
 }
 /// Jobs that panels wait for themselves.
-const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture']);
+const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture', 'question']);
 
 /// Work of another kind may go on while this one is over.
 export function with_work(growth: GrowthState, news: Working): GrowthState {

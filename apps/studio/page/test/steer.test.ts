@@ -10,7 +10,7 @@ import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '..
 import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
 import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
-import { with_values } from '../src/view/gizmo/gizmo.ts';
+import { with_values } from '../src/document/put_values.ts';
 import type { HandleGroup, Sight } from '../src/view/gizmo/handle.ts';
 import { amount_of } from '../src/view/gizmo/handle.ts';
 import { groups_of_object } from '../src/view/gizmo/row_groups.ts';

@@ -19,7 +19,7 @@ export interface Keyed {
 }
 
 /// Variables have keys as a whole.
-function keyed_path(path: string): string {
+export function keyed_path(path: string): string {
   return path.startsWith('variables.') ? path.replace(/\.value$/, '') : path;
 }
 
@@ -51,7 +51,7 @@ export function commit_keys(studio: Studio, name: string, keys: readonly Key[], 
 }
 
 export function drag_keys(studio: Studio, name: string, keys: readonly Key[]): void {
-  studio.drag(dragged_keys(studio.bench.time.document, name, keys));
+  studio.drag(dragged_keys(studio.bench.time.document, { [name]: keys }));
 }
 
 /// Puts a key where the view's time is, or takes the one there away.

@@ -6,7 +6,8 @@ import { IconButton } from '../../controls/button.tsx';
 import { NumberField } from '../../controls/number_field.tsx';
 import { use_snapping } from '../../editors/snapping.ts';
 import { use_studio } from '../../studio_context.ts';
-import type { HandleField, HandleGroup, Values } from './handle.ts';
+import { drag_values, set_values } from '../../time/values_now.ts';
+import type { HandleField, HandleGroup } from './handle.ts';
 
 interface GizmoCardProps {
   groups: readonly HandleGroup[];
@@ -44,11 +45,10 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
 
 function Field({ group, field }: { group: HandleGroup; field: HandleField }): ReactElement {
   const studio = use_studio();
-  const commit = (values: Values): void => void studio.edit(Object.entries(values).map(([set, value]) => ({ set, value })), `Set ${group.label}`);
   return (
     <label className="gizmo-field">
       <span>{field.label}</span>
-      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => studio.drag(field.values(one))} commit={(one) => commit(field.values(one))} cancel={() => studio.stop_drag()} />
+      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => drag_values(studio, field.values(one))} commit={(one) => set_values(studio, field.values(one), `Set ${group.label}`)} cancel={() => studio.stop_drag()} />
     </label>
   );
 }

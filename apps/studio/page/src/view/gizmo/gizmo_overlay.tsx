@@ -10,6 +10,7 @@ import { use_snapping } from '../../editors/snapping.ts';
 import { use_held } from '../../editors/use_held.ts';
 import { use_document, use_studio } from '../../studio_context.ts';
 import type { Studio } from '../../studio.ts';
+import { drag_values, set_values } from '../../time/values_now.ts';
 import { ProjectedLine } from '../projected_line.tsx';
 import type { View } from '../view.ts';
 import { GizmoCard } from './gizmo_card.tsx';
@@ -27,6 +28,7 @@ export function GizmoOverlay(): ReactElement | null {
   const { gizmo } = studio.bench;
   use_document();
   use_store(studio.dragged);
+  use_store(studio.bench.time.state); // what has keys moves with the time
   use_store(gizmo.stand);
   use_store(studio.view_facts); // the camera may have moved
   const { shows_handles } = use_store(studio.view_state);
@@ -115,12 +117,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     const is_still = amount.degrees === 0 && amount.by.every((one) => one === 0);
     const values = is_still ? {} : handle.values(amount);
     held.set({ ...hand, values: is_still ? null : values });
-    studio.drag(values);
+    drag_values(studio, values);
   };
   const let_go = (commits: boolean): void => {
     const hand = held.get();
     held.set(null);
-    if (hand?.values && commits) void studio.edit(edits_of(hand.values), label);
+    if (hand?.values && commits) set_values(studio, hand.values, label);
     else if (hand) studio.stop_drag();
   };
   const key = (event: KeyboardEvent, handle: Handle): void => {
@@ -132,7 +134,7 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     else if (go !== undefined) focus_handle(root.current, handle.key, go);
     else if (way) {
       const step = step_of(handle, event.shiftKey) * (event.ctrlKey || event.metaKey ? 10 : 1);
-      void studio.edit(edits_of(handle.values(amount_of_key(handle, way, sight, step))), label);
+      set_values(studio, handle.values(amount_of_key(handle, way, sight, step)), label);
     } else return;
     event.preventDefault();
     event.stopPropagation();
@@ -173,10 +175,6 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
 function in_order(handles: readonly Handle[]): Handle[] {
   const looks: readonly Handle['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
   return [...handles].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));
-}
-
-function edits_of(values: Values): { set: string; value: Values[string] }[] {
-  return Object.entries(values).map(([set, value]) => ({ set, value }));
 }
 
 function focus_handle(root: SVGGElement | null, key: string, by: number): void {

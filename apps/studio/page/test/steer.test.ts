@@ -3,11 +3,15 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { Store } from '../src/base/store.ts';
 import { draw_midrib, draw_widths, drawn_points } from '../src/grass/curves.ts';
 import { day_of, day_of_date, date_of_day, daylight, declination, hour_and_declination, hour_of, sun_place } from '../src/scene/sun_math.ts';
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
+import { InstanceChoice } from '../src/instance_choice.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
 import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
+import type { Studio } from '../src/studio.ts';
+import { kNoGrowth } from '../src/studio_state.ts';
 import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
 import { with_values } from '../src/document/put_values.ts';
@@ -180,4 +184,42 @@ test('operations are told in words, and by years', () => {
   const years = years_of(acts, [{ do: 'cut' }, { do: 'cut', season: 'summer' }], 'c.operations');
   assert.deepEqual(years.map(({ year, seasons }) => [year, seasons.map(({ season, entries }) => [season, entries.length])]), [[7, [['winter', 1]]], [8, [['summer', 1], ['winter', 1]]]]);
   assert.equal(text_with_off('[{"do": "cut"}]', 1, false), '[{"off": true, "do": "cut"}]');
+});
+
+/// A studio that answers questions for an instance when it is told to.
+function asked_studio(): { studio: Studio; grow: () => void; answer: (shoot: string | null, iteration: number) => Promise<void> } {
+  const growth = new Store(kNoGrowth);
+  const waiting: ((answer: object) => void)[] = [];
+  const request = (): Promise<object> => new Promise((done) => waiting.push(done));
+  const studio = { growth, chosen: new Store('components.tree'), choose: () => undefined, connection: { request } } as unknown as Studio;
+  const answer = async (shoot: string | null, iteration: number): Promise<void> => {
+    const instance = shoot === null ? null : { component: 'tree', shoot, tree: 0, metamer: 1, course: [0, 0, 0], metamers: [1], iteration };
+    waiting.shift()?.({ instance });
+    await new Promise((done) => setTimeout(done, 40));
+  };
+  return { studio, answer, grow: () => growth.merge({ grown: { dragged: false } as never }) };
+}
+
+test('a chosen shoot is one of the growth on show, or let go', async () => {
+  const { studio, grow, answer } = asked_studio();
+  const choice = new InstanceChoice(studio);
+  choice.choose({ component: 'tree', frame: [], position: [0, 1, 0] });
+  await answer('main.2', 8);
+  assert.equal(choice.found.get()?.iteration, 8);
+  grow();
+  await answer('main.2', 9);
+  assert.equal(choice.found.get()?.iteration, 9);
+  grow();
+  await answer('main.3', 10);
+  assert.equal(choice.found.get(), null);
+  assert.equal(choice.seen.get(), null);
+});
+
+test('an answer for a shoot that was let go meanwhile counts no more', async () => {
+  const { studio, answer } = asked_studio();
+  const choice = new InstanceChoice(studio);
+  choice.choose({ component: 'tree', frame: [], position: [0, 1, 0] });
+  choice.forget();
+  await answer('main.2', 8);
+  assert.equal(choice.found.get(), null);
 });

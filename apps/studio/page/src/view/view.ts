@@ -173,8 +173,9 @@ export class View {
     this.ask();
   }
 
-  /// Looks as another view does.
+  /// Looks as another view does, and is fitted to what that one was fitted to.
   follow(other: View): void {
+    this.fitted_.copy(other.fitted_);
     if (this.orbit.follow(other.orbit)) this.ask();
   }
 

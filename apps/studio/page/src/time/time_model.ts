@@ -5,6 +5,7 @@ import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { Studio } from '../studio.ts';
+import { document_names } from '../tables/tables.ts';
 import { budgets_of } from '../view/budgets.ts';
 import type { AnimationFacts, Track } from './keys.ts';
 import { animation_of, tidy_time, tracks_of } from './keys.ts';
@@ -18,7 +19,6 @@ export interface TimeState {
 }
 
 const kAtStart: TimeState = { time: 0, is_playing: false, is_open: false, track: null, key: 0 };
-const kHeads = ['variables', 'components', 'links', 'animation', 'limits']; // further names at the top of documents
 const kStill = 150; // ms after the last move until all detail is asked for
 const kLongestWait = 400; // ms for a picture, while playing
 
@@ -46,8 +46,7 @@ export class TimeModel {
 
   /// Names at the top of documents, which components' names must not be taken for.
   get tops(): ReadonlySet<string> {
-    const { tables } = this.studio_;
-    return new Set([...(tables.tables[tables.document]?.rows.map((row) => row.name) ?? []), ...kHeads]);
+    return new Set(document_names(this.studio_.tables));
   }
 
   /// Worked out once per text.

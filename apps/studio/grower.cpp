@@ -192,10 +192,12 @@ std::shared_ptr<const GrownWish> Grower::grown() const {
   return grown_;
 }
 
-void Grower::ask(std::function<void(const GrownWish* grown, GrowthCache& cache)> question) {
+void Grower::ask(std::function<void(const LastGrown* last)> question) {
   host_.growth.post([self = shared_from_this(), question = std::move(question)] {
     const std::shared_ptr<const GrownWish> grown = self->grown();
-    question(grown.get(), self->cache_);
+    if (grown == nullptr) return question(nullptr);
+    const LastGrown last{*grown, self->full_of_ == grown ? self->full_.get() : nullptr, self->cache_};
+    question(&last);
   });
 }
 

@@ -44,6 +44,13 @@ struct GrownWish {
   std::vector<std::uint64_t> placed{};
 };
 
+/// What has grown last, as a question finds it.
+struct LastGrown {
+  const GrownWish& grown;
+  const MeshScene* meshes;  ///< all of its meshes; null where they have not been made, as in a drag
+  GrowthCache& cache;       ///< of that growth
+};
+
 /// What of a plant the page wants to see.
 struct ShownParts {
   std::uint64_t drag_triangles = 60'000;   ///< about the most triangles while inputs follow each other
@@ -83,8 +90,8 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void pause(bool is_paused);
   /// Sends nothing any more and drops all. What is in hand may end later.
   void close();
-  /// Has the thread that grows look at what has grown last, null before, with the cache of that growth.
-  void ask(std::function<void(const GrownWish* grown, GrowthCache& cache)> question);
+  /// Has the thread that grows look at what has grown last; null before anything has.
+  void ask(std::function<void(const LastGrown* last)> question);
   /// The last that has grown; null before.
   std::shared_ptr<const GrownWish> grown() const;
 

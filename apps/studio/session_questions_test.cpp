@@ -2,6 +2,10 @@
 // What a page asks of a plant that has grown.
 #include <gtest/gtest.h>
 
+#include "base64.h"
+#include "meristem/document/document.h"
+#include "meristem/document/grow.h"
+#include "meristem/output/overlay/overlay.h"
 #include "test_studio.h"
 
 namespace meristem::studio::session_questions_test {
@@ -129,7 +133,11 @@ TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
   ASSERT_EQ(layers.size(), 2U);
   EXPECT_EQ(Studio::text_of(*layers[0].find("points"), "positions").size(), 60U * 12 * 4 / 3) << "in base 64";
   EXPECT_FALSE(layers[0].find("legend")->list()->empty());
-  EXPECT_EQ(Studio::text_of(studio.ask("overlays", R"("parts": ["nothing"])"), "is"), "refused");
+  const Value refused = studio.ask("overlays", R"("parts": ["sun", "skeletton"])");
+  EXPECT_TRUE(is_refused(refused));
+  const std::string message = Studio::text_of(refused, "message");
+  EXPECT_NE(message.find("'skeletton'"), std::string::npos) << message;
+  EXPECT_NE(message.find("did you mean 'skeleton'?"), std::string::npos) << message;
 }
 
 TEST(StudioSession, TellsWhichInstanceIsSeenWithItsValues) {
@@ -203,6 +211,56 @@ TEST(StudioSession, TellsWhatOperationsHaveDone) {
   EXPECT_EQ(Studio::text_of(places[1], "shoot"), "main");
   EXPECT_EQ(places[1].find("course")->list()->size(), 6U);
   EXPECT_TRUE(studio.ask("operations", R"("component": "nobody")").find("operations")->is_null());
+}
+
+TEST(StudioSession, ShootsOfSeveralInstancesAreThoseOfTheirOwnTrees) {
+  Studio studio;
+  std::string text = R"json("text": "{\"meristem\": 1, \"components\": {\"view\": {\"type\": \"camera\"},
+    \"row\": {\"type\": \"hydra\", \"number\": 3, \"radius\": 4}, \"pear\": {\"type\": \"organize\",
+    \"iterations\": 9, \"operations\": [{\"do\": \"cut\", \"at\": 8, \"shoots\": \"leader\", \"above\": 5}]}},
+    \"links\": [[\"view\", \"row\"], [\"row\", \"pear\"]]}")json";
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  studio.mailbox().packet(0);
+  const Value one = studio.ask("operations", R"("component": "pear", "operation": "components.pear.operations[0]")");
+  const Value::List& places = *one.find("operations")->find("places")->list();
+  ASSERT_EQ(places.size(), 3U);
+  const auto numbers_of = [](const Value& point) {
+    const Value::List& list = *point.list();
+    return Vec3(*list[0].number(), *list[1].number(), *list[2].number());
+  };
+  for (const Value& place : places) {
+    EXPECT_EQ(*place.find("tree")->number(), 0);
+    const Value::List& course = *place.find("course")->list();
+    ASSERT_EQ(course.size(), 6U);
+    EXPECT_EQ(numbers_of(course.back()), numbers_of(*place.find("position")));
+  }
+  EXPECT_NE(numbers_of(*places[0].find("position")), numbers_of(*places[1].find("position")));
+}
+
+TEST(StudioSession, OverlaysAreThoseOfPictures) {
+  const std::string plant = R"json({"meristem": 1, "scene": {"sun": {"azimuth": 90, "altitude": 45}}, "components":
+    {"stem": {"type": "tree", "length": 0.2, "radius": 0.01}, "leaf": {"type": "leaf", "length": 0.4, "width": 0.1}},
+    "links": [{"from": "stem", "to": "leaf", "kind": "branch", "count": 3}]})json";
+  Studio studio;
+  const Value opened = studio.ask("open", "\"text\": " + write_json_line(Value(plant)));
+  studio.show(Studio::text_of(opened, "hash"));
+  const Value answer = studio.ask("overlays", R"("parts": ["sun"])");
+  const Value& layer = (*answer.find("overlays")->find("layers")->list())[0];
+
+  const Document document = read_document(plant, "", builtin_components());
+  Progress progress;
+  const GrownDocument grown = grow_document(document, progress);
+  const std::vector<OverlayPart> parts{OverlayPart::sun};
+  const std::vector<OverlayLayer> layers =
+      overlay_layers({grown.plant, grown.traces, document.scene, grown.meshes.bounds()}, parts, progress);
+  std::vector<float> ends;
+  for (const OverlayLine& arrow : layers[0].arrows) {
+    for (const Vec3 end : {arrow.from, arrow.to}) ends.insert(ends.end(), {end.x, end.y, end.z});
+  }
+  ASSERT_FALSE(ends.empty());
+  const std::string_view bytes(reinterpret_cast<const char*>(ends.data()), ends.size() * sizeof(float));
+  EXPECT_EQ(Studio::text_of(*layer.find("arrows"), "positions"), base64(bytes));
 }
 
 TEST(StudioSession, TellsWhereAComponentStandsAndWhatSurroundsIt) {

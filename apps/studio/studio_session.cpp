@@ -474,56 +474,54 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
 /// Has the thread that grows answer the request by what has grown.
 template <class Question>
 void StudioSession::ask_grown(double id, Question question) {
-  grower_->ask([&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), question](const GrownWish* grown,
-                                                                                                 GrowthCache& cache) {
-    const auto work = [&](Host&, Progress& progress) -> Value::Member {
-      if (grown == nullptr) throw Refusal("nothing has grown yet");
-      return question(*grown, progress, cache);
-    };
-    answer_by(host, outbox, *jobs, asked, {"question"}, work);
-  });
+  grower_->ask(
+      [&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), question](const LastGrown* last) {
+        const auto work = [&](Host&, Progress& progress) -> Value::Member {
+          if (last == nullptr) throw Refusal("nothing has grown yet");
+          return question(*last, progress);
+        };
+        answer_by(host, outbox, *jobs, asked, {"question"}, work);
+      });
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
-    return {"instance", instance_value(grown, request, progress, cache)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"instance", instance_value(last.grown, request, progress, last.cache)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRequest& request) {
-  ask_grown(
-      id,
-      [component = request.component](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
-        return {"stand", stand_value(grown, component, progress, cache)};
-      });
+  ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"stand", stand_value(last.grown, component, progress, last.cache)};
+  });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const CurvesRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress&, GrowthCache&) -> Value::Member {
-    return {"curves", curves_value(grown, request)};
+  ask_grown(id, [request](const LastGrown& last, Progress&) -> Value::Member {
+    return {"curves", curves_value(last.grown, request)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const OperationsRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache&) -> Value::Member {
-    return {"operations", operations_value(grown, request, progress)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"operations", operations_value(last.grown, request, progress)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const ClocksRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
-    return {"clocks", clocks_value(grown, request.up_to, progress, cache)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"clocks", clocks_value(last.grown, request.up_to, progress, last.cache)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const OverlaysRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache&) -> Value::Member {
-    return {"overlays", overlays_value(grown, request, progress)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"overlays", overlays_value(last, request, progress)};
   });
   return std::nullopt;
 }

@@ -100,7 +100,7 @@ std::vector<double> film_times(const RenderOptions& options, const Document& doc
                                 .expected = "--time FROM:TO:STEP"});
   }
   const Animation& animation = *document.graph.animation;
-  return film::frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
+  return film::frame_times(animation.length, animation.fps).all();
 }
 
 /// One picture, or one for each time or each side. Those of a film are numbered in its folder.

@@ -6,8 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "apps/film/film.h"
 #include "apps/film/frames.h"
 #include "meristem/document/grow.h"
@@ -22,15 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FrameTimes times_of(const ExportOptions& options, const Document& document) {
+film::FrameTimes times_of(const ExportOptions& options, const Document& document) {
   if (options.frames) return *options.frames;
   if (!document.graph.animation)
     throw Refusal("the document has no animation, which would say how long a film of it is");
   const Animation& animation = *document.graph.animation;
-  const FrameTimes times{.from = 0, .to = animation.length, .step = 1 / animation.fps};
-  if (times.count() > static_cast<std::size_t>(film::kMostFrames))
-    throw Refusal(fmt::format("there are at most {} frames", film::kMostFrames));
-  return times;
+  return film::frame_times(animation.length, animation.fps);
 }
 
 /// Takes pictures of a document at times. What does not change with time is made once.
@@ -79,7 +74,7 @@ class FrameTaker {
 }  // namespace
 
 Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads, JobNews& news) {
-  const FrameTimes times = times_of(options, *source.document);
+  const film::FrameTimes times = times_of(options, *source.document);
   const std::size_t count = times.count();
   FrameTaker taker(source, options, news.progress());
   const bool is_film = film::is_film(options.format);

@@ -150,7 +150,7 @@ export class Studio {
     await this.keeper.flush();
     const { is_changed } = this.document;
     const left = this.document.state.get();
-    this.bench.time.leave();
+    const time = this.bench.time.leave();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
       this.take_opened(opened);
@@ -159,6 +159,7 @@ export class Studio {
       await this.keeper.offer(opened);
       return true;
     } catch (fault) {
+      this.bench.time.come_back(time);
       if (fault instanceof Refusal) this.tell(fault.message, true);
       return false;
     }

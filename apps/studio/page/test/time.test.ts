@@ -9,6 +9,7 @@ import { Store } from '../src/base/store.ts';
 import { dragged_values, set_values, value_now } from '../src/time/values_now.ts';
 import { moved_delay } from '../src/time/clock_rows.tsx';
 import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time, without_key } from '../src/time/keys.ts';
+import { TimeModel } from '../src/time/time_model.ts';
 import type { Key } from '../src/time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../src/time/track.ts';
 
@@ -121,4 +122,49 @@ test('a value within one that has keys as a whole changes its part of the key', 
   const { studio, edits } = at_time(document, 2);
   set_values(studio, { 'components.stem.frame.translate[2]': 9 }, 'Set the stem');
   assert.deepEqual(edits, [{ all: [{ set: 'animation.keys["stem.frame.translate"]', value: [[0, [0, 0, 0]], [2, [2, 2, 9]], [4, [4, 4, 4]]] }], label: 'Key the stem' }]);
+});
+
+/// A model of the time whose server and view are looked at.
+function model_of_time(): { model: TimeModel; asked: Record<string, number>[]; view: { is_software: boolean; moves: boolean } } {
+  const asked: Record<string, number>[] = [];
+  const view = { is_software: true, moves: false, move_time: (moves: boolean): void => void (view.moves = moves) };
+  const send = (_: string, members: Record<string, number>): Promise<object> => {
+    asked.push(members);
+    return Promise.resolve({});
+  };
+  const studio = { document: { state: new Store({ tree: null }) }, tables: { tables: {}, document: '' }, view, connection: { request: send, tell: send } };
+  return { model: new TimeModel(studio as unknown as Studio), asked, view };
+}
+
+const later = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+
+test('while the time moves the view knows it and few triangles are asked for; at rest as many as ever', async () => {
+  (globalThis as { window?: object }).window ??= globalThis;
+  const { model, asked, view } = model_of_time();
+  model.scrub(1);
+  assert.ok(view.moves);
+  assert.equal(asked[0]?.['rest_triangles'], 60_000);
+  await later(220);
+  assert.ok(!view.moves);
+  assert.equal(asked.at(-1)?.['rest_triangles'], 250_000);
+  // Played, it moves until it is stopped, however long a picture takes.
+  model.state.merge({ is_playing: true });
+  model.scrub(2);
+  await later(220);
+  assert.ok(view.moves);
+  model.stop();
+  await later(40);
+  assert.ok(!view.moves);
+  assert.deepEqual([asked.at(-1)?.['time'], asked.at(-1)?.['rest_triangles']], [2, 250_000]);
+});
+
+test('a document that cannot be opened leaves the time as it is', async () => {
+  const { model, asked } = model_of_time();
+  model.scrub(3);
+  const left = model.leave();
+  assert.equal(model.time, 0);
+  model.come_back(left);
+  await later(40);
+  assert.equal(model.time, 3);
+  assert.equal(asked.at(-1)?.['time'], 3);
 });

@@ -87,16 +87,26 @@ export class TimeModel {
   }
 
   stop(): void {
-    if (this.state.get().is_playing) this.state.merge({ is_playing: false });
+    if (!this.state.get().is_playing) return;
+    this.state.merge({ is_playing: false });
+    if (this.moves_until_ === 0) this.rest();
   }
 
-  /// Another document will be opened: its time begins anew.
-  leave(): void {
+  /// Another document will be opened: its time begins anew. Gives the state that was left.
+  leave(): TimeState {
     clearTimeout(this.moves_until_);
     this.moves_until_ = 0;
-    const { time, is_open } = this.state.get();
-    this.state.set({ ...kAtStart, is_open });
-    if (time !== 0) this.studio_.connection.tell('view', { time: 0 });
+    this.studio_.view?.move_time(false);
+    const left = this.state.get();
+    this.state.set({ ...kAtStart, is_open: left.is_open });
+    if (left.time !== 0) this.studio_.connection.tell('view', { time: 0 });
+    return left;
+  }
+
+  /// The other document could not be opened: the time that was left is shown again.
+  come_back(left: TimeState): void {
+    this.state.set({ ...left, is_playing: false });
+    if (left.time !== 0) this.rest();
   }
 
   /// Shows the time that it is, as soon as each picture is there, round and round.
@@ -130,15 +140,22 @@ export class TimeModel {
     clearTimeout(this.moves_until_);
     this.moves_until_ = window.setTimeout(() => {
       this.moves_until_ = 0;
-      this.sender_.ask();
+      if (!this.state.get().is_playing) this.rest();
     }, kStill);
+    this.studio_.view?.move_time(true);
+    this.sender_.ask();
+  }
+
+  /// The time moves no more: all detail is asked for.
+  private rest(): void {
+    this.studio_.view?.move_time(false);
     this.sender_.ask();
   }
 
   private send(): Promise<unknown> {
     const { view, connection } = this.studio_;
     const budgets = view ? budgets_of(view) : null;
-    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 ? budgets.drag_triangles : budgets.rest_triangles };
+    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 || this.state.get().is_playing ? budgets.drag_triangles : budgets.rest_triangles };
     return connection.request('view', { time: this.time, ...rest });
   }
 }

@@ -31,7 +31,7 @@ export class Studio {
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_handles: true, is_sunlit: false, solo: null });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
   readonly instance = new InstanceChoice(this);

@@ -44,7 +44,7 @@ export interface ViewState {
   drawing: Drawing;
   hidden: ReadonlySet<string>; // components that are not drawn
   shows_ground: boolean;
-  shows_handles: boolean; // of what is chosen
+  shows_grips: boolean; // of what is chosen
   is_sunlit: boolean; // by the document's sun
   solo: string | null; // the component that is drawn alone, with all that stands on it
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's way, turns of documents, handles from the tables, operations in words.
+// The sun's way, turns of documents, grips from the tables, operations in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -15,8 +15,8 @@ import { kNoGrowth } from '../src/studio_state.ts';
 import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
 import { with_values } from '../src/document/put_values.ts';
-import type { HandleGroup, Sight } from '../src/view/gizmo/handle.ts';
-import { amount_of } from '../src/view/gizmo/handle.ts';
+import type { GripGroup, Sight } from '../src/view/gizmo/grip.ts';
+import { amount_of } from '../src/view/gizmo/grip.ts';
 import { groups_of_object } from '../src/view/gizmo/row_groups.ts';
 import type { Vec } from '../src/view/gizmo/space_math.ts';
 import { along_line, framed, frame_of_rows, kWorld, on_plane, point_in, turn_of, turns_to, vector_in, vector_out } from '../src/view/gizmo/space_math.ts';
@@ -94,8 +94,8 @@ const kTables = {
   },
 } as unknown as Tables;
 const kSight: Sight = { right: [1, 0, 0], toward: [0, 0, 1], reach: 1 };
-const of = (table: string, value: unknown, path: string): HandleGroup[] => groups_of_object(kTables, [kTables.tables[table] ?? { doc: '', rows: [] }], value as never, path, path, kWorld, kSight);
-const values_of = (group: HandleGroup | undefined, key: string, by: Vec, degrees = 0): unknown => group?.handles.find((one) => one.key === key)?.values({ by, degrees, step: 0.01 });
+const of = (table: string, value: unknown, path: string): GripGroup[] => groups_of_object(kTables, [kTables.tables[table] ?? { doc: '', rows: [] }], value as never, path, path, kWorld, kSight);
+const values_of = (group: GripGroup | undefined, key: string, by: Vec, degrees = 0): unknown => group?.grips.find((one) => one.key === key)?.values({ by, degrees, step: 0.01 });
 
 test('a box is moved, sized and turned about its middle', () => {
   const [box] = of('scene', { obstacles: [{ box: [[1, 0, 0], [3, 2, 2]] }] }, 'scene');
@@ -111,7 +111,7 @@ test('a box is moved, sized and turned about its middle', () => {
   near_all(turned['scene.obstacles[0].translate'] ?? [], [1, 0, 3], 1e-4);
 });
 
-test('lamps, meshes and wires are moved; expressions have no handles', () => {
+test('lamps, meshes and wires are moved; expressions have no grips', () => {
   const groups = of('scene', { lamps: [{ position: [1, 2, 3] }, { position: ['t', 0, 0] }], obstacles: [{ mesh: 'a.obj', translate: [1, 0, 0] }], supports: { wire: [[0, 1, 0], [2, 1, 0]] } }, 'scene');
   assert.deepEqual(groups.map((one) => one.label), ['obstacle 1, place', 'lamp 1', 'support wire, point 1', 'support wire, point 2']);
   assert.deepEqual(values_of(groups[1], 'move xz', [1, 0, 1]), { 'scene.lamps[0].position': [2, 2, 4] });
@@ -136,10 +136,10 @@ test('points of a profile are dragged across the view and keep their order', () 
 
 test('a hand moves along the line that it has hold of', () => {
   const [box] = of('scene', { obstacles: [{ box: [[0, 0, 0], [2, 2, 2]] }] }, 'scene');
-  const handle = box?.handles.find((one) => one.key === 'move x');
-  assert.ok(handle);
+  const grip = box?.grips.find((one) => one.key === 'move x');
+  assert.ok(grip);
   const ray = (x: number): { origin: Vec; way: Vec } => ({ origin: [x, 5, 10], way: [0, 0, -1] });
-  near_all(amount_of({ handle, start: ray(2) }, ray(3.5), kSight.toward, 0.1)?.by ?? [], [1.5, 0, 0]);
+  near_all(amount_of({ grip, start: ray(2) }, ray(3.5), kSight.toward, 0.1)?.by ?? [], [1.5, 0, 0]);
 });
 
 test('values under the hand stand in the place of the document\'s', () => {

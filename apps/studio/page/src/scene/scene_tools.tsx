@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be put into a scene: boxes, meshes, lamps, poles. They are put beside the plants, as large as suits them, and
-// their handles are shown.
+// their grips are shown.
 import type { ReactElement } from 'react';
 
 import { Button } from '../controls/button.tsx';

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The handles of what is chosen: found from the document and the tables, in the frame in which it stands.
+// The grips of what is chosen: found from the document and the tables, in the frame in which it stands.
 import { Store } from '../../base/store.ts';
 import { path_of, steps_of, value_at } from '../../document/path.ts';
 import type { Studio } from '../../studio.ts';
 import { groups_at } from '../../tables/resolve.ts';
 import { value_now } from '../../time/values_now.ts';
-import type { HandleGroup, Sight } from './handle.ts';
+import type { GripGroup, Sight } from './grip.ts';
 import { groups_of_object } from './row_groups.ts';
 import type { Frame3 } from './space_math.ts';
 import { frame_of_rows, kWorld } from './space_math.ts';
 
 export class Gizmo {
-  readonly active = new Store<string | null>(null); // key of the group whose handles are shown
+  readonly active = new Store<string | null>(null); // key of the group whose grips are shown
   readonly stand = new Store<{ component: string; frame: Frame3 } | null>(null);
   private asked_ = 0;
 
@@ -24,7 +24,7 @@ export class Gizmo {
     this.stand.set(null);
   }
 
-  /// Shows the handles of a part of what is chosen, as soon as it has some: those whose key begins with the path.
+  /// Shows the grips of a part of what is chosen, as soon as it has some: those whose key begins with the path.
   show(path: string): void {
     this.active.set(path);
   }
@@ -42,7 +42,7 @@ export class Gizmo {
   }
 
   /// The groups of what is chosen, with the values under the hand and of keys.
-  groups(sight: Sight): HandleGroup[] {
+  groups(sight: Sight): GripGroup[] {
     const studio = this.studio_;
     const object = object_of(studio.chosen.get());
     if (object === null) return [];

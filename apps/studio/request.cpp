@@ -32,6 +32,8 @@ class Members {
   /// `owner` is the name of the object in its request; empty: that is the request itself.
   explicit Members(const Value& object, std::string owner = "") : object_(object), owner_(std::move(owner)) {}
 
+  const std::string& owner() const { return owner_; }
+
   bool has(const char* name) const {
     const Value* member = object_.find(name);
     return member != nullptr && !member->is_null();
@@ -271,7 +273,7 @@ film::FrameTimes frames_of(const Members& members) {
                                 .to = members.number("to", 0, kMostSeconds),
                                 .step = members.number("step", 1e-6, kMostSeconds)};
   const std::string wanted = film::wanting(frames);
-  if (!wanted.empty()) throw Refusal(fmt::format("'frames' needs {}", wanted));
+  if (!wanted.empty()) throw Refusal(fmt::format("'{}' needs {}", members.owner(), wanted));
   return frames;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which instance of the chosen component was clicked at, and instances that are clicked one after another.
+import { Newest } from './base/newest.ts';
 import { Store } from './base/store.ts';
 import { path_below } from './document/path.ts';
 import type { FoundShoot } from './server/growth_protocol.ts';
@@ -22,7 +23,7 @@ export class InstanceChoice {
   readonly selecting = new Store<Selecting | null>(null);
 
   private readonly again_ = new LatestSender(() => this.ask_again());
-  private asked_ = 0; // the newest answer counts
+  private readonly newest_ = new Newest();
   private heard_: Grown | null = null;
 
   constructor(private readonly studio_: Studio) {
@@ -36,7 +37,7 @@ export class InstanceChoice {
 
   /// Something else has been chosen; answers that are awaited count no more.
   forget(): void {
-    this.asked_ += 1;
+    this.newest_.drop();
     this.again_.drop();
     this.seen.set(null);
     this.found.set(null);
@@ -52,11 +53,10 @@ export class InstanceChoice {
     if (obstacle) this.studio_.bench.gizmo.show(obstacle);
     if (seen === null || obstacle) return;
     this.seen.set(seen);
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.ask(seen)
       .then((instance) => {
-        if (number === this.asked_) this.take(instance);
+        if (counts()) this.take(instance);
       })
       .catch(() => undefined);
   }
@@ -78,10 +78,9 @@ export class InstanceChoice {
     const shoot = InstanceChoice.shoot_of(this.found.get());
     const seen = this.seen.get();
     if (!shoot || !seen) return;
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     const now = InstanceChoice.shoot_of(await this.ask(seen));
-    if (number !== this.asked_) return;
+    if (!counts()) return;
     if (now && now.shoot === shoot.shoot && now.tree === shoot.tree) this.found.set(now);
     else this.forget();
   }

@@ -3,12 +3,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { without } from '../src/base/lists.ts';
 import type { Json } from '../src/document/json.ts';
 import type { Studio } from '../src/studio.ts';
 import { Store } from '../src/base/store.ts';
 import { dragged_values, set_values, value_now } from '../src/time/values_now.ts';
 import { moved_delay } from '../src/time/clock_rows.tsx';
-import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time, without_key } from '../src/time/keys.ts';
+import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time } from '../src/time/keys.ts';
 import { TimeModel } from '../src/time/time_model.ts';
 import type { Key } from '../src/time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../src/time/track.ts';
@@ -55,7 +56,7 @@ test('keys are put in by their time, moved between their neighbours and taken aw
   assert.equal(key_at(three, 4.00001), 2);
   assert.deepEqual(with_time(three, 1, 99, 10).map((one) => one.time), [0, 3.99, 4]);
   assert.deepEqual(with_time(three, 2, 99, 10).map((one) => one.time), [0, 2, 10]);
-  assert.equal(without_key(three, 0).length, 2);
+  assert.equal(without(three, 0).length, 2);
 });
 
 test('a document gets an animation with its first key, and loses the keys with the last', () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures of the plant, asked of the server while somebody looks and made anew after each change; and measures over the
 // values of a handle.
+import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import type { Job } from '../server/connection.ts';
@@ -47,8 +48,8 @@ export class MeasureModel {
   readonly sweep = new Store<SweepState>(kNoSweep);
   private looks_ = 0;
   private timer_ = 0;
-  private asked_ = 0;
-  private swept_ = 0;
+  private readonly newest_ = new Newest(); // of measures
+  private readonly newest_sweep_ = new Newest();
   private sweeping_: Job<{ sweep: SweepPoint[] }> | null = null;
   private seen_ = ''; // what was measured last
   private called_off_: Grown | null = null; // the growth whose measuring was cancelled: it is measured when somebody asks
@@ -57,8 +58,8 @@ export class MeasureModel {
 
   /// Another document is opened.
   forget(): void {
-    this.asked_ += 1;
-    this.swept_ += 1;
+    this.newest_.drop();
+    this.newest_sweep_.drop();
     this.seen_ = '';
     this.sweep.set(kNoSweep);
     this.state.merge({ told: null, fault: '', is_working: false });
@@ -86,15 +87,14 @@ export class MeasureModel {
 
   /// Measures the plant at each of these values of a handle, with the present values of all others.
   async measure_over(variable: string, values: readonly number[]): Promise<void> {
-    this.swept_ += 1;
-    const number = this.swept_;
+    const counts = this.newest_sweep_.begin();
     this.sweep.set({ variable, points: [], is_working: true, fault: '' });
     this.sweeping_ = this.studio_.connection.begin<{ sweep: SweepPoint[] }>('sweep', { path: variable, values, light: this.state.get().with_light });
     try {
       const { sweep } = await this.sweeping_.answer;
-      if (number === this.swept_) this.sweep.merge({ points: sweep, is_working: false });
+      if (counts()) this.sweep.merge({ points: sweep, is_working: false });
     } catch (fault) {
-      if (number === this.swept_) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
+      if (counts()) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
     }
   }
 
@@ -121,17 +121,16 @@ export class MeasureModel {
   }
 
   private async ask(): Promise<void> {
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.state.merge({ is_working: true });
     const { with_light, told } = this.state.get();
     const height = typeof told?.['height'] === 'number' ? told['height'] : 0;
     const layers = with_light && height > 0 ? { layer_height: Number((height / kLayers).toPrecision(1)) } : {};
     try {
       const { measures } = await this.studio_.connection.request<{ measures: Measured }>('measures', { light: with_light, ...layers });
-      if (number === this.asked_) this.state.merge({ told: measures, is_working: false, fault: '' });
+      if (counts()) this.state.merge({ told: measures, is_working: false, fault: '' });
     } catch (fault) {
-      if (number !== this.asked_) return;
+      if (!counts()) return;
       const is_cancelled = fault instanceof Refusal && fault.facts.cancelled === true;
       this.state.merge({ is_working: false, fault: fault instanceof Refusal && !is_cancelled ? fault.message : '' });
       if (!is_cancelled) return;

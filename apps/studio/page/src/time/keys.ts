@@ -100,10 +100,6 @@ export function with_way(keys: readonly Key[], index: number, way: Way): Key[] {
   return keys.map((one, k) => (k === index ? { ...one, way } : one));
 }
 
-export function without_key(keys: readonly Key[], index: number): Key[] {
-  return keys.filter((_, k) => k !== index);
-}
-
 /// Has a parameter have these keys; none: no keys any more. A document without an animation gets one.
 export function keys_edits(document: Json | undefined, name: string, keys: readonly Key[]): Edit[] {
   const animation = member_of(document, 'animation');

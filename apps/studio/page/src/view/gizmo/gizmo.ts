@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grips of what is chosen: found from the document and the tables, in the frame in which it stands.
+import { Newest } from '../../base/newest.ts';
 import { Store } from '../../base/store.ts';
 import { path_of, steps_of, value_at } from '../../document/path.ts';
 import type { Studio } from '../../studio.ts';
@@ -13,13 +14,13 @@ import { frame_of_rows, kWorld } from './space_math.ts';
 export class Gizmo {
   readonly active = new Store<string | null>(null); // key of the group whose grips are shown
   readonly stand = new Store<{ component: string; frame: Frame3 } | null>(null);
-  private asked_ = 0;
+  private readonly newest_ = new Newest();
 
   constructor(private readonly studio_: Studio) {}
 
   /// Another document is opened.
   forget(): void {
-    this.asked_ += 1;
+    this.newest_.drop();
     this.active.set(null);
     this.stand.set(null);
   }
@@ -31,12 +32,11 @@ export class Gizmo {
 
   /// Asks where the first instance of a component stands, as it has grown last.
   ask(component: string): void {
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.studio_.connection
       .request<{ stand: number[] | null }>('stand', { component })
       .then(({ stand }) => {
-        if (number === this.asked_) this.stand.set(stand ? { component, frame: frame_of_rows(stand) } : null);
+        if (counts()) this.stand.set(stand ? { component, frame: frame_of_rows(stand) } : null);
       })
       .catch(() => undefined);
   }

@@ -3,7 +3,6 @@
 // that cannot be seen.
 import type { ReactElement } from 'react';
 
-import type { Place3 } from '../projected_line.tsx';
 import { ProjectedLine } from '../projected_line.tsx';
 import type { View } from '../view.ts';
 import type { Grip } from './grip.ts';
@@ -62,7 +61,7 @@ function Arrow({ from, to }: { from: [number, number]; to: [number, number] | nu
   );
 }
 
-function Line({ view, places }: { view: View; places: readonly Place3[] }): ReactElement {
+function Line({ view, places }: { view: View; places: readonly Vec[] }): ReactElement {
   return (
     <>
       <ProjectedLine view={view} places={places} className="reach" />

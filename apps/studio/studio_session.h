@@ -107,7 +107,7 @@ class StudioSession {
   const std::shared_ptr<Outbox> outbox_;
   const std::shared_ptr<Grower> grower_;
   const std::shared_ptr<AskedJobs> jobs_ = std::make_shared<AskedJobs>();
-  // Of these kinds a page waits for the newest job alone.
+  // A page waits for the newest job of each of these kinds alone.
   const std::shared_ptr<AskedJobs> stills_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> derivations_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> sweeps_ = std::make_shared<AskedJobs>();

@@ -103,7 +103,7 @@ test('what has keys is seen and edited at the time of the view, whoever edits it
   assert.deepEqual(value_now(studio, 'components.stem', document.components.stem), { frame: { translate: [1, 1, 0] } });
   set_values(studio, { 'scene.sun.altitude': 40 }, 'Set the sun');
   set_values(studio, { 'scene.sun.azimuth': 80, 'scene.sun.altitude': 40 }, 'Set the sun');
-  // Of a vector that a hand moves, the element with keys gets one where it is another than its keys say.
+  // The element with keys of a vector that a hand moves gets one where it is another than its keys say.
   set_values(studio, { 'components.stem.frame.translate': [3, 1, 0] }, 'Set the stem');
   set_values(studio, { 'components.stem.frame.translate': [1, 1.5, 0] }, 'Set the stem');
   const sun = { set: 'animation.keys["scene.sun.altitude"]', value: [[0, 10], [2, 40], [4, 50]] };

@@ -4,7 +4,7 @@
 export class Newest {
   private number_ = 0;
 
-  /// Of all questions before, no answer counts any more. Gives whether one to a question that is asked now does.
+  /// Answers to all questions before count no more. Gives whether one to a question that is asked now does.
   begin(): () => boolean {
     this.number_ += 1;
     const number = this.number_;

@@ -26,7 +26,7 @@ export function parted(values: Values, tracks: readonly Track[], time: number): 
   const made: PartedValues = { plain: {}, keys: {} };
   const keys_of = (track: Track): readonly Key[] => made.keys[track.name] ?? track.keys;
   const put = (track: Track, value: Json, is_part = false): void => {
-    // Of a vector that a hand means as a whole, an element that stays where its keys have it gets no further key.
+    // An element of a vector that a hand means as a whole gets no further key where it stays as its keys have it.
     if (is_part && JSON.stringify(value) === JSON.stringify(value_at_time(keys_of(track), time))) return;
     made.keys[track.name] = with_key(keys_of(track), time, value);
   };

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMaker = "ffmpeg";
 constexpr std::uint64_t kMostOfLog = 4'000'000;  // bytes
-constexpr std::chrono::milliseconds kBetweenLooks{20};
+constexpr std::chrono::milliseconds kBetweenWaits{20};
 
 /// The program in the folders of PATH; empty where there is none.
 std::string maker() {
@@ -64,7 +64,7 @@ int exit_code(pid_t process, const std::string& program, const Progress& progres
       }
       progress.check();
     }
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kBetweenWaits);
   }
 }
 

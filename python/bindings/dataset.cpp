@@ -131,7 +131,7 @@ py::dict values_of(const PathValues& values) {
   return dict;
 }
 
-py::tuple state_of(const PlanPointer& plan) {
+py::tuple plan_state(const PlanPointer& plan) {
   py::list documents;
   for (const PlannedDocument& document : plan->plan.documents) {
     py::list files;
@@ -141,7 +141,7 @@ py::tuple state_of(const PlanPointer& plan) {
   return py::make_tuple(folder_plan_text(plan->plan), documents);
 }
 
-PlanPointer from_state(const py::tuple& state) {
+PlanPointer plan_from_state(const py::tuple& state) {
   if (state.size() != 2) throw py::value_error("the state of a DatasetPlan has two parts");
   const std::string scratch = scratch_folder();
   const TemporaryDocuments folder(scratch);  // until the documents are read
@@ -271,7 +271,7 @@ Where this process does not see the folder of the data set, gives (seconds, what
       .def_property_readonly(
           "warnings", [](const PlanPointer& plan) { return to_python(plan->plan.warnings); },
           "What is odd but not wrong: a tuple of Diagnostic.")
-      .def(py::pickle(&state_of, &from_state));
+      .def(py::pickle(&plan_state, &plan_from_state));
 
   py::class_<FolderInPython, FolderPointer>(module, "DatasetFolder",
                                             R"(The folder of a data set while it is made.

@@ -64,7 +64,7 @@ DocumentPointer with_values(const DocumentPointer& document, const py::object& v
   return made;
 }
 
-void save(const DocumentPointer& document, const py::object& path) {
+void save_document(const DocumentPointer& document, const py::object& path) {
   const std::string target = file_of(path);
   check_named_files(document->document, document->file, target);
   write_file(target, write_json(document->tree()));
@@ -101,8 +101,8 @@ DocumentPointer standing_at(const DocumentPointer& document, double time) {
   return std::make_shared<DocumentInPython>(document->document.at_time(time), document->overrides, document->seed);
 }
 
-std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time, const std::optional<int>& step,
-                                    bool trace, int threads, const py::object& progress) {
+std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, double time, const std::optional<int>& step,
+                                          bool trace, int threads, const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
   if (step && *step < 0) throw py::value_error("step must be 0 or more");
   GrowthView view{step, {}};
@@ -132,12 +132,12 @@ void save_animated(const DocumentPointer& document, const py::object& path, int 
   });
 }
 
-std::string repr(const DocumentPointer& document) {
+std::string document_repr(const DocumentPointer& document) {
   return fmt::format("<meristem.Document '{}' of {} components, seed {}>", document->document.name,
                      document->document.graph.components.size(), document->document.graph.seed);
 }
 
-bool are_equal(const DocumentPointer& document, const py::object& other) {
+bool are_documents_equal(const DocumentPointer& document, const py::object& other) {
   if (!py::isinstance<DocumentInPython>(other)) return false;
   const auto second = other.cast<DocumentPointer>();
   const auto folder = [](const DocumentInPython& d) { return fs::path(d.file).parent_path(); };
@@ -145,13 +145,13 @@ bool are_equal(const DocumentPointer& document, const py::object& other) {
          document->document.source.tree == second->document.source.tree;
 }
 
-py::tuple state_of(const DocumentPointer& document) {
+py::tuple document_state(const DocumentPointer& document) {
   py::dict overrides;
   for (const Override& override : document->overrides) overrides[py::str(override.path)] = to_python(override.value);
   return py::make_tuple(document->text, document->file, overrides, document->seed);
 }
 
-DocumentPointer from_state(const py::tuple& state) {
+DocumentPointer document_from_state(const py::tuple& state) {
   if (state.size() != 4) throw py::value_error("the state of a Document has four parts");
   return std::make_shared<DocumentInPython>(state[0].cast<std::string>(), state[1].cast<std::string>(),
                                             to_overrides(state[2]), optional_seed(state[3]));
@@ -261,8 +261,8 @@ their paths, as in set(); `seed` (0 to 2^53) replaces the document's. Raises Inp
 {"age": 20} sets a variable, {"leaf.length": 0.1} a component's parameter, {"links[1].density": 90} or
 {"scene.latitude": 50} a key. Files that have changed are read anew. Growing it makes only what has changed since the
 last growth of such a document. Raises InputError.)")
-      .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("step") = py::none(), py::arg("trace") = false,
-           py::arg("threads") = 0, py::arg("progress") = py::none(),
+      .def("grow", &grow_plant, py::arg("time") = 0.0, py::kw_only(), py::arg("step") = py::none(),
+           py::arg("trace") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.
 
 What clothes the plant is made when it is first asked for. With a `step`, plants that grow by a model stand as after
@@ -281,7 +281,7 @@ Cancelled.)")
            R"(The document's file and all files that it names, by content: what another machine needs to grow it.
 
 Gives (name, files): the path of the document below some folder, and (path, bytes) of each file there.)")
-      .def("save", &save, py::arg("path"),
+      .def("save", &save_document, py::arg("path"),
            "Writes the document as JSON, all values set. Raises InputError where it would not find a file that it "
            "names, "
            "MachineError where it cannot be written.")
@@ -312,11 +312,12 @@ Gives (name, files): the path of the document below some folder, and (path, byte
       .def_property_readonly(
           "scene", [](const DocumentPointer& d) { return std::shared_ptr<Scene>(d, &d->document.scene); },
           "What surrounds the plants: a Scene.")
-      .def("__repr__", &repr)
-      .def("__eq__", &are_equal, py::arg("other"), "Whether both say the same and seek files from the same folder.")
+      .def("__repr__", &document_repr)
+      .def("__eq__", &are_documents_equal, py::arg("other"),
+           "Whether both say the same and seek files from the same folder.")
       .def("__hash__",
            [](const DocumentPointer& d) { return std::hash<std::string>()(write_json(d->document.source.tree)); })
-      .def(py::pickle(&state_of, &from_state));
+      .def(py::pickle(&document_state, &document_from_state));
 
   module.def(
       "models", [] { return model_names(models_folder()); },

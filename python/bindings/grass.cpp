@@ -80,7 +80,7 @@ GrassLeafPointer make_leaf(double length, double width, const py::object& s, con
   return leaf;
 }
 
-bool are_equal(const GrassLeaf& leaf, const py::object& other) {
+bool are_leaves_equal(const GrassLeaf& leaf, const py::object& other) {
   if (!py::isinstance<GrassLeaf>(other)) return false;
   const auto& second = other.cast<const GrassLeaf&>();
   return leaf.length == second.length && leaf.width == second.width && leaf.s == second.s && leaf.x == second.x &&
@@ -223,7 +223,7 @@ leaf. Raises TypeError and ValueError.)")
           "inclination", [](const GrassLeaf& l) { return inclination(l) * 180 / kPi; },
           "Degrees at which it leaves the stem.")
       .def("__len__", [](const GrassLeaf& l) { return l.point_count(); })
-      .def("__eq__", &are_equal, py::arg("other"), "Whether both have the same numbers.")
+      .def("__eq__", &are_leaves_equal, py::arg("other"), "Whether both have the same numbers.")
       .def(py::pickle(&state_of_leaf, &leaf_from))
       .def("__repr__", [](const GrassLeaf& l) {
         return fmt::format("<meristem.grass.GrassLeaf of {} points: length {:.4g}, width {:.4g}>", l.point_count(),

@@ -19,7 +19,6 @@ namespace meristem::python {
 
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr std::int64_t kMostAcross = 1000;
 
 using OrderPointer = std::shared_ptr<ReductionOrder>;
@@ -97,7 +96,7 @@ EdgeWaves waves_of(const py::dict& given) {
                                   .nearest = nearest_name(name, names)});
     }
     const auto k = static_cast<std::size_t>(found - names.begin());
-    waves.*members[k].second = value.cast<double>() * (k < 2 ? 1 : kDegree);
+    waves.*members[k].second = k < 2 ? value.cast<double>() : radians(value.cast<double>());
   }
   return waves;
 }
@@ -116,9 +115,9 @@ std::shared_ptr<Mesh> blade_of(const GrassLeaf& leaf, double twist, const py::ob
                                double roll, const py::dict& waves, int across, double clasp, double clasp_radius,
                                const py::object& displace) {
   if (across > kMostAcross) throw py::value_error(fmt::format("across is at most {}", kMostAcross));
-  GrassBlade blade{.twist = twist * kDegree,
-                   .fold = fold * kDegree,
-                   .roll = roll * kDegree,
+  GrassBlade blade{.twist = radians(twist),
+                   .fold = radians(fold),
+                   .roll = radians(roll),
                    .waves = waves_of(waves),
                    .across = across,
                    .clasp = clasp,
@@ -187,7 +186,7 @@ point moves: away from the stem, along it and across, in widths of the blade.
 Where a width is nothing at either end there is one point: a leaf of n pieces with `across` 2 has 4 n - 2 triangles.
 Raises TypeError, ValueError, and InputError for other keys of waves.)");
   module.def(
-      "make_sheath", [](double open) { return std::make_shared<Mesh>(make_sheath(open * kDegree)); }, py::arg("open"),
+      "make_sheath", [](double open) { return std::make_shared<Mesh>(make_sheath(radians(open))); }, py::arg("open"),
       "A sheath: an open tube of radius 1 from the collar at the origin down to y = -1, open at +z by `open` degrees.");
   module.def(
       "make_ligule", [] { return std::make_shared<Mesh>(make_ligule()); },

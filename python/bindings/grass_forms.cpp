@@ -16,8 +16,6 @@ namespace meristem::python {
 
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 using Pair = std::pair<double, double>;
 
 glm::dvec2 vector_of(Pair pair) { return {pair.first, pair.second}; }
@@ -68,7 +66,7 @@ GrassLeaf turn(const GrassLeaf& leaf, const std::vector<std::tuple<double, doubl
   std::vector<LocalTurn> local;
   for (const auto& [from, to, angle] : turns) {
     if (!std::isfinite(angle)) throw py::value_error(fmt::format("turns[{}]: the angle is {}", local.size(), angle));
-    local.push_back({from, to, angle * kDegree});
+    local.push_back({from, to, radians(angle)});
   }
   return turned(leaf, local);
 }
@@ -84,8 +82,7 @@ GrassLeaf load(const GrassLeaf& leaf, double stiffness, double tip_thickness, Pa
 
 double find_load(const GrassLeaf& leaf, double place, double angle, double stiffness, double tip_thickness, Pair pull,
                  Pair wind, Pair gravity) {
-  return load_for_turn(leaf, {stiffness, tip_thickness}, loads_of(pull, wind, gravity, gravity), place,
-                       angle * kDegree);
+  return load_for_turn(leaf, {stiffness, tip_thickness}, loads_of(pull, wind, gravity, gravity), place, radians(angle));
 }
 
 void bind_family(py::module_& module) {
@@ -139,7 +136,7 @@ lengths. Raises ValueError.)");
       "inclined",
       [](const GrassLeaf& leaf, double angle) {
         if (!std::isfinite(angle)) throw py::value_error(fmt::format("angle is {}", angle));
-        return inclined(leaf, angle * kDegree);
+        return inclined(leaf, radians(angle));
       },
       py::arg("leaf"), py::arg("angle"),
       "The leaf turned as a whole about its collar, until it leaves the stem at `angle` degrees.");

@@ -71,7 +71,7 @@ py::object mean_direction(const ScenePointer& scene) {
   return array_of(std::vector<float>{mean.x, mean.y, mean.z});
 }
 
-py::list meshes_of(const ScenePointer& scene) {
+py::list obstacle_meshes(const ScenePointer& scene) {
   py::list meshes;
   for (const Obstacle& body : scene->obstacles.bodies()) {
     auto mesh = std::make_shared<Mesh>();
@@ -217,7 +217,7 @@ py::tuple crown_light(const ScenePointer& scene, const py::object& crown, std::u
   return py::make_tuple(light.lit_share, array_of(std::move(light.lit_shares)));
 }
 
-std::string repr(const ScenePointer& scene) {
+std::string scene_repr(const ScenePointer& scene) {
   const auto counted = [](std::size_t count, const char* one, const char* more) {
     return fmt::format("{} {}", count, count == 1 ? one : more);
   };
@@ -263,7 +263,9 @@ positions. Raises ValueError for a crown in one plane.)");
 }
 
 void bind_obstacles(SceneClass& scene) {
-  scene.def_property_readonly("obstacles", &meshes_of, "The obstacles as they stand in the world: a list of new Mesh.")
+  scene
+      .def_property_readonly("obstacles", &obstacle_meshes,
+                             "The obstacles as they stand in the world: a list of new Mesh.")
       .def("inside", &inside, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(), "(n,) bool: whether each of `points` (n, 3) lies inside an obstacle.")
       .def("crosses", &crosses, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 0,
@@ -307,7 +309,7 @@ for wrong shapes and values, Cancelled.)");
   scene.def(py::init(&make_scene), py::arg("values") = py::none(), py::kw_only(), py::arg("file") = "");
   bind_light(scene);
   bind_obstacles(scene);
-  scene.def("__repr__", &repr);
+  scene.def("__repr__", &scene_repr);
   scene.def(py::pickle(&state_of, &scene_from));
   bind_sun(module);
 }

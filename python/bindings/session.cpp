@@ -124,7 +124,8 @@ std::shared_ptr<DocumentInPython> document_of(const SessionPointer& self) {
   return std::make_shared<DocumentInPython>(*self->session.document(), self->session.overrides(), self->seed);
 }
 
-std::shared_ptr<PlantInPython> grow(const SessionPointer& self, double time, int threads, const py::object& progress) {
+std::shared_ptr<PlantInPython> grow_session(const SessionPointer& self, double time, int threads,
+                                            const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
   const std::shared_ptr<DocumentInPython> document = document_of(self);
   const auto lock = self->lock();
@@ -134,7 +135,7 @@ std::shared_ptr<PlantInPython> grow(const SessionPointer& self, double time, int
   });
 }
 
-void save(const SessionPointer& self, const py::object& path) {
+void save_session(const SessionPointer& self, const py::object& path) {
   const std::string target = file_of(path);
   const auto lock = self->lock();
   if (!self->session.is_good()) throw InputError(self->session.faults());
@@ -160,7 +161,7 @@ py::dict difference_of(const SessionPointer& self) {
   return found;
 }
 
-std::string repr(const SessionPointer& self) {
+std::string session_repr(const SessionPointer& self) {
   const auto lock = self->lock();
   const std::size_t faults = self->session.is_good() ? 0 : self->session.faults().size();
   return fmt::format("<meristem.Session of '{}', {} steps to undo, {} faults>", self->session.file(),
@@ -310,10 +311,10 @@ written, with the values that set() gave it edited in. Nothing that the document
           "A part of the document as a text of its own: these components as they are written, the links among them, "
           "and "
           "the variables that they name. Raises InputError where there is no such component.")
-      .def("save", &save, py::arg("path"),
+      .def("save", &save_session, py::arg("path"),
            "Writes the text as it is. Raises InputError where it has faults or would not find a file that it names, "
            "MachineError where it cannot be written.")
-      .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
+      .def("grow", &grow_session, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
            R"(Grows the document of the last text without faults and gives a Plant, as Document.grow does.
 
@@ -364,7 +365,7 @@ where there was never a document without faults), Cancelled.)")
 
 A dict of lists of names, 'added', 'changed' and 'removed': "leaf[0]" is the first of the component leaf in
 Plant.meshes.)")
-      .def("__repr__", &repr);
+      .def("__repr__", &session_repr);
 }
 
 }  // namespace meristem::python

@@ -295,6 +295,7 @@ def check(root: Path) -> list[Fault]:
     for folder in [root / "meristem", *(root / door for door in DOORS)]:
         faults += check_tests(folder)
     for door in DOORS:
+        faults += check_batches(root, sorted((root / door).rglob("*.cpp")))
         faults += check_door_includes(root, door, public)
     return faults
 

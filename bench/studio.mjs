@@ -186,16 +186,16 @@ async function board_time(page, text) {
 /// Median milliseconds from the wish for a step of growth to the packet that shows it, over steps far apart.
 async function scrub_time(page) {
   await page.keyboard.press('s');
-  await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null, null, { timeout: 60000 });
+  await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null, null, { timeout: 60000 });
   await settled(page);
   const times = await page.evaluate(async (count) => {
     const { studio } = window;
-    const { steps } = studio.bench.growth.state.get();
+    const { steps } = studio.bench.growth_look.state.get();
     const taken = [];
     for (let k = 0; k < count; k += 1) {
       const step = Math.round(steps * (0.5 + 0.45 * Math.sin(2.4 * k)));
       const begin = performance.now();
-      studio.bench.growth.show_step(step);
+      studio.bench.growth_look.show_step(step);
       await new Promise((done) => {
         const stop = studio.growth.subscribe(() => {
           const { grown, shown } = studio.growth.get();
@@ -340,7 +340,7 @@ try {
   await page.keyboard.press('s');
   await open_file(page, 'points.json');
   await page.keyboard.press('s');
-  await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
+  await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null);
   tell('growth/overlay_of_10000', await overlay_time(page), 'ms', 20);
   await page.keyboard.press('s');
 

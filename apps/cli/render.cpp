@@ -100,7 +100,7 @@ std::vector<double> film_times(const RenderOptions& options, const Document& doc
                                 .expected = "--time FROM:TO:STEP"});
   }
   const Animation& animation = *document.graph.animation;
-  return film::frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
+  return film::frame_times(animation.length, animation.fps).all();
 }
 
 /// One picture, or one for each time or each side. Those of a film are numbered in its folder.
@@ -378,7 +378,9 @@ void render(const RenderOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     warnings = PictureTaker(document, picture_options, options, terminal).take(pictures, films);
-    if (films) film::make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
+    if (films) {
+      film::make_film(folder, pictures.size(), film_rate(pictures, document), options.output, terminal.progress());
+    }
   }
   if (!options.document.quiet) print_diagnostics(warnings);
   if (!options.document.quiet && !options.fingerprint) {

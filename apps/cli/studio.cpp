@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <csignal>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "apps/studio/job_watch.h"
@@ -35,9 +36,15 @@ struct StudioOptions {
 void open_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   const pid_t child = ::fork();
-  if (child != 0) return;
+  if (child != 0) {
+    // It ends at once: what opens the browser is its child, and nobody's once it has ended.
+    while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    return;
+  }
   // It must not take the studio's Ctrl-C, nor write between its lines.
   ::setsid();
+  if (::fork() != 0) _exit(0);
   const int nowhere = ::open("/dev/null", O_RDWR);
   if (nowhere < 0 || ::dup2(nowhere, 1) < 0 || ::dup2(nowhere, 2) < 0) _exit(1);
   ::execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
@@ -82,7 +89,6 @@ void run_studio(const StudioOptions& options) {
   }
   studio::ServeOptions serving;
   if (options.port >= 0) serving.port = static_cast<std::uint16_t>(options.port);
-  std::signal(SIGCHLD, SIG_IGN);  // whoever opened the browser is not waited for
   studio::serve(host, serving, [&](const std::string& address) {
     if (!studio::has_page())
       print_status("meristem: this program was built without the studio's page, which needs node");

@@ -2,11 +2,14 @@
 #include "film.h"
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -28,6 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMaker = "ffmpeg";
 constexpr std::uint64_t kMostOfLog = 4'000'000;  // bytes
+constexpr std::chrono::milliseconds kBetweenWaits{20};
 
 /// The program in the folders of PATH; empty where there is none.
 std::string maker() {
@@ -46,8 +50,27 @@ std::vector<std::string> codec(const std::string& path) {
   return {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"};
 }
 
-/// Runs a program to its end without a shell; what it writes goes to the file `log`. Returns its exit code.
-int run(const std::vector<std::string>& words, const std::string& log) {
+/// Waits for the end of a program, or ends it when asked to stop. Returns its exit code.
+int exit_code(pid_t process, const std::string& program, const Progress& progress) {
+  for (;;) {
+    int status = 0;
+    const pid_t ended = waitpid(process, &status, WNOHANG);
+    if (ended == process) return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    if (ended < 0 && errno != EINTR)
+      throw MachineError(fmt::format("{}: {}", program, std::generic_category().message(errno)));
+    if (progress.is_cancelled()) {
+      kill(process, SIGKILL);  // what it has written so far is no film
+      while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+      }
+      progress.check();
+    }
+    std::this_thread::sleep_for(kBetweenWaits);
+  }
+}
+
+/// Runs a program to its end without a shell; what it writes goes to the file `log`. Returns its exit code. Throws
+/// Cancelled.
+int run(const std::vector<std::string>& words, const std::string& log, const Progress& progress) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -60,10 +83,7 @@ int run(const std::vector<std::string>& words, const std::string& log) {
   const int failed = posix_spawn(&process, words[0].c_str(), &files, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) throw MachineError(fmt::format("{}: {}", words[0], std::generic_category().message(failed)));
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  return exit_code(process, words[0], progress);
 }
 
 }  // namespace
@@ -94,7 +114,8 @@ std::string frame_path(const std::string& folder, std::size_t frame) {
   return (fs::path(folder) / fmt::format("{:05}.png", frame)).string();
 }
 
-void make_film(const std::string& folder, std::size_t frames, double fps, const std::string& path) {
+void make_film(const std::string& folder, std::size_t frames, double fps, const std::string& path,
+               const Progress& progress) {
   const std::string ending = fs::path(path).extension().string();
   const std::string made = (fs::path(folder) / ("film" + ending)).string();
   const std::string log = (fs::path(folder) / "ffmpeg.log").string();
@@ -106,7 +127,7 @@ void make_film(const std::string& folder, std::size_t frames, double fps, const 
   for (std::string& word : codec(path)) words.push_back(std::move(word));
   for (const char* const word : {"-pix_fmt", "yuv420p"}) words.emplace_back(word);
   words.push_back(made);
-  if (const int code = run(words, log); code != 0) {
+  if (const int code = run(words, log, progress); code != 0) {
     throw MachineError(fmt::format("{}: ffmpeg has failed with code {}: {}", path, code, read_file(log, kMostOfLog)));
   }
   std::error_code error;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "meristem/base/progress.h"
+
 namespace meristem::film {
 
 /// Whether a file of that name is a film: it ends in .mp4 or .webm.
@@ -25,7 +27,8 @@ std::string frames_folder(const std::string& path, std::uint64_t what_they_show)
 std::string frame_path(const std::string& folder, std::size_t frame);
 
 /// Puts the pictures of a folder together, at that many per second; the film appears whole or not at all. Then it
-/// removes the folder. Throws MachineError with what ffmpeg says.
-void make_film(const std::string& folder, std::size_t frames, double fps, const std::string& path);
+/// removes the folder. Throws MachineError with what ffmpeg says, and Cancelled, which ends ffmpeg.
+void make_film(const std::string& folder, std::size_t frames, double fps, const std::string& path,
+               const Progress& progress);
 
 }  // namespace meristem::film

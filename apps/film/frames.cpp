@@ -51,20 +51,42 @@ std::vector<std::string> frame_paths(const std::string& path, int frames) {
   return paths;
 }
 
+/// A last step that rounding has carried past the end still counts.
+std::size_t FrameTimes::count() const { return 1 + static_cast<std::size_t>(std::floor((to - from) / step + 1e-9)); }
+
+std::vector<double> FrameTimes::all() const {
+  std::vector<double> times;
+  for (std::size_t k = 0; k < count(); ++k) times.push_back(at(k));
+  return times;
+}
+
+std::string wanting(const FrameTimes& times) {
+  if (!(times.step > 0)) return "a step above 0";
+  if (!(times.to >= times.from)) return "an end that is not before the start";
+  const bool are_few = (times.to - times.from) / times.step + 1e-9 < kMostFrames;
+  return are_few ? "" : fmt::format("at most {} frames", kMostFrames);
+}
+
+FrameTimes frame_times(double length, double fps) {
+  const FrameTimes times{.from = 0, .to = length, .step = 1 / fps};
+  const std::string wanted = wanting(times);
+  if (!wanted.empty()) {
+    throw InputError(Diagnostic{
+        .message = fmt::format("no film is made of an animation of {} s with {} frames per second", length, fps),
+        .expected = wanted,
+        .path = "animation"});
+  }
+  return times;
+}
+
 std::vector<double> frame_times(const std::string& text) {
   const std::vector<double> numbers = numbers_between_colons(text);
   if (numbers.size() == 1) return numbers;
   if (numbers.size() != 3) throw wrong_time(text, "seconds, such as 2.5, or FROM:TO:STEP, such as 0:10:0.5");
-  const double begin = numbers[0];
-  const double step = numbers[2];
-  if (!(step > 0)) throw wrong_time(text, "a step above 0");
-  if (!(numbers[1] >= begin)) throw wrong_time(text, "an end that is not before the start");
-  // A last step that rounding has carried past the end still counts.
-  const double steps = std::floor((numbers[1] - begin) / step + 1e-9);
-  if (!(steps < kMostFrames)) throw wrong_time(text, fmt::format("at most {} frames", kMostFrames));
-  std::vector<double> times;
-  for (int k = 0; k <= static_cast<int>(steps); ++k) times.push_back(begin + k * step);
-  return times;
+  const FrameTimes times{.from = numbers[0], .to = numbers[1], .step = numbers[2]};
+  const std::string wanted = wanting(times);
+  if (!wanted.empty()) throw wrong_time(text, wanted);
+  return times.all();
 }
 
 double checked_time(double time) {

@@ -28,7 +28,8 @@ Value::List blocks_of(std::span<const BegunClock> clocks) {
 Value clocks_value(const GrownWish& grown, double up_to, Progress& progress, GrowthCache& cache) {
   std::optional<Document> other;
   const Document& document = document_at(*grown.wish.document, up_to, other);
-  const std::vector<BegunClock> clocks = begun_clocks(document.graph, document.scene, up_to, progress, &cache);
+  const std::vector<BegunClock> clocks =
+      begun_clocks(document.graph, document.scene, up_to, progress, &cache, grown.view);
   Value::List list;
   for (auto begin = clocks.begin(); begin != clocks.end();) {
     const auto end =

@@ -3,6 +3,8 @@
 
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "meristem/base/diagnostic.h"
 
 namespace meristem::studio {
@@ -15,23 +17,34 @@ constexpr std::size_t kMostKept = 10;
 
 }  // namespace
 
-Downloads::Folder Downloads::add() {
-  const std::lock_guard lock(mutex_);
-  std::error_code error;
+/// The folder of all exports, made for the first of them.
+const std::string& Downloads::folder() {
   if (!folder_) {
+    std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
     if (error) throw MachineError("cannot find a folder for exports: " + error.message());
     folder_.emplace(temporary.string(), "meristem-studio-");
   }
-  const fs::path root(folder_->path());
+  return folder_->path();
+}
+
+std::unique_ptr<Downloads::Draft> Downloads::begin() {
+  const std::lock_guard lock(mutex_);
+  return std::make_unique<Draft>(folder(), "draft-");
+}
+
+std::uint64_t Downloads::keep(const Draft& draft) {
+  const std::lock_guard lock(mutex_);
+  const fs::path root(folder());
+  std::error_code error;
   if (kept_.size() == kMostKept) {
     fs::remove_all(root / std::to_string(kept_.front()), error);
     kept_.pop_front();
   }
-  const Folder folder{.number = ++count_, .path = root / std::to_string(count_)};
-  if (!fs::create_directory(folder.path, error)) throw MachineError("cannot make a folder for an export");
-  kept_.push_back(folder.number);
-  return folder;
+  fs::rename(draft.path(), root / std::to_string(count_ + 1), error);
+  if (error) throw MachineError(fmt::format("cannot keep an export: {}", error.message()));
+  kept_.push_back(++count_);
+  return count_;
 }
 
 std::optional<std::string> Downloads::find(std::uint64_t number, const std::string& name) const {

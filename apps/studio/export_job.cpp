@@ -178,28 +178,29 @@ View view_of(const ExportOptions& options, const Document& document) {
   return view;
 }
 
-Value made_file(const Downloads::Folder& folder, const std::string& first, const std::string& name,
+Value made_file(Downloads& downloads, const Downloads::Draft& draft, const std::string& first, const std::string& name,
                 const Progress& progress) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path))
+  for (const fs::directory_entry& entry : fs::directory_iterator(draft.path()))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end(), [&first](const std::string& a, const std::string& b) {
     return std::pair(a != first, a) < std::pair(b != first, b);
   });
-  const std::string made = packed(folder.path, names, name, progress);
+  const std::string made = packed(draft.path(), names, name, progress);
   Value::List holds;
   if (names.size() > 1) holds.assign(names.begin(), names.end());
   std::error_code ignored;
+  const auto bytes = static_cast<double>(fs::file_size(fs::path(draft.path()) / made, ignored));
   return Value::Object{{"name", made},
-                       {"bytes", static_cast<double>(fs::file_size(folder.path / made, ignored))},
-                       {"address", fmt::format("downloads/{}/{}", folder.number, made)},
+                       {"bytes", bytes},
+                       {"address", fmt::format("downloads/{}/{}", downloads.keep(draft), made)},
                        {"holds", std::move(holds)}};
 }
 
 Value export_file(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress) {
-  const Downloads::Folder folder = downloads.add();
+  const std::unique_ptr<Downloads::Draft> draft = downloads.begin();
   const std::string first = source.name + options.format;
-  const std::string path = (folder.path / first).string();
+  const std::string path = (fs::path(draft->path()) / first).string();
   if (is_document(options)) {
     write_text(source.text, path);
   } else if (is_picture(options)) {
@@ -207,7 +208,7 @@ Value export_file(const ExportSource& source, const ExportOptions& options, Down
   } else {
     write_levels(source, options, *format_with(options.format), path, progress);
   }
-  return made_file(folder, first, source.name, progress);
+  return made_file(downloads, *draft, first, source.name, progress);
 }
 
 std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,

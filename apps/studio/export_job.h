@@ -17,7 +17,7 @@ namespace meristem::studio {
 
 /// What is exported: a document, and what has grown of it already.
 struct ExportSource {
-  std::shared_ptr<const Document> document;  ///< with the seed that was asked for
+  std::shared_ptr<const Document> document;  ///< at the time and with the seed that were asked for
   std::string text;                          ///< as it stands
   std::string name;                          ///< for files, without ending
   std::shared_ptr<const GrownWish> grown;    ///< of the same document and time; null: it grows anew
@@ -39,13 +39,13 @@ bool has_frames(const ExportOptions& options);
 StillOptions still_of(const ExportOptions& options, const Document& document);
 View view_of(const ExportOptions& options, const Document& document);
 
-/// The "file" of the answer: the one that was written to a folder of the downloads, or an archive of all that were, of
-/// which `first` is listed first. Throws MachineError, Cancelled.
-Value made_file(const Downloads::Folder& folder, const std::string& first, const std::string& name,
+/// Keeps what was written to a draft, and gives the "file" of the answer: the one file, or an archive of all that there
+/// are, of which `first` is listed first. Throws MachineError, Cancelled.
+Value made_file(Downloads& downloads, const Downloads::Draft& draft, const std::string& first, const std::string& name,
                 const Progress& progress);
 
-/// Writes a file to a new folder of the downloads, an archive where the format takes several, and gives the "file" of
-/// the answer. Throws InputError, MachineError, Cancelled.
+/// Writes a file that the downloads keep, an archive where the format takes several, and gives the "file" of the
+/// answer. What was cancelled leaves nothing. Throws InputError, MachineError, Cancelled.
 Value export_file(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress);
 
 /// The line for a terminal that does the same with the document in `file`.

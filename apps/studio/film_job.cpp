@@ -2,10 +2,9 @@
 #include "film_job.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "apps/film/film.h"
 #include "apps/film/frames.h"
@@ -21,15 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FrameTimes times_of(const ExportOptions& options, const Document& document) {
+film::FrameTimes times_of(const ExportOptions& options, const Document& document) {
   if (options.frames) return *options.frames;
   if (!document.graph.animation)
     throw Refusal("the document has no animation, which would say how long a film of it is");
   const Animation& animation = *document.graph.animation;
-  const FrameTimes times{.from = 0, .to = animation.length, .step = 1 / animation.fps};
-  if (times.count() > static_cast<std::size_t>(film::kMostFrames))
-    throw Refusal(fmt::format("there are at most {} frames", film::kMostFrames));
-  return times;
+  return film::frame_times(animation.length, animation.fps);
 }
 
 /// Takes pictures of a document at times. What does not change with time is made once.
@@ -78,16 +74,16 @@ class FrameTaker {
 }  // namespace
 
 Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads, JobNews& news) {
-  const FrameTimes times = times_of(options, *source.document);
+  const film::FrameTimes times = times_of(options, *source.document);
   const std::size_t count = times.count();
   FrameTaker taker(source, options, news.progress());
   const bool is_film = film::is_film(options.format);
   if (is_film) film::check_film(source.name + options.format, taker.still().width, taker.still().height);
-  const Downloads::Folder folder = downloads.add();
-  const std::string path = (folder.path / (source.name + options.format)).string();
+  const std::unique_ptr<Downloads::Draft> draft = downloads.begin();
+  const std::string path = (fs::path(draft->path()) / (source.name + options.format)).string();
 
   std::vector<std::string> paths;
-  const std::string pictures = (folder.path / "frames").string();
+  const std::string pictures = (fs::path(draft->path()) / "frames").string();
   if (is_film) {
     fs::create_directories(pictures);
     for (std::size_t k = 0; k < count; ++k) paths.push_back(film::frame_path(pictures, k));
@@ -100,8 +96,10 @@ Value export_frames(const ExportSource& source, const ExportOptions& options, Do
     news.begin_part("frame", k, count);
     taker.take(times.at(k), paths[k]);
   }
-  if (is_film) film::make_film(pictures, count, 1 / times.step, path);
-  return made_file(folder, fs::path(paths[0]).filename().string(), source.name, news.progress());
+  if (is_film) film::make_film(pictures, count, 1 / times.step, path, news.progress());
+  return made_file(downloads, *draft,
+                   is_film ? fs::path(path).filename().string() : fs::path(paths[0]).filename().string(), source.name,
+                   news.progress());
 }
 
 }  // namespace meristem::studio

@@ -67,6 +67,13 @@ bool have_same_shape(const Plant& a, const Plant& b) {
          std::equal(a.organs.begin(), a.organs.end(), b.organs.begin(), b.organs.end(), organs_are_alike);
 }
 
+/// A document as it stands at a time: the same one where its keys change nothing.
+std::shared_ptr<const Document> standing_at(const std::shared_ptr<const Document>& document, double time) {
+  std::optional<Document> other;
+  document_at(*document, time, other);
+  return other ? std::make_shared<const Document>(*std::move(other)) : document;
+}
+
 Value reuse_value(const std::vector<ReuseCount>& grown, const std::vector<ReuseCount>& clothed) {
   Value::List list;
   for (const std::vector<ReuseCount>* counts : {&grown, &clothed}) {
@@ -185,10 +192,12 @@ std::shared_ptr<const GrownWish> Grower::grown() const {
   return grown_;
 }
 
-void Grower::ask(std::function<void(const GrownWish* grown, GrowthCache& cache)> question) {
+void Grower::ask(std::function<void(const LastGrown* last)> question) {
   host_.growth.post([self = shared_from_this(), question = std::move(question)] {
     const std::shared_ptr<const GrownWish> grown = self->grown();
-    question(grown.get(), self->cache_);
+    if (grown == nullptr) return question(nullptr);
+    const LastGrown last{*grown, self->full_of_ == grown ? self->full_.get() : nullptr, self->cache_};
+    question(&last);
   });
 }
 
@@ -265,17 +274,22 @@ void Grower::grow() {
     }
   }
   run(wish.hash, [&](JobNews& news) {
-    GrownDocument grown = grow_document(*wish.document, news.progress(),
+    const std::shared_ptr<const Document> document = standing_at(wish.document, time);
+    GrownDocument grown = grow_document(*document, news.progress(),
                                         {.time = time, .up_to = GrownPart::plant, .cache = &cache_, .view = view});
-    if (wish.is_dragged) pictures_.lend(wish.document->graph, grown.plant.materials);
+    if (wish.is_dragged) pictures_.lend(document->graph, grown.plant.materials);
     grown.up_to = GrownPart::meshes;  // they follow when it is known how coarse they may be
-    complete_growth(*wish.document, grown, news.progress(), {.time = time, .cache = &cache_});
-    auto made = std::make_shared<GrownWish>(GrownWish{
-        .wish = wish, .time = time, .view = view, .plant = std::move(grown.plant), .traces = std::move(grown.traces)});
+    complete_growth(*document, grown, news.progress(), {.time = time, .cache = &cache_});
+    auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish,
+                                                      .time = time,
+                                                      .document = document,
+                                                      .view = view,
+                                                      .plant = std::move(grown.plant),
+                                                      .traces = std::move(grown.traces)});
     stages_ = news.stages();
     grown_reuse_ = reuse_of(cache_);
-    if (!wish.is_dragged && wish.document->scene.fingerprint) {
-      made->placed = instance_counts(wish.document->graph, wish.document->scene, time, news.progress(), &cache_, view);
+    if (!wish.is_dragged && document->scene.fingerprint) {
+      made->placed = instance_counts(document->graph, document->scene, time, news.progress(), &cache_, view);
     }
     const std::lock_guard lock(mutex_);
     if (!is_other_) grown_ = std::move(made);
@@ -330,7 +344,7 @@ void Grower::show() {
                        .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
                        .most_segments = static_cast<std::size_t>(budget),
                        .obstacles = parts.surface ? &obstacles_of(*sight.grown, news.progress()) : nullptr,
-                       .scene = &sight.grown->wish.document->scene},
+                       .scene = &sight.grown->document->scene},
                       {.hash = sight.grown->wish.hash,
                        .is_draft = sight.is_draft,
                        .fits = fits,
@@ -366,7 +380,7 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   counts.emplace_back("triangles", is_known ? number_value(full_->triangle_count()) : Value());
   Value::Object placed;
   for (std::size_t k = 0; k < grown.placed.size(); ++k) {
-    placed.emplace_back(grown.wish.document->graph.components[k].id, number_value(grown.placed[k]));
+    placed.emplace_back(grown.document->graph.components[k].id, number_value(grown.placed[k]));
   }
   counts.emplace_back("placed", grown.placed.empty() ? Value() : Value(std::move(placed)));
   counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
@@ -377,7 +391,7 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
 
 /// Made once for each list of bodies; documents that say the same of them share them.
 const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress) {
-  const Obstacles& obstacles = grown.wish.document->scene.obstacles;
+  const Obstacles& obstacles = grown.document->scene.obstacles;
   if (&obstacles.bodies() != &obstacles_.bodies()) {
     obstacle_meshes_ = obstacle_meshes(obstacles, progress);
     obstacles_ = obstacles;
@@ -392,7 +406,7 @@ std::uint64_t Grower::triangles_of(const GrownWish& grown) const {
 }
 
 MeshScene Grower::clothed(const GrownWish& grown, const Detail& detail, Progress& progress, GrowthCache& cache) {
-  MeshScene meshes = mesh_detail(*grown.wish.document, grown.plant, detail, progress, &cache);
+  MeshScene meshes = mesh_detail(*grown.document, grown.plant, detail, progress, &cache);
   clothed_reuse_ = reuse_of(cache);
   return meshes;
 }
@@ -401,7 +415,7 @@ MeshScene Grower::clothed(const GrownWish& grown, const Detail& detail, Progress
 std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownWish& grown,
                                                              std::shared_ptr<const MeshScene> meshes) {
   std::vector<Material> materials = meshes->materials;
-  if (!pictures_.keep(grown.wish.document->graph, materials)) return meshes;
+  if (!pictures_.keep(grown.document->graph, materials)) return meshes;
   return std::make_shared<const MeshScene>(MeshScene{std::move(materials), meshes->meshes});
 }
 

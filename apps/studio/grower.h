@@ -35,12 +35,20 @@ struct Wish {
 /// What has grown of it.
 struct GrownWish {
   Wish wish;
-  double time = 0;  ///< seconds, of the document
+  double time = 0;                           ///< seconds, of the document
+  std::shared_ptr<const Document> document;  ///< the wish's as it stands at that time: it is what has grown
   GrowthView view{};
   Plant plant{};  ///< painted
   GrowthTraces traces{};
   /// Instances of each component of the document's graph; empty where nobody will ask, as in a drag.
   std::vector<std::uint64_t> placed{};
+};
+
+/// What has grown last, as a question finds it.
+struct LastGrown {
+  const GrownWish& grown;
+  const MeshScene* meshes;  ///< all of its meshes; null where they have not been made, as in a drag
+  GrowthCache& cache;       ///< of that growth
 };
 
 /// What of a plant the page wants to see.
@@ -82,8 +90,8 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void pause(bool is_paused);
   /// Sends nothing any more and drops all. What is in hand may end later.
   void close();
-  /// Has the thread that grows look at what has grown last, null before, with the cache of that growth.
-  void ask(std::function<void(const GrownWish* grown, GrowthCache& cache)> question);
+  /// Has the thread that grows look at what has grown last; null before anything has.
+  void ask(std::function<void(const LastGrown* last)> question);
   /// The last that has grown; null before.
   std::shared_ptr<const GrownWish> grown() const;
 

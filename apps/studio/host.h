@@ -18,8 +18,8 @@ namespace meristem::studio {
 struct StudioLimits {
   std::uint64_t message_bytes = 17'000'000;  ///< of one message of the page
   int messages_per_second = 200;
-  double job_seconds = 60;                     ///< for one growth, export or measurement
-  double film_seconds = 7200;                  ///< for one film, or pictures of many times
+  double job_seconds = 60;     ///< for one growth, export or measurement; a sweep has them for each of its plants
+  double film_seconds = 7200;  ///< for one film, or pictures of many times
   std::uint64_t memory_bytes = 6'000'000'000;  ///< of the whole program, while a job runs
   int connections = 8;
 };

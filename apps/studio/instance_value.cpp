@@ -10,6 +10,7 @@
 
 #include "meristem/components/expanded.h"
 #include "meristem/graph/instances.h"
+#include "meristem/output/packet/short_values.h"
 #include "meristem/plant/axis_labels.h"
 
 namespace meristem::studio {
@@ -67,37 +68,20 @@ NodeIndex nearer_end(const Skeleton& skeleton, NodeIndex node, Vec3 point) {
   return squared(point - skeleton.position[below]) < squared(point - skeleton.position[node]) ? below : node;
 }
 
-/// The number of the tree among those of the component, as operations count them.
-std::uint32_t tree_number(const StemPlace& place) {
-  const Skeleton& skeleton = place.stem->skeleton;
-  NodeIndex root = place.node;
-  while (!skeleton.is_root(root)) root = skeleton.parent[root];
-  const std::size_t part = place.stem->part_index(skeleton.axis[root]);
-  std::uint32_t number = 0;
-  for (NodeIndex node = 0; node < root; ++node) {
-    if (skeleton.is_root(node) && place.stem->part_index(skeleton.axis[node]) == part) ++number;
-  }
-  return number;
-}
-
 /// What is told of the shoot on which a place lies: its name, where it runs, and the metamer at the place.
 Value::Object shoot_value(const StemPlace& place) {
   const Skeleton& skeleton = place.stem->skeleton;
   const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
+  const ShootName name = shoot_names(skeleton, place.stem->part_of_axis)[place.axis];
   Value::List course;
   Value::List metamers;
-  const auto add = [&](NodeIndex node, std::uint32_t number) {
+  for (const NodeIndex node : shoot_nodes(skeleton, place.axis)) {
     for (int axis = 0; axis < 3; ++axis) course.push_back(static_cast<double>(skeleton.position[node][axis]));
-    metamers.push_back(static_cast<double>(number));
-  };
-  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (skeleton.axis[node] != place.axis) continue;
-    if (course.empty() && !skeleton.is_root(node)) add(skeleton.parent[node], 0);
-    add(node, numbers[node]);
+    metamers.push_back(skeleton.axis[node] == place.axis ? static_cast<double>(numbers[node]) : 0.0);
   }
   const bool is_below = skeleton.axis[place.node] != place.axis;
-  return {{"shoot", axis_labels(skeleton)[place.axis]},
-          {"tree", static_cast<double>(tree_number(place))},
+  return {{"shoot", name.label},
+          {"tree", static_cast<double>(name.tree)},
           {"metamer", is_below ? 0.0 : static_cast<double>(numbers[place.node])},
           {"course", std::move(course)},
           {"metamers", std::move(metamers)}};
@@ -119,8 +103,6 @@ StemPlace nearest_stem(const Plant& plant, const std::string& component, Vec3 po
   return nearest;
 }
 
-Value vector_value(Vec3 v) { return Value::List{v.x, v.y, v.z}; }
-
 Value::Object described(const std::string& component, const FoundInstance& found) {
   Value::List values;
   for (const auto& [path, number] : found.values) values.push_back(Value::Object{{"path", path}, {"value", number}});
@@ -140,7 +122,7 @@ Value::Object described(const std::string& component, const FoundInstance& found
 std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.key.bits()); }
 
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
-  const Document& document = *grown.wish.document;
+  const Document& document = *grown.document;
   InstanceWish wish{.component = request.component};
   Value::Object shoot{{"shoot", Value()}};
   const bool is_in_world = request.frame.axes == Mat3(1) && request.frame.origin == Vec3(0);
@@ -165,9 +147,10 @@ Value instance_value(const GrownWish& grown, const InstanceRequest& request, Pro
 }
 
 Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
-  const Document& document = *grown.wish.document;
-  const auto found = find_instance(document.graph, document.scene, grown.time,
-                                   {.component = component, .of = InstanceWish::Of::instance}, progress, &cache);
+  const Document& document = *grown.document;
+  const auto found =
+      find_instance(document.graph, document.scene, grown.time,
+                    {.component = component, .of = InstanceWish::Of::instance}, progress, &cache, grown.view);
   if (!found) return {};
   Value::List rows;
   for (int row = 0; row < 3; ++row) {

@@ -15,8 +15,11 @@ constexpr std::chrono::milliseconds kBetweenLooks{50};
 
 }  // namespace
 
-JobWatch::JobWatch(Progress& progress, const StudioLimits& limits, bool is_film)
-    : progress_(progress), limits_(limits), is_film_(is_film), thread_([this] { run(); }) {}
+JobWatch::JobWatch(Progress& progress, const StudioLimits& limits, std::optional<TimeLimit> time)
+    : progress_(progress),
+      limits_(limits),
+      time_(time.value_or(TimeLimit{.seconds = limits.job_seconds, .name = "job_seconds"})),
+      thread_([this] { run(); }) {}
 
 JobWatch::~JobWatch() {
   {
@@ -28,8 +31,7 @@ JobWatch::~JobWatch() {
 }
 
 void JobWatch::run() {
-  const auto end = std::chrono::steady_clock::now() +
-                   std::chrono::duration<double>(is_film_ ? limits_.film_seconds : limits_.job_seconds);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(time_.seconds);
   std::unique_lock lock(mutex_);
   while (!news_.wait_for(lock, kBetweenLooks, [this] { return ends_; })) {
     if (std::chrono::steady_clock::now() >= end) {
@@ -46,11 +48,8 @@ void JobWatch::run() {
 
 std::optional<Refusal> JobWatch::reached() const {
   switch (reached_.load()) {
-    case Limit::time: {
-      const char* const name = is_film_ ? "film_seconds" : "job_seconds";
-      const double seconds = is_film_ ? limits_.film_seconds : limits_.job_seconds;
-      return limit_refusal(fmt::format("stopped after {} seconds ({})", seconds, name), name);
-    }
+    case Limit::time:
+      return limit_refusal(fmt::format("stopped after {} seconds ({})", time_.seconds, time_.name), time_.name);
     case Limit::memory:
       return limit_refusal(fmt::format("stopped, because the program used more than {:.1f} GB (memory_bytes)",
                                        static_cast<double>(limits_.memory_bytes) / 1e9),

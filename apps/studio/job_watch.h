@@ -14,11 +14,17 @@
 
 namespace meristem::studio {
 
+/// How long a job may take, and the limit that says so.
+struct TimeLimit {
+  double seconds = 0;
+  const char* name = "";
+};
+
 /// Watches one job while it lives, and cancels its progress where a limit is reached.
 class JobWatch {
  public:
-  /// A film may take longer than other jobs.
-  JobWatch(Progress& progress, const StudioLimits& limits, bool is_film = false);
+  /// Without a time limit of its own a job may take `job_seconds`.
+  JobWatch(Progress& progress, const StudioLimits& limits, std::optional<TimeLimit> time = {});
   ~JobWatch();
   JobWatch(const JobWatch&) = delete;
   JobWatch& operator=(const JobWatch&) = delete;
@@ -32,7 +38,7 @@ class JobWatch {
 
   Progress& progress_;
   const StudioLimits limits_;
-  const bool is_film_;
+  const TimeLimit time_;
   std::atomic<Limit> reached_{Limit::none};
   std::mutex mutex_;
   std::condition_variable news_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure_job.h"
 
-#include <optional>
 #include <utility>
 
 #include "meristem/document/document.h"
@@ -35,8 +34,7 @@ Value measure_rows_value() {
 }
 
 Value measured(const MeasureSource& source, const MeasuresRequest& request, Progress& progress) {
-  std::optional<Document> other;
-  const Document& document = document_at(*source.document, source.time, other);
+  const Document& document = *source.document;
   if (source.grown == nullptr) {
     return measured_plant(document, grow_document(document, progress, {.time = source.time}), request, progress);
   }

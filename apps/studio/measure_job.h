@@ -20,9 +20,9 @@ Value measure_rows_value();
 
 /// What is measured: a document, and what has grown of it already.
 struct MeasureSource {
-  std::shared_ptr<const Document> document;
-  std::shared_ptr<const GrownWish> grown;  ///< of the same document and time; null: it grows anew
-  double time = 0;                         ///< seconds, of the document
+  std::shared_ptr<const Document> document;  ///< as it stands at the time
+  std::shared_ptr<const GrownWish> grown;    ///< of the same document and time; null: it grows anew
+  double time = 0;                           ///< seconds, of the document
 };
 
 /// The measures as `meristem measure --json` writes them. Throws InputError, Cancelled.

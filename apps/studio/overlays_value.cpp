@@ -9,8 +9,8 @@
 #include "base64.h"
 #include "meristem/base/colour.h"
 #include "meristem/output/overlay/overlay.h"
-#include "meristem/plant/plant_variant.h"
-#include "refusal.h"
+#include "meristem/output/packet/short_values.h"
+#include "meristem/plant/plant_bounds.h"
 
 namespace meristem::studio {
 
@@ -43,12 +43,6 @@ class PackedPlaces {
   std::vector<unsigned char> colours_;
 };
 
-Value::List list_of(Vec3 vector) {
-  Value::List list;
-  for (int k = 0; k < 3; ++k) list.push_back(static_cast<double>(vector[k]));
-  return list;
-}
-
 Value layer_value(const OverlayLayer& layer) {
   PackedPlaces points, lines, arrows;
   for (const OverlayPoint& point : layer.points) points.add(point.position, point.colour);
@@ -56,10 +50,10 @@ Value layer_value(const OverlayLayer& layer) {
   arrows.add(layer.arrows);
   Value::List labels, legend;
   for (const OverlayLabel& label : layer.labels) {
-    labels.push_back(Value::Object{{"at", list_of(label.at)}, {"text", label.text}});
+    labels.push_back(Value::Object{{"at", vector_value(label.at)}, {"text", label.text}});
   }
   for (const OverlayKey& key : layer.legend) {
-    legend.push_back(Value::Object{{"colour", list_of(key.colour)}, {"text", key.text}});
+    legend.push_back(Value::Object{{"colour", vector_value(key.colour)}, {"text", key.text}});
   }
   return Value::Object{{"part", std::string(overlay_part(layer.part).name)},
                        {"points", points.value()},
@@ -69,26 +63,14 @@ Value layer_value(const OverlayLayer& layer) {
                        {"legend", std::move(legend)}};
 }
 
-Box bounds_of(const Plant& plant) {
-  Box box;
-  for (const Stem& stem : plant.stems) box.add(bounds(stem.skeleton));
-  for (const Organ& organ : plant.organs) box.add(organ.frame.origin);
-  return box;
-}
-
 }  // namespace
 
-Value overlays_value(const GrownWish& grown, const OverlaysRequest& request, const Progress& progress) {
+Value overlays_value(const LastGrown& last, const OverlaysRequest& request, const Progress& progress) {
   std::vector<OverlayPart> parts;
-  for (const std::string& name : request.parts) {
-    const auto known = overlay_parts();
-    const auto found = std::ranges::find_if(known, [&](const OverlayPartInfo& info) { return name == info.name; });
-    if (found == known.end()) throw Refusal("there is no such overlay");
-    parts.push_back(found->part);
-  }
-  const Document& document = *grown.wish.document;
-  const ExpandedPlant plant(grown.plant, progress, document.graph.limits);
-  const OverlaySource source{*plant, grown.traces, document.scene, bounds_of(*plant)};
+  for (const std::string& name : request.parts) parts.push_back(overlay_part_named(name, "the studio"));
+  const GrownWish& grown = last.grown;
+  const Box box = last.meshes != nullptr ? last.meshes->bounds() : bounds(grown.plant);
+  const OverlaySource source{grown.plant, grown.traces, grown.document->scene, box};
   Value::List layers;
   for (const OverlayLayer& layer : overlay_layers(source, parts, progress)) layers.push_back(layer_value(layer));
   return Value::Object{{"step", grown.traces.shown_step()}, {"layers", std::move(layers)}};

@@ -8,9 +8,9 @@
 
 namespace meristem::studio {
 
-/// What overlays show of what has grown, as protocol.md has it. Throws a Refusal for parts that are not known, and
+/// What overlays show of what has grown, as protocol.md has it. Throws InputError for parts that are not known, and
 /// Cancelled.
-Value overlays_value(const GrownWish& grown, const OverlaysRequest& request, const Progress& progress);
+Value overlays_value(const LastGrown& last, const OverlaysRequest& request, const Progress& progress);
 
 /// All parts that a page can show.
 Value overlay_parts_value();

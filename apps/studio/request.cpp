@@ -5,10 +5,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "apps/film/frames.h"
 #include "meristem/document/json.h"
 #include "meristem/grow/lsystem/grammar.h"
 #include "meristem/shape/detail.h"
@@ -26,10 +26,13 @@ constexpr double kMostModules = 20'000;  // that one answer tells
 constexpr std::size_t kMostSwept = 64;   // values of a sweep
 constexpr double kGreatestLength = 1e6;  // metres
 
-/// Reads the members of a request and refuses what they should not be.
+/// Reads the members of a request, or of an object in it, and refuses what they should not be.
 class Members {
  public:
-  explicit Members(const Value& object) : object_(object) {}
+  /// `owner` is the name of the object in its request; empty: that is the request itself.
+  explicit Members(const Value& object, std::string owner = "") : object_(object), owner_(std::move(owner)) {}
+
+  const std::string& owner() const { return owner_; }
 
   bool has(const char* name) const {
     const Value* member = object_.find(name);
@@ -38,47 +41,57 @@ class Members {
 
   const Value& value(const char* name) const {
     const Value* member = object_.find(name);
-    if (member == nullptr) throw Refusal(fmt::format("the request has no '{}'", name));
+    if (member == nullptr) {
+      throw Refusal(fmt::format("{} has no '{}'", owner_.empty() ? "the request" : "'" + owner_ + "'", name));
+    }
     return *member;
   }
 
   const std::string& text(const char* name) const {
     const std::string* text = value(name).text();
-    if (text == nullptr) throw Refusal(fmt::format("'{}' is not a text", name));
+    if (text == nullptr) throw Refusal(fmt::format("'{}' is not a text", full(name)));
     return *text;
   }
 
   double number(const char* name, double low, double high) const {
     const double* number = value(name).number();
     if (number == nullptr || !(*number >= low && *number <= high))
-      throw Refusal(fmt::format("'{}' is not a number from {} to {}", name, low, high));
+      throw Refusal(fmt::format("'{}' is not a number from {} to {}", full(name), low, high));
     return *number;
   }
 
+  /// From -2^31 to 2^31 - 1.
+  int integer(const char* name, double low, double high) const {
+    return static_cast<int>(checked_whole(name, low, high));
+  }
   std::uint64_t whole(const char* name, double low = 0, double high = kGreatestWhole) const {
-    const double whole = number(name, low, high);
-    if (whole != std::floor(whole)) throw Refusal(fmt::format("'{}' is not a whole number", name));
-    return static_cast<std::uint64_t>(whole);
+    return static_cast<std::uint64_t>(checked_whole(name, low, high));
   }
 
   bool flag(const char* name) const {
     const bool* flag = value(name).boolean();
-    if (flag == nullptr) throw Refusal(fmt::format("'{}' is neither true nor false", name));
+    if (flag == nullptr) throw Refusal(fmt::format("'{}' is neither true nor false", full(name)));
     return *flag;
   }
 
   const Value::List& list(const char* name) const {
     const Value::List* list = value(name).list();
-    if (list == nullptr) throw Refusal(fmt::format("'{}' is not a list", name));
-    if (list->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", name, kMostParts));
+    if (list == nullptr) throw Refusal(fmt::format("'{}' is not a list", full(name)));
+    if (list->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", full(name), kMostParts));
     return *list;
   }
 
   const Value::Object& object(const char* name) const {
     const Value::Object* object = value(name).object();
-    if (object == nullptr) throw Refusal(fmt::format("'{}' is not an object", name));
-    if (object->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", name, kMostParts));
+    if (object == nullptr) throw Refusal(fmt::format("'{}' is not an object", full(name)));
+    if (object->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", full(name), kMostParts));
     return *object;
+  }
+
+  /// The members of an object that is one.
+  Members within(const char* name) const {
+    object(name);
+    return Members(value(name), full(name));
   }
 
   std::optional<std::string> optional_text(const char* name) const {
@@ -92,7 +105,15 @@ class Members {
   }
 
  private:
+  double checked_whole(const char* name, double low, double high) const {
+    const double whole = number(name, low, high);
+    if (whole != std::floor(whole)) throw Refusal(fmt::format("'{}' is not a whole number", full(name)));
+    return whole;
+  }
+  std::string full(const char* name) const { return owner_.empty() ? name : owner_ + '.' + name; }
+
   const Value& object_;
+  const std::string owner_;
 };
 
 constexpr double kMostSeconds = 1e9;
@@ -191,8 +212,7 @@ ViewRequest view_request(const Members& members) {
                       .skeleton = members.optional_flag("skeleton")};
   if (members.has("time")) request.time = checked_time(members);
   if (members.has("growth")) {
-    members.object("growth");
-    const Members growth(members.value("growth"));
+    const Members growth = members.within("growth");
     request.growth.emplace();
     if (growth.has("step")) request.growth->step = static_cast<int>(growth.whole("step", 0, kMostGrowthSteps));
     request.growth->is_recorded = growth.flag("recorded");
@@ -235,8 +255,8 @@ InstanceRequest instance_request(const Members& members) {
 
 CurvesRequest curves_request(const Members& members) {
   CurvesRequest request{.component = members.text("component"), .rank = {}, .leaf = {}};
-  if (members.has("rank")) request.rank = static_cast<int>(members.number("rank", -kMostIteration, kMostIteration));
-  if (members.has("leaf")) request.leaf = static_cast<int>(members.number("leaf", -kMostIteration, kMostIteration));
+  if (members.has("rank")) request.rank = members.integer("rank", -kMostIteration, kMostIteration);
+  if (members.has("leaf")) request.leaf = members.integer("leaf", -kMostIteration, kMostIteration);
   return request;
 }
 
@@ -248,21 +268,19 @@ OperationsRequest operations_request(const Members& members) {
   return request;
 }
 
-FrameTimes frames_of(const Members& members) {
-  const FrameTimes frames{.from = members.number("from", 0, kMostSeconds),
-                          .to = members.number("to", 0, kMostSeconds),
-                          .step = members.number("step", 1e-6, kMostSeconds)};
-  if (frames.to < frames.from) throw Refusal("the frames end before they begin");
-  if ((frames.to - frames.from) / frames.step >= film::kMostFrames)
-    throw Refusal(fmt::format("there are at most {} frames", film::kMostFrames));
+film::FrameTimes frames_of(const Members& members) {
+  const film::FrameTimes frames{.from = members.number("from", 0, kMostSeconds),
+                                .to = members.number("to", 0, kMostSeconds),
+                                .step = members.number("step", 1e-6, kMostSeconds)};
+  const std::string wanted = film::wanting(frames);
+  if (!wanted.empty()) throw Refusal(fmt::format("'{}' needs {}", members.owner(), wanted));
   return frames;
 }
 
 ExportOptions export_options(const Members& members) {
   ExportOptions options{.format = members.text("format"), .name = members.optional_text("name")};
   if (!members.has("options")) return options;
-  members.object("options");
-  const Members given(members.value("options"));
+  const Members given = members.within("options");
   options.lod = static_cast<int>(given.optional_whole("lod", 0, kCoarsestDetail).value_or(0));
   options.instances = given.optional_text("instances").value_or("");
   options.seed = given.optional_whole("seed");
@@ -275,14 +293,8 @@ ExportOptions export_options(const Members& members) {
   options.height = pixels("height");
   if (given.has("samples")) options.samples = static_cast<int>(given.whole("samples", 1, 65536));
   options.transparent = given.optional_flag("transparent").value_or(false);
-  if (given.has("camera")) {
-    given.object("camera");
-    options.camera = camera_of(Members(given.value("camera")));
-  }
-  if (given.has("frames")) {
-    given.object("frames");
-    options.frames = frames_of(Members(given.value("frames")));
-  }
+  if (given.has("camera")) options.camera = camera_of(given.within("camera"));
+  if (given.has("frames")) options.frames = frames_of(given.within("frames"));
   return options;
 }
 
@@ -298,8 +310,7 @@ StillsRequest stills_request(const Members& members) {
   if (states.empty()) return request;
   request.width = static_cast<int>(members.whole("width", 16, kWidestStill));
   request.height = static_cast<int>(members.whole("height", 16, kWidestStill));
-  members.object("camera");
-  request.camera = camera_of(Members(members.value("camera")));
+  request.camera = camera_of(members.within("camera"));
   request.fits = members.optional_flag("fit").value_or(true);
   return request;
 }
@@ -355,7 +366,9 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "view") return view_request(members);
   if (what == "shown") return ShownRequest{members.whole("packet")};
   if (what == "all") return AllRequest{};
-  if (what == "cancel") return CancelRequest{};
+  if (what == "cancel") {
+    return members.has("re") ? CancelRequest{static_cast<double>(members.whole("re"))} : CancelRequest{};
+  }
   if (what == "pause") return PauseRequest{members.flag("paused")};
   if (what == "files") return FilesRequest{members.text("folder")};
   if (what == "save") {
@@ -407,9 +420,6 @@ double id_of(const Value& message) {
 }
 
 }  // namespace
-
-/// A last step that rounding has carried past the end still counts.
-std::size_t FrameTimes::count() const { return 1 + static_cast<std::size_t>(std::floor((to - from) / step + 1e-9)); }
 
 std::optional<double> request_id(std::string_view message) noexcept {
   try {

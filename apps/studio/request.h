@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "apps/film/frames.h"
 #include "meristem/base/frame.h"
 #include "meristem/document/document.h"
 #include "meristem/document/edit/session.h"
@@ -57,7 +58,9 @@ struct ShownRequest {
   std::uint64_t packet = 0;
 };
 struct AllRequest {};
-struct CancelRequest {};
+struct CancelRequest {
+  std::optional<double> re;  ///< number of the request whose job is meant; unset: growth in hand
+};
 struct PauseRequest {
   bool paused = false;
 };
@@ -122,16 +125,6 @@ struct CameraOptions {
   double field_of_view_deg = 35;  ///< vertical
 };
 
-/// Times of the pictures of a film.
-struct FrameTimes {
-  double from = 0;  ///< seconds, of the document
-  double to = 0;
-  double step = 0;  ///< above 0
-
-  std::size_t count() const;
-  double at(std::size_t frame) const { return from + static_cast<double>(frame) * step; }
-};
-
 /// What is written how.
 struct ExportOptions {
   std::string format;                 ///< an ending, with its dot
@@ -145,7 +138,7 @@ struct ExportOptions {
   std::optional<int> samples;
   bool transparent = false;
   std::optional<CameraOptions> camera;
-  std::optional<FrameTimes> frames;  ///< of a film, and of pictures that are several then; a film's is else all
+  std::optional<film::FrameTimes> frames;  ///< of a film, and of pictures that are several then; a film's is else all
 };
 struct ExportRequest {
   ExportOptions options;

@@ -110,6 +110,17 @@ TEST(Request, SaysWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "operations", "component": "a", "iteration": -1})").find("'iteration'"),
             std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "curves", "component": "a", "rank": 2.7})").find("'rank' is not a whole number"),
+            std::string::npos);
+  const auto film = [](const std::string& frames) {
+    return refusal(R"({"id": 1, "do": "export", "format": ".mp4", "options": {"frames": )" + frames + "}}");
+  };
+  EXPECT_EQ(film(R"({"to": 2, "step": 1})"), "'options.frames' has no 'from'");
+  EXPECT_EQ(film(R"({"from": 3, "to": 2, "step": 1})"), "'options.frames' needs an end that is not before the start");
+  EXPECT_EQ(film(R"({"from": 0, "to": 1000, "step": 0.01})"), "'options.frames' needs at most 10000 frames");
+  EXPECT_EQ(film(R"({"from": 0, "to": 1e9, "step": 1e-6})"), "'options.frames' needs at most 10000 frames");
+  EXPECT_NE(film(R"({"from": 0, "to": 1, "step": 0})").find("'options.frames.step' is not a number"),
+            std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "picture", "file": "a.png", "size": 1})").find("'size'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[1, 2]]})").find("splice"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[-1, 2, ""]]})").find("splice"),
@@ -117,7 +128,7 @@ TEST(Request, SaysWhatIsWrong) {
   EXPECT_NE(refusal(R"({"id": 1, "do": "edit", "base": "a", "edits": [{}]})").find("one of set"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "view", "time": "now"})").find("'time'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "view", "rest_triangles": 1e30})").find("'rest_triangles'"), std::string::npos);
-  EXPECT_NE(refusal(R"({"id": 1, "do": "export", "format": ".png", "options": {"width": 0}})").find("'width'"),
+  EXPECT_NE(refusal(R"({"id": 1, "do": "export", "format": ".png", "options": {"width": 0}})").find("'options.width'"),
             std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "export", "format": ".png", "options": []})").find("'options'"),
             std::string::npos);

@@ -413,6 +413,7 @@ void serve(Host& host, const ServeOptions& options, const std::function<void(con
   for (SocketConnection* socket : serving.sockets) socket->drop_session();
   host.growth.stop();
   host.exports.stop();
+  host.films.stop();
   host.stills.stop();
 }
 

@@ -69,7 +69,7 @@ void lend_pictures(const GrownWish& painted, const Graph& graph, std::vector<Mat
     if (material.texture == nullptr || material.texture->is_painted()) continue;
     const auto known = std::ranges::find(painted.plant.materials, material.name, &Material::name);
     if (known == painted.plant.materials.end() || known->texture == nullptr || !known->texture->is_painted()) continue;
-    const Prototype* const before = owner_of(painted.wish.document->graph, *known);
+    const Prototype* const before = owner_of(painted.document->graph, *known);
     if (have_one_recipe(owner_of(graph, material), before)) material.texture = known->texture;
   }
 }
@@ -98,9 +98,9 @@ StillMaker::State StillMaker::grow(const StillSource& source, const std::vector<
                                    const Registry& registry, Progress& progress) {
   State state;
   try {
-    state.document =
-        read_document(source.text, source.file, registry,
-                      {.overrides = values, .root = source.root, .store = &store_, .models = source.models});
+    state.document = read_document(
+        source.text, source.file, registry,
+        {.overrides = values, .time = source.time, .root = source.root, .store = &store_, .models = source.models});
     const Document& document = *state.document;
     state.grown = grow_document(document, progress, {.time = source.time, .up_to = GrownPart::plant, .cache = &cache_});
     if (source.grown != nullptr) lend_pictures(*source.grown, document.graph, state.grown.plant.materials);

@@ -75,16 +75,16 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
   return write_json_line(refusal);
 }
 
-/// Answers a request with what `work` gives, or why it gives nothing. Work of many parts takes the news, a film; other
-/// work takes their progress.
+/// Answers a request with what `work` gives, or why it gives nothing. Work of many parts, a film or a sweep, takes the
+/// news; other work takes their progress.
 template <class Work>
-void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, RunningJobs& jobs, double id, const char* job,
-               Work& work) {
+void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& jobs, const AskedJobs::Job& asked,
+               const Job& job, Work& work) {
   constexpr bool kHasParts = std::is_invocable_v<Work&, Host&, JobNews&>;
-  if (jobs.is_closed()) return;
-  JobNews news(outbox, job, id);
-  JobWatch watch(news.progress(), host.limits, kHasParts);
-  jobs.add(news.progress());
+  const double id = asked->request;
+  JobNews news(outbox, job.name, id);
+  if (!jobs.begin(asked, news.progress())) return;
+  JobWatch watch(news.progress(), host.limits, job.time);
   try {
     Value::Object done{{"is", "done"}, {"re", id}};
     if constexpr (kHasParts) {
@@ -104,37 +104,10 @@ void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, RunningJobs& j
   } catch (const std::exception& error) {
     outbox->send_text(refused_text(id, error.what(), {}));
   }
-  jobs.remove(news.progress());
+  jobs.end(asked);
 }
 
 }  // namespace
-
-void RunningJobs::add(Progress& progress) {
-  const std::lock_guard lock(mutex_);
-  running_.insert(&progress);
-  if (is_closed_) progress.cancel();
-}
-
-void RunningJobs::remove(Progress& progress) {
-  const std::lock_guard lock(mutex_);
-  running_.erase(&progress);
-}
-
-void RunningJobs::cancel() {
-  const std::lock_guard lock(mutex_);
-  for (Progress* progress : running_) progress->cancel();
-}
-
-void RunningJobs::close() {
-  is_closed_ = true;
-  cancel();
-}
-
-std::uint64_t NewestJobs::begin() {
-  const std::uint64_t number = ++newest_;
-  running_.cancel();
-  return number;
-}
 
 StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
     : host_(host), outbox_(std::move(outbox)), grower_(std::make_shared<Grower>(host, outbox_)) {
@@ -150,10 +123,7 @@ StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
 }
 
 StudioSession::~StudioSession() {
-  jobs_->close();
-  stills_->running().close();
-  derivations_->running().close();
-  sweeps_->running().close();
+  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_, measures_}) jobs->close();
   grower_->close();
 }
 
@@ -378,9 +348,9 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const AllRequest
   return Answer{};
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequest&) {
-  grower_->cancel();
-  cancel_jobs();
+std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequest& request) {
+  if (request.re) cancel_jobs(request.re);
+  if (!request.re) grower_->cancel();
   return Answer{};
 }
 
@@ -429,41 +399,41 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const ModelsRequ
 
 /// Has a job answer the request.
 template <class Work>
-void StudioSession::run_later(double id, const char* job, Work work) {
-  host_.exports.post([&host = host_, outbox = outbox_, jobs = jobs_, id, job, work = std::move(work)]() mutable {
-    answer_by(host, outbox, *jobs, id, job, work);
-  });
+void StudioSession::run_later(double id, const Job& job, Worker& worker, Work work) {
+  worker.post([&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), job,
+               work = std::move(work)]() mutable { answer_by(host, outbox, *jobs, asked, job, work); });
 }
 
 /// Has a job answer the request unless a newer one of its kind comes.
 template <class Work>
-void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Worker& worker,
+void StudioSession::run_newest(double id, const Job& job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker,
                                Work work) {
-  const std::uint64_t number = jobs->begin();
-  worker.post([&host = host_, outbox = outbox_, jobs, number, id, job, work = std::move(work)]() mutable {
-    if (jobs->is_newest(number)) return answer_by(host, outbox, jobs->running(), id, job, work);
-    outbox->send_text(refused_text(id, "cancelled", {{"cancelled", true}}));
+  refuse_cancelled(jobs->cancel());
+  worker.post([&host = host_, outbox = outbox_, jobs, asked = jobs->ask(id), job, work = std::move(work)]() mutable {
+    answer_by(host, outbox, *jobs, asked, job, work);
   });
 }
 
-void StudioSession::cancel_jobs() {
-  jobs_->cancel();
-  stills_->begin();
-  derivations_->begin();
-  sweeps_->begin();
+/// Calls off the job of a request, or all.
+void StudioSession::cancel_jobs(std::optional<double> request) {
+  for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_, measures_}) refuse_cancelled(jobs->cancel(request));
 }
 
-/// The document of the present text, with the seed that the options ask for. Throws the text's faults.
+void StudioSession::refuse_cancelled(const std::vector<double>& requests) {
+  for (const double request : requests) outbox_->send_text(refused_text(request, "cancelled", {{"cancelled", true}}));
+}
+
+/// The document of the present text at the time and with the seed that the options ask for. Throws the text's faults.
 std::shared_ptr<const Document> StudioSession::document_for(const ExportOptions& options) {
-  ReadOptions reading{.seed = options.seed, .root = root_, .models = host_.models_folder};
+  ReadOptions reading{.seed = options.seed, .time = options.time, .root = root_, .models = host_.models_folder};
   return std::make_shared<const Document>(read_document(session().text(), session().file(), host_.registry, reading));
 }
 
-/// What has grown, if it is what the options ask for.
+/// What has grown, if it is what the options ask for: all of its growth, and not a step of it.
 std::shared_ptr<const GrownWish> StudioSession::grown_for(const ExportOptions& options) const {
   std::shared_ptr<const GrownWish> grown = grower_->grown();
   const bool fits = grown != nullptr && grown->wish.hash == hash_ && !grown->wish.is_dragged && !options.seed &&
-                    grown->time == options.time;
+                    grown->time == options.time && !grown->view.step;
   return fits ? grown : nullptr;
 }
 
@@ -474,11 +444,11 @@ std::string StudioSession::name_for(const ExportOptions& options) {
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest& request) {
   const ExportOptions options{.time = grower_->parts().time};
-  run_later(id, "measure",
-            [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
-                Host&, Progress& progress) -> Value::Member {
-              return {"measures", measured(source, request, progress)};
-            });
+  run_newest(id, {"measure"}, measures_, host_.exports,
+             [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
+                 Host&, Progress& progress) -> Value::Member {
+               return {"measures", measured(source, request, progress)};
+             });
   return std::nullopt;
 }
 
@@ -492,7 +462,9 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
                            .root = root_,
                            .models = host_.models_folder,
                            .time = grower_->parts().time};
-  run_newest(id, "sweep", sweeps_, host_.exports,
+  // Each of its plants has the time that one measurement has.
+  const TimeLimit time{host_.limits.job_seconds * static_cast<double>(request.values.size()), "job_seconds"};
+  run_newest(id, {"sweep", time}, sweeps_, host_.exports,
              [source, request, maker = sweep_maker_](Host& host, JobNews& news) -> Value::Member {
                return {"sweep", maker->make(source, request, host.registry, news)};
              });
@@ -502,65 +474,54 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
 /// Has the thread that grows answer the request by what has grown.
 template <class Question>
 void StudioSession::ask_grown(double id, Question question) {
-  grower_->ask([outbox = outbox_, id, question](const GrownWish* grown, GrowthCache& cache) {
-    try {
-      if (grown == nullptr) throw Refusal("nothing has grown yet");
-      Progress progress;
-      Value::Object done{{"is", "done"}, {"re", id}};
-      done.push_back(question(*grown, progress, cache));
-      outbox->send_text(write_json_line(done));
-    } catch (const std::exception& error) {
-      outbox->send_text(refused_text(id, error.what(), {}));
-    }
-  });
+  grower_->ask(
+      [&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), question](const LastGrown* last) {
+        const auto work = [&](Host&, Progress& progress) -> Value::Member {
+          if (last == nullptr) throw Refusal("nothing has grown yet");
+          return question(*last, progress);
+        };
+        answer_by(host, outbox, *jobs, asked, {"question"}, work);
+      });
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
-    return {"instance", instance_value(grown, request, progress, cache)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"instance", instance_value(last.grown, request, progress, last.cache)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRequest& request) {
-  ask_grown(
-      id,
-      [component = request.component](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
-        return {"stand", stand_value(grown, component, progress, cache)};
-      });
+  ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"stand", stand_value(last.grown, component, progress, last.cache)};
+  });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const CurvesRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress&, GrowthCache&) -> Value::Member {
-    return {"curves", curves_value(grown, request)};
+  ask_grown(id, [request](const LastGrown& last, Progress&) -> Value::Member {
+    return {"curves", curves_value(last.grown, request)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const OperationsRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache&) -> Value::Member {
-    return {"operations", operations_value(grown, request, progress)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"operations", operations_value(last.grown, request, progress)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const ClocksRequest& request) {
-  ask_grown(id, [request](const GrownWish& grown, Progress& progress, GrowthCache& cache) -> Value::Member {
-    return {"clocks", clocks_value(grown, request.up_to, progress, cache)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"clocks", clocks_value(last.grown, request.up_to, progress, last.cache)};
   });
   return std::nullopt;
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const OverlaysRequest& request) {
-  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache&) {
-    try {
-      if (grown == nullptr) throw Refusal("nothing has grown yet");
-      Value::Object done{{"is", "done"}, {"re", id}, {"overlays", overlays_value(*grown, request, Progress())}};
-      outbox->send_text(write_json_line(done));
-    } catch (const std::exception& error) {
-      outbox->send_text(refused_text(id, error.what(), {}));
-    }
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"overlays", overlays_value(last, request, progress)};
   });
   return std::nullopt;
 }
@@ -593,16 +554,13 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
     source.grown = grown_for(request.options);
   }
   if (has_frames(request.options)) {
-    host_.films.post(
-        [&host = host_, outbox = outbox_, jobs = jobs_, id, source = std::move(source), options = request.options] {
-          const auto work = [&](Host& of, JobNews& news) -> Value::Member {
-            return {"file", export_frames(source, options, of.downloads, news)};
-          };
-          answer_by(host, outbox, *jobs, id, "export", work);
-        });
+    run_later(id, {"export", TimeLimit{host_.limits.film_seconds, "film_seconds"}}, host_.films,
+              [source = std::move(source), options = request.options](Host& host, JobNews& news) -> Value::Member {
+                return {"file", export_frames(source, options, host.downloads, news)};
+              });
     return std::nullopt;
   }
-  run_later(id, "export",
+  run_later(id, {"export"}, host_.exports,
             [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
               return {"file", export_file(source, options, host.downloads, progress)};
             });
@@ -623,7 +581,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
                            .models = host_.models_folder,
                            .time = grower_->parts().time,
                            .grown = grower_->grown()};
-  run_newest(id, "stills", stills_, host_.stills,
+  run_newest(id, {"stills"}, stills_, host_.stills,
              [source, request, maker = still_maker_](Host& host, Progress& progress) -> Value::Member {
                return {"stills", maker->make(source, request, host.registry, progress)};
              });
@@ -634,7 +592,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
   // The text derives, also while a drag shows another step of it.
   const bool is_plain = session().overrides().empty();
   if (is_plain && !session().is_good()) throw Refusal("the document has faults");
-  run_newest(id, "grammar", derivations_, host_.stills,
+  run_newest(id, {"grammar"}, derivations_, host_.stills,
              [document = is_plain ? std::make_shared<const Document>(*session().document()) : document_for({}), request,
               time = grower_->parts().time](Host&, Progress& progress) -> Value::Member {
                return {"derivation", derivation(*document, request, time, progress)};
@@ -643,13 +601,10 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const PictureRequest& request) {
-  const std::string document = session().file();
-  host_.stills.post([&host = host_, outbox = outbox_, jobs = jobs_, id, request, document, root = root_]() {
-    const auto work = [&](Host&, Progress&) -> Value::Member {
-      return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
-    };
-    answer_by(host, outbox, *jobs, id, "picture", work);
-  });
+  run_later(id, {"picture"}, host_.stills,
+            [request, document = session().file(), root = root_](Host&, Progress&) -> Value::Member {
+              return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
+            });
   return std::nullopt;
 }
 

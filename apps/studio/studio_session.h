@@ -2,19 +2,18 @@
 // One page's document: messages in, messages out, as protocol.md defines them; it knows no sockets.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 
+#include "asked_jobs.h"
 #include "grower.h"
 #include "host.h"
+#include "job_watch.h"
 #include "measure_job.h"
 #include "meristem/document/edit/session.h"
 #include "request.h"
@@ -22,33 +21,10 @@
 
 namespace meristem::studio {
 
-/// Jobs for one request each, that can be dropped together.
-class RunningJobs {
- public:
-  void add(Progress& progress);
-  void remove(Progress& progress);
-  void cancel();
-  /// Whether none may begin any more.
-  bool is_closed() const { return is_closed_; }
-  void close();
-
- private:
-  std::mutex mutex_;
-  std::set<Progress*> running_;
-  std::atomic<bool> is_closed_{false};
-};
-
-/// Jobs of one kind, of which a page waits for the newest alone.
-class NewestJobs {
- public:
-  /// Drops what was begun before, and gives the number of the job that begins.
-  std::uint64_t begin();
-  bool is_newest(std::uint64_t number) const { return number == newest_; }
-  RunningJobs& running() { return running_; }
-
- private:
-  RunningJobs running_;
-  std::atomic<std::uint64_t> newest_{0};
+/// What a job is called in news, and how long it may take; unset: `job_seconds`.
+struct Job {
+  const char* name = "";
+  std::optional<TimeLimit> time{};
 };
 
 /// One call at a time.
@@ -118,10 +94,11 @@ class StudioSession {
   template <class Question>
   void ask_grown(double id, Question question);
   template <class Work>
-  void run_later(double id, const char* job, Work work);
+  void run_later(double id, const Job& job, Worker& worker, Work work);
   template <class Work>
-  void run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Worker& worker, Work work);
-  void cancel_jobs();
+  void run_newest(double id, const Job& job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker, Work work);
+  void cancel_jobs(std::optional<double> request = {});
+  void refuse_cancelled(const std::vector<double>& requests);
   std::shared_ptr<const Document> document_for(const ExportOptions& options);
   std::shared_ptr<const GrownWish> grown_for(const ExportOptions& options) const;
   std::string name_for(const ExportOptions& options);
@@ -129,10 +106,12 @@ class StudioSession {
   Host& host_;
   const std::shared_ptr<Outbox> outbox_;
   const std::shared_ptr<Grower> grower_;
-  const std::shared_ptr<RunningJobs> jobs_ = std::make_shared<RunningJobs>();
-  const std::shared_ptr<NewestJobs> stills_ = std::make_shared<NewestJobs>();
-  const std::shared_ptr<NewestJobs> derivations_ = std::make_shared<NewestJobs>();
-  const std::shared_ptr<NewestJobs> sweeps_ = std::make_shared<NewestJobs>();
+  const std::shared_ptr<AskedJobs> jobs_ = std::make_shared<AskedJobs>();
+  // A page waits for the newest job of each of these kinds alone.
+  const std::shared_ptr<AskedJobs> stills_ = std::make_shared<AskedJobs>();
+  const std::shared_ptr<AskedJobs> derivations_ = std::make_shared<AskedJobs>();
+  const std::shared_ptr<AskedJobs> sweeps_ = std::make_shared<AskedJobs>();
+  const std::shared_ptr<AskedJobs> measures_ = std::make_shared<AskedJobs>();
   std::shared_ptr<StillMaker> still_maker_;  // of the document; the worker's thread alone calls it
   std::shared_ptr<SweepMaker> sweep_maker_;  // the same
   std::optional<Session> session_;

@@ -666,8 +666,8 @@ std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scen
 }
 
 std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, double time, Progress& progress,
-                                     Cache* cache) {
-  return Expansion(graph, scene, time, progress, {cache}).clocks();
+                                     Cache* cache, const GrowthView& view) {
+  return Expansion(graph, scene, time, progress, {cache, view}).clocks();
 }
 
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,

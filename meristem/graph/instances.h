@@ -48,7 +48,7 @@ struct BegunClock {
 /// once. Clocks of instances that have not appeared yet, and of those that bear nothing, are not among them. With the
 /// cache of an expansion of the same arguments, nothing is made anew. Throws as expand() does.
 std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, double time, Progress& progress,
-                                     Cache* cache = nullptr);
+                                     Cache* cache = nullptr, const GrowthView& view = {});
 
 /// A part of a plant whose instance is asked for, as expand() orders what it gives.
 struct InstanceWish {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace meristem {
 namespace {
@@ -40,22 +41,55 @@ std::vector<std::uint32_t> axis_numbers(const Skeleton& skeleton) {
 }
 
 std::vector<std::string> axis_labels(const Skeleton& skeleton) {
+  std::vector<std::string> labels;
+  for (ShootName& name : shoot_names(skeleton, {})) labels.push_back(std::move(name.label));
+  return labels;
+}
+
+std::vector<ShootName> shoot_names(const Skeleton& skeleton, const std::vector<std::uint32_t>& part_of_axis) {
   const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
-  std::vector<std::string> labels(skeleton.axis_count());
-  std::unordered_map<std::uint64_t, std::uint32_t> borne;  // by axis and number of what bears them
+  std::vector<ShootName> names(skeleton.axis_count());
+  for (AxisIndex axis = 0; axis < names.size() && !part_of_axis.empty(); ++axis) names[axis].part = part_of_axis[axis];
+  std::unordered_map<std::uint64_t, std::uint32_t> borne;      // by axis and number of what bears them
+  std::unordered_map<std::uint32_t, std::uint32_t> trees;      // of each part
+  std::unordered_map<std::uint32_t, AxisIndex> main_of_joint;  // the first axis of each part that stands on another one
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    std::string& label = labels[skeleton.axis[node]];
-    if (!label.empty()) continue;
+    const AxisIndex axis = skeleton.axis[node];
+    ShootName& name = names[axis];
+    if (!name.label.empty()) continue;
     if (skeleton.is_root(node)) {
-      label = "main";
+      name.label = "main";
+      name.tree = trees[name.part]++;
       continue;
     }
     const NodeIndex bearer = skeleton.parent[node];
-    const AxisIndex parent = skeleton.axis[bearer];
-    const std::uint32_t earlier = borne[std::uint64_t{parent} << 32U | numbers[bearer]]++;
-    label = labels[parent] + '.' + std::to_string(numbers[bearer]) + letters(earlier);
+    AxisIndex parent = skeleton.axis[bearer];
+    std::uint32_t number = numbers[bearer];
+    if (names[parent].part != name.part) {
+      // The root of the part has given way to the node on which it stands.
+      const auto [found, is_first] = main_of_joint.try_emplace(name.part, axis);
+      if (is_first) {
+        name.label = "main";
+        continue;
+      }
+      parent = found->second;
+      number = 0;
+    }
+    const std::uint32_t earlier = borne[std::uint64_t{parent} << 32U | number]++;
+    name.label = names[parent].label + '.' + std::to_string(number) + letters(earlier);
+    name.tree = names[parent].tree;
   }
-  return labels;
+  return names;
+}
+
+std::vector<NodeIndex> shoot_nodes(const Skeleton& skeleton, AxisIndex axis) {
+  std::vector<NodeIndex> nodes;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (skeleton.axis[node] != axis) continue;
+    if (nodes.empty() && !skeleton.is_root(node)) nodes.push_back(skeleton.parent[node]);
+    nodes.push_back(node);
+  }
+  return nodes;
 }
 
 }  // namespace meristem

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/plant/axis_labels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -141,6 +143,41 @@ TEST(AxisLabels, StayWhereNodesAreAddedBetween) {
   const Labels labels = axis_labels(joined[0].skeleton);
   EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()),
             (std::set<std::string>{"main", "main.4", "main.4b", "main.4.2"}));
+}
+
+TEST(AxisLabels, NamesOfShootsAreThoseOfTheirOwnPartWhereStemsAreJoined) {
+  // A tree with a lateral on its root stands on the second metamer of another one.
+  Skeleton guest = small_tree();
+  grow(guest, 0, 3);
+  for (Vec3& position : guest.position) position += Vec3(0, 2, 0);
+  std::vector<LooseStem> stems(2);
+  stems[0].skeleton = std::make_shared<Skeleton>(small_tree());
+  stems[1] = {.part = {}, .skeleton = std::make_shared<Skeleton>(guest), .parent = 0, .node = 2};
+  const std::vector<Stem> joined = join_stems(std::move(stems));
+  ASSERT_EQ(joined.size(), 1U);
+  const std::vector<ShootName> names = shoot_names(joined[0].skeleton, joined[0].part_of_axis);
+  std::vector<std::pair<std::uint32_t, std::string>> seen;
+  for (const ShootName& name : names) {
+    seen.emplace_back(name.part, name.label);
+    EXPECT_EQ(name.tree, 0U);
+  }
+  std::ranges::sort(seen);
+  EXPECT_EQ(
+      seen,
+      (std::vector<std::pair<std::uint32_t, std::string>>{
+          {0, "main"}, {0, "main.4"}, {0, "main.4.2"}, {1, "main"}, {1, "main.0"}, {1, "main.4"}, {1, "main.4.2"}}));
+  const std::vector<std::string> whole = axis_labels(joined[0].skeleton);
+  EXPECT_NE(std::ranges::find(whole, "main.2.4.2"), whole.end()) << "the labels of the whole go on from the parent";
+}
+
+TEST(AxisLabels, ShootsOfAForestAreNamedTreeByTree) {
+  Skeleton forest = small_tree();
+  forest.append(small_tree());
+  const std::vector<ShootName> names = shoot_names(forest, {});
+  ASSERT_EQ(names.size(), 6U);
+  EXPECT_EQ(names[4], (ShootName{0, 1, "main.4"}));
+  EXPECT_EQ(shoot_nodes(forest, 4), (std::vector<NodeIndex>{14, 16, 17, 18}));
+  EXPECT_EQ(shoot_nodes(forest, 0), (std::vector<NodeIndex>{0, 1, 2, 3, 4, 5}));
 }
 
 }  // namespace meristem::axis_labels_test

@@ -19,6 +19,7 @@
 
 #include "meristem/base/deform/deformation.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/plant_bounds.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/shape/body_meshes.h"
 #include "meristem/shape/cached_meshes.h"
@@ -278,15 +279,6 @@ bool contains(const Box& outer, const Box& inner) {
   return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
 }
 
-/// The box around the corners of a mesh's box in a frame: never smaller than the mesh's own there.
-Box box_around(const Box& mesh_box, const Frame& frame) {
-  const Vec3 centre = frame.point(mesh_box.centre());
-  const Vec3 half = 0.5F * mesh_box.size();
-  const Vec3 reach =
-      glm::abs(frame.axes[0]) * half.x + glm::abs(frame.axes[1]) * half.y + glm::abs(frame.axes[2]) * half.z;
-  return {centre - reach, centre + reach};
-}
-
 }  // namespace
 
 std::uint64_t MeshScene::triangle_count() const {
@@ -308,7 +300,7 @@ Box MeshScene::bounds() const {
     // Most instances cannot reach beyond those before them; only of the others are all vertices looked at.
     for (std::size_t i = 0; i < instances.count(); ++i) {
       const Frame frame = instances.frame(i);
-      if (!contains(box, box_around(mesh_box, frame))) box.add(box_of(*instances.mesh, frame));
+      if (!contains(box, box_in(mesh_box, frame))) box.add(box_of(*instances.mesh, frame));
     }
   }
   return box;

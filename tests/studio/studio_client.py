@@ -26,10 +26,10 @@ class Response:
 class Studio:
     """The program, serving a folder on a port of its own."""
 
-    def __init__(self, program: str, root: Path, *arguments: str) -> None:
+    def __init__(self, program: str, root: Path, *arguments: str, path: str | None = None) -> None:
         self.process = subprocess.Popen(
             [program, "studio", "--no-browser", "--port", "0", "--root", str(root), *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ | ({"PATH": path} if path else {}),
         )  # fmt: skip
         assert self.process.stdout is not None
         self.address = self.process.stdout.readline().strip()

@@ -12,6 +12,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zipfile
 from pathlib import Path
@@ -232,6 +233,44 @@ class StudioTest(unittest.TestCase):
             with self.assertRaises(Closed):
                 page.wait(lambda message: False)
             page.__exit__()
+
+    def test_ends_on_ctrl_c_in_the_middle_of_a_film(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio:
+            page = studio.page()
+            page.ask("open", path="bush.json")
+            page.send("export", format=".png", options={"frames": {"from": 0, "to": 900, "step": 0.1}})
+            page.wait(lambda message: message["is"] == "working" and message["job"] == "export")
+            self.assertEqual(studio.stop(), 0)
+            page.__exit__()
+
+    def film_studio(self, script: str) -> Studio:
+        """A studio whose ffmpeg is a script."""
+        maker = Path(self.folder.name) / "bin" / "ffmpeg"
+        maker.parent.mkdir(exist_ok=True)
+        maker.write_text(f"#!/bin/sh\n{script}\n")
+        maker.chmod(0o755)
+        return Studio(PROGRAM, Path(self.folder.name), path=f"{maker.parent}:/usr/bin:/bin")
+
+    FILM = {"width": 16, "height": 16, "samples": 1, "frames": {"from": 0, "to": 0.1, "step": 0.1}}
+
+    def test_tells_when_a_film_has_failed(self) -> None:
+        with self.film_studio('echo "no such codec" >&2; exit 3') as studio, studio.page() as page:
+            page.ask("open", path="bush.json")
+            refused = page.ask("export", format=".mp4", options=self.FILM)
+            self.assertEqual(refused["is"], "refused")
+            self.assertIn("no such codec", refused["message"])
+
+    def test_a_film_is_cancelled_while_it_is_encoded(self) -> None:
+        begun = Path(self.folder.name) / "begun"
+        with self.film_studio(f"echo $$ >{begun}.new; mv {begun}.new {begun}; exec sleep 600") as studio, studio.page() as page:
+            page.ask("open", path="bush.json")
+            number = page.send("export", format=".mp4", options=self.FILM)
+            while not begun.exists():
+                time.sleep(0.02)
+            page.send("cancel", re=number)
+            refused = page.wait(lambda message: message.get("re") == number and message["is"] != "working")
+            self.assertTrue(refused["cancelled"])
+            self.assertFalse(Path(f"/proc/{begun.read_text().strip()}").exists(), "the encoder has ended")
 
     def test_names_the_port_that_is_taken(self) -> None:
         run = subprocess.run([PROGRAM, "studio", "--no-browser", "--port", str(self.studio.port)], capture_output=True, text=True)

@@ -101,20 +101,22 @@ std::span<const OverlayPartInfo> overlay_parts() { return kParts; }
 
 const OverlayPartInfo& overlay_part(OverlayPart part) { return kParts[static_cast<std::size_t>(part)]; }
 
+OverlayPart overlay_part_named(std::string_view name, const std::string& who) {
+  std::vector<std::string> known;
+  for (const OverlayPartInfo& info : kParts) {
+    if (name == info.name) return info.part;
+    known.emplace_back(info.name);
+  }
+  throw InputError(Diagnostic{.message = fmt::format("{} cannot show '{}'", who, name),
+                              .expected = fmt::format("a list of {}", fmt::join(known, ", ")),
+                              .nearest = nearest_name(name, known)});
+}
+
 std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::string& option) {
   std::vector<OverlayPart> parts;
-  std::vector<std::string> known;
-  for (const OverlayPartInfo& info : kParts) known.emplace_back(info.name);
   while (true) {
     const std::size_t end = names.find(',');
-    const std::string name(names.substr(0, end));
-    const auto found = std::ranges::find(known, name);
-    if (found == known.end()) {
-      throw InputError(Diagnostic{.message = fmt::format("{} cannot show '{}'", option, name),
-                                  .expected = fmt::format("a list of {}", fmt::join(known, ", ")),
-                                  .nearest = nearest_name(name, known)});
-    }
-    parts.push_back(kParts[static_cast<std::size_t>(found - known.begin())].part);
+    parts.push_back(overlay_part_named(names.substr(0, end), option));
     if (end == std::string_view::npos) break;
     names.remove_prefix(end + 1);
   }

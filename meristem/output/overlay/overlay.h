@@ -53,6 +53,8 @@ struct OverlayPartInfo {
 /// All parts, in the order in which they are listed.
 std::span<const OverlayPartInfo> overlay_parts();
 const OverlayPartInfo& overlay_part(OverlayPart part);
+/// The part of that name. Throws InputError for another name, with the nearest one; `who` cannot show it.
+OverlayPart overlay_part_named(std::string_view name, const std::string& who);
 /// The parts that a list of names separated by commas means. Throws InputError for another name, with the nearest one.
 std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::string& option);
 /// What must be recorded of growth for all of these.

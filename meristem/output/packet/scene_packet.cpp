@@ -11,6 +11,7 @@
 #include "meristem/base/hash.h"
 #include "meristem/document/json.h"
 #include "meristem/output/packet/packet_arrays.h"
+#include "meristem/output/packet/short_values.h"
 #include "meristem/output/packet/skeleton_lines.h"
 #include "meristem/output/write/jpeg.h"
 #include "meristem/output/write/png.h"
@@ -23,13 +24,6 @@ namespace {
 Value key_value(std::uint64_t key) { return fmt::format("{:016x}", key); }
 
 Value number_value(std::uint64_t number) { return static_cast<double>(number); }
-
-/// A 32-bit number with the digits that it needs.
-double short_number(float number) { return std::stod(fmt::format("{}", number)); }
-
-Value vector_value(Vec3 vector) {
-  return Value::List{short_number(vector.x), short_number(vector.y), short_number(vector.z)};
-}
 
 Value key_list(const std::vector<std::uint64_t>& keys) {
   Value::List list;

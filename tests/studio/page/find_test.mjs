@@ -170,6 +170,19 @@ test('two states are pinned beside the present one and seen from its side; one i
   const first = await azimuth();
   await drag(page, page.locator('.pinned canvas').first(), [60, 0], { steps: 5 });
   await page.waitForFunction((known) => window.studio.view.orbit.azimuth !== known, first);
+  // What a hand has moved is not fitted again when the window's size changes.
+  const distance = () => page.evaluate(() => window.studio.view.orbit.distance);
+  const far = await distance();
+  await page.locator('.pinned canvas').first().hover();
+  await page.mouse.wheel(0, -300);
+  await page.waitForFunction((known) => window.studio.view.orbit.distance < known, far);
+  await page.waitForTimeout(300);
+  const near = await distance();
+  const size = page.viewportSize();
+  await page.setViewportSize({ width: size.width - 100, height: size.height - 100 });
+  await page.waitForTimeout(300);
+  assert.equal(await distance(), near);
+  await page.setViewportSize(size);
   await step(page, () => page.locator('.pinned[data-pin=A]').getByRole('button', { name: 'Take' }).click());
   assert.equal(await text_of(page), kSmall);
   assert.equal(await undo_count(page), 2);

@@ -70,7 +70,7 @@ test('a derivation goes step by step, and the plant with it; the document stays'
   await derived(1);
   assert.equal(await word(), 'F[+A][-A]FA');
   await page.waitForFunction((all) => window.studio.growth.get().shown.triangles < all && !window.studio.growth.get().working, whole);
-  await page.keyboard.press('PageDown');
+  await page.keyboard.press('PageUp');
   await derived(2);
   assert.equal(await word(), 'FF[+F[+A][-A]FA][-F[+A][-A]FA]FFF[+A][-A]FA');
   assert.equal(await text_of(page), text);

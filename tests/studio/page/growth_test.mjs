@@ -32,7 +32,7 @@ after(async () => {
   await place?.remove();
 });
 
-const look = () => page.evaluate(() => window.studio.bench.growth.state.get());
+const look = () => page.evaluate(() => window.studio.bench.growth_look.state.get());
 const grown = () => page.evaluate(() => window.studio.growth.get().grown);
 const overlays = () => page.evaluate(() => window.studio.view.counts.overlays);
 const slider = () => page.getByRole('slider', { name: 'Step of growth' });
@@ -100,7 +100,7 @@ test('step 12 of 18 equals a document with 12 iterations', async () => {
 test('closing takes all away; axe finds nothing serious in the open panel', async () => {
   assert.equal((await overlays()).layers, 0);
   await page.keyboard.press('s');
-  await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
+  await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null);
   await page.getByRole('button', { name: 'Skeleton', exact: true }).last().click();
   await page.waitForFunction(() => window.studio.view.counts.overlays.lines > 0);
   await page.evaluate(await readFile(kAxe, 'utf8'));

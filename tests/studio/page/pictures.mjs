@@ -73,8 +73,8 @@ export const kPictures = [
     act: async (page) => {
       await open_model(page, 'slender');
       await page.keyboard.press('s');
-      await page.waitForFunction(() => window.studio.bench.growth.state.get().steps !== null);
-      await page.evaluate(() => window.studio.bench.growth.show_step(220));
+      await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null);
+      await page.evaluate(() => window.studio.bench.growth_look.show_step(220));
       await page.waitForFunction(() => window.studio.growth.get().grown.step === 220);
       await page.getByRole('button', { name: 'Attraction points' }).click();
       await page.waitForFunction(() => window.studio.view.counts.overlays.points > 0);
@@ -189,7 +189,7 @@ export const kPictures = [
       await choose(page, 'Scene');
       await page.locator('.view canvas').focus();
       for (let k = 0; k < 4; k += 1) await page.keyboard.press('-');
-      await show_handles(page, 'obstacle 1, box');
+      await show_grips(page, 'obstacle 1, box');
     },
   },
   {
@@ -200,7 +200,7 @@ export const kPictures = [
       await choose(page, 'tree');
       await page.locator('.view canvas').focus();
       await page.keyboard.press('1');
-      await show_handles(page, 'crown, profile');
+      await show_grips(page, 'crown, profile');
     },
   },
   {
@@ -246,22 +246,22 @@ export const kPictures = [
     act: async (page) => {
       await open_model(page, 'box-hedge');
       await choose(page, await page.evaluate(() => Object.entries(window.studio.document.state.get().tree.value.components).find(([, one]) => one.type === 'organize')[0]));
-      await show_handles(page, /^operation 3, outside, box/);
+      await show_grips(page, /^operation 3, outside, box/);
     },
   },
 ];
 
-/// Chooses what has handles in the list beside the view.
-async function show_handles(page, label) {
+/// Chooses what has grips in the list beside the view.
+async function show_grips(page, label) {
   await page.locator('.gizmo-card').waitFor();
   const select = page.locator('.gizmo-card select');
   const names = await select.locator('option').allInnerTexts();
   const wanted = typeof label === 'string' ? label : names.filter((one) => label.test(one)).at(-1);
   await select.selectOption({ label: wanted });
-  await page.locator('.gizmo-handle').first().waitFor();
+  await page.locator('.gizmo-grip').first().waitFor();
 }
 
-/// What the pictures of steering show; plain numbers, so that all of it has handles.
+/// What the pictures of steering show; plain numbers, so that all of it has grips.
 const kOwn = {
   yard: {
     meristem: 1,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth steered by hand: shoots are cut by a click, obstacles moved by their handles, the sun by its dial, crowns by
+// Growth steered by hand: shoots are cut by a click, obstacles moved by their grips, the sun by its dial, crowns by
 // their outlines, grass leaves by their curves. Each gesture is one step of the undo list.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -202,8 +202,8 @@ test('the tree before the last cuts is shown and goes again', async () => {
   await page.keyboard.press('o');
 });
 
-/// A handle of the group that is shown, with the middle of what is drawn of it.
-const handle = (key) => page.locator(`.gizmo-handle[data-handle="${key}"]`);
+/// A grip of the group that is shown, with the middle of what is drawn of it.
+const grip = (key) => page.locator(`.gizmo-grip[data-grip="${key}"]`);
 async function drag_by(from, [dx, dy], { steps = 12, lets_go = true } = {}) {
   await page.mouse.move(...from);
   await page.mouse.down();
@@ -215,15 +215,15 @@ const middle_of = async (target) => {
   return [box.x + box.width / 2, box.y + box.height / 2];
 };
 
-test('an obstacle is seen, chosen by a click, and moved by its handles; a drag of many moves is one step', async () => {
+test('an obstacle is seen, chosen by a click, and moved by its grips; a drag of many moves is one step', async () => {
   await open_file(page, 'yard.json');
   await page.locator('.view canvas').focus();
   for (const key of ['1', '-', '-', '-', '-']) await page.keyboard.press(key);
   await page.mouse.click(...(await seen_at([1.5, 0.4, 0.5])));
   assert.equal(await page.evaluate(() => window.studio.chosen.get()), 'scene');
-  await handle('upper y').waitFor();
+  await grip('upper y').waitFor();
   const count = await undo_count(page);
-  await step(page, async () => drag_by(await middle_of(handle('upper x').locator('rect')), [40, 0], { steps: 40 }));
+  await step(page, async () => drag_by(await middle_of(grip('upper x').locator('rect')), [40, 0], { steps: 40 }));
   const box = (await tree_of()).scene.obstacles[0].box;
   assert.deepEqual(box[0], [1, 0, -0.5]);
   assert.ok(box[1][0] > 2.05 && box[1][1] === 1.5, JSON.stringify(box));
@@ -233,25 +233,25 @@ test('an obstacle is seen, chosen by a click, and moved by its handles; a drag o
   assert.equal(await text_of(page), kYard);
 });
 
-test('Escape puts a handle back, and the arrow keys move it', async () => {
-  await drag_by(await middle_of(handle('upper x').locator('rect')), [30, 0], { lets_go: false });
+test('Escape puts a grip back, and the arrow keys move it', async () => {
+  await drag_by(await middle_of(grip('upper x').locator('rect')), [30, 0], { lets_go: false });
   await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length > 0);
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await settled(page);
   assert.equal(await text_of(page), kYard);
-  await handle('move x').focus();
+  await grip('move x').focus();
   await step(page, () => page.keyboard.press('ArrowLeft'));
   const [low, high] = (await tree_of()).scene.obstacles[0].box;
   assert.ok(low[0] < 1 && Math.abs(high[0] - low[0] - 1) < 1e-9, JSON.stringify([low, high]));
   await page.keyboard.press('PageDown');
-  assert.equal(await page.evaluate(() => document.activeElement.dataset.handle), 'move y');
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.grip), 'move y');
   await step(page, () => type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: /height/ }), '3'));
   assert.deepEqual((await tree_of()).scene.obstacles[0].box.map((one) => one[1]), [0, 3]);
 });
 
 test('a turn keeps the middle of a box where it is', async () => {
-  await handle('turn y').focus();
+  await grip('turn y').focus();
   await step(page, () => page.keyboard.press('ArrowRight'));
   const obstacle = (await tree_of()).scene.obstacles[0];
   assert.deepEqual(obstacle.rotate, [0, 5, 0]);
@@ -260,10 +260,10 @@ test('a turn keeps the middle of a box where it is', async () => {
   await settled(page);
 });
 
-test('boxes, lamps and poles are put into the scene with their handles', async () => {
+test('boxes, lamps and poles are put into the scene with their grips', async () => {
   for (const name of ['Box', 'Lamp', 'Pole']) {
     await step(page, () => page.locator('.scene-tools').getByRole('button', { name, exact: true }).click());
-    await page.locator('.gizmo-handle').first().waitFor();
+    await page.locator('.gizmo-grip').first().waitFor();
   }
   const { obstacles, lamps, supports } = (await tree_of()).scene;
   assert.equal(obstacles.length, 2);
@@ -271,7 +271,7 @@ test('boxes, lamps and poles are put into the scene with their handles', async (
   assert.equal(supports.pole.length, 2);
   await step(page, async () => {
     await page.locator('.gizmo-card select').selectOption({ label: 'support wire, point 2' });
-    await handle('move y').focus();
+    await grip('move y').focus();
     await page.keyboard.press('ArrowUp');
   });
   assert.ok((await tree_of()).scene.supports.wire[1][1] > 1);
@@ -308,7 +308,7 @@ test('the profile of a crown is dragged in the view', async () => {
   await choose(page, 'tree');
   await page.locator('.gizmo-card').waitFor();
   await page.locator('.gizmo-card select').selectOption({ label: 'crown, profile' });
-  await step(page, async () => drag_by(await middle_of(handle('point 2').locator('circle').last()), [40, 0]));
+  await step(page, async () => drag_by(await middle_of(grip('point 2').locator('circle').last()), [40, 0]));
   const { profile } = (await tree_of()).components.tree.crown;
   assert.ok(profile[1][0] > 0.85, JSON.stringify(profile));
   assert.deepEqual([profile[0], profile[2]], [[0.2, 0.6], [0, 2]]);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which instance of the chosen component was clicked at, and instances that are clicked one after another.
+import { Newest } from './base/newest.ts';
 import { Store } from './base/store.ts';
 import { path_below } from './document/path.ts';
 import type { FoundShoot } from './server/growth_protocol.ts';
-import type { FoundInstance } from './server/protocol.ts';
+import { LatestSender } from './server/latest_sender.ts';
+import type { FoundInstance, Grown } from './server/protocol.ts';
 import type { Studio } from './studio.ts';
 import { scene_path } from './view/seen_name.ts';
 import type { SeenInstance } from './view/view.ts';
@@ -20,15 +22,23 @@ export class InstanceChoice {
   readonly found = new Store<FoundInstance | null>(null); // once it is known
   readonly selecting = new Store<Selecting | null>(null);
 
-  constructor(private readonly studio_: Studio) {}
+  private readonly again_ = new LatestSender(() => this.ask_again());
+  private readonly newest_ = new Newest();
+  private heard_: Grown | null = null;
+
+  constructor(private readonly studio_: Studio) {
+    studio_.growth.subscribe(() => this.hear(studio_.growth.get().grown));
+  }
 
   /// The shoot that was clicked at, where operations could act on it.
   static shoot_of(found: FoundInstance | null): FoundShoot | null {
     return found && found.shoot !== null && found.iteration !== null && found.course ? (found as FoundShoot) : null;
   }
 
-  /// Something else has been chosen.
+  /// Something else has been chosen; answers that are awaited count no more.
   forget(): void {
+    this.newest_.drop();
+    this.again_.drop();
     this.seen.set(null);
     this.found.set(null);
   }
@@ -43,13 +53,36 @@ export class InstanceChoice {
     if (obstacle) this.studio_.bench.gizmo.show(obstacle);
     if (seen === null || obstacle) return;
     this.seen.set(seen);
-    const asked = this.studio_.chosen.get();
-    this.studio_.connection
-      .request<{ instance: FoundInstance | null }>('instance', { ...seen })
-      .then(({ instance }) => {
-        if (this.studio_.chosen.get() === asked) this.take(instance);
+    const counts = this.newest_.begin();
+    this.ask(seen)
+      .then((instance) => {
+        if (counts()) this.take(instance);
       })
       .catch(() => undefined);
+  }
+
+  private async ask(seen: SeenInstance): Promise<FoundInstance | null> {
+    const { instance } = await this.studio_.connection.request<{ instance: FoundInstance | null }>('instance', { ...seen });
+    return instance;
+  }
+
+  /// A shoot of an earlier growth is asked for again, since its course and its year may be others; drags pass.
+  private hear(grown: Grown | null): void {
+    if (grown === this.heard_) return;
+    this.heard_ = grown;
+    if (grown && !grown.dragged && InstanceChoice.shoot_of(this.found.get())) this.again_.ask();
+  }
+
+  /// The shoot is let go where another one, or none, stands in its place now.
+  private async ask_again(): Promise<void> {
+    const shoot = InstanceChoice.shoot_of(this.found.get());
+    const seen = this.seen.get();
+    if (!shoot || !seen) return;
+    const counts = this.newest_.begin();
+    const now = InstanceChoice.shoot_of(await this.ask(seen));
+    if (!counts()) return;
+    if (now && now.shoot === shoot.shoot && now.tree === shoot.tree) this.found.set(now);
+    else this.forget();
   }
 
   private take(instance: FoundInstance | null): void {

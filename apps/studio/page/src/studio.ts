@@ -31,7 +31,7 @@ export class Studio {
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_handles: true, is_sunlit: false, solo: null });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
   readonly instance = new InstanceChoice(this);
@@ -150,7 +150,7 @@ export class Studio {
     await this.keeper.flush();
     const { is_changed } = this.document;
     const left = this.document.state.get();
-    this.bench.time.leave();
+    const time = this.bench.time.leave();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
       this.take_opened(opened);
@@ -159,6 +159,7 @@ export class Studio {
       await this.keeper.offer(opened);
       return true;
     } catch (fault) {
+      this.bench.time.come_back(time);
       if (fault instanceof Refusal) this.tell(fault.message, true);
       return false;
     }

@@ -26,7 +26,7 @@ export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
   return { ...growth, grown: { ...grown, ...counts }, failed: null };
 }
 /// Jobs that panels wait for themselves.
-const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture']);
+const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture', 'question']);
 
 /// Work of another kind may go on while this one is over.
 export function with_work(growth: GrowthState, news: Working): GrowthState {
@@ -44,7 +44,7 @@ export interface ViewState {
   drawing: Drawing;
   hidden: ReadonlySet<string>; // components that are not drawn
   shows_ground: boolean;
-  shows_handles: boolean; // of what is chosen
+  shows_grips: boolean; // of what is chosen
   is_sunlit: boolean; // by the document's sun
   solo: string | null; // the component that is drawn alone, with all that stands on it
 }

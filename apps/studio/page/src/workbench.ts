@@ -26,7 +26,7 @@ export class Workbench {
   readonly measures: MeasureModel;
   readonly record: Recording;
   readonly still: Recording;
-  readonly growth: GrowthLook;
+  readonly growth_look: GrowthLook;
 
   constructor(studio: Studio) {
     this.derivation = new DerivationModel(studio);
@@ -37,7 +37,7 @@ export class Workbench {
     this.measures = new MeasureModel(studio);
     this.record = new Recording(studio, true);
     this.still = new Recording(studio, false);
-    this.growth = new GrowthLook(studio);
+    this.growth_look = new GrowthLook(studio);
   }
 
   /// Another document is opened.
@@ -49,7 +49,7 @@ export class Workbench {
     this.pruning.forget();
     this.gizmo.forget();
     this.leaf_curves.forget();
-    this.growth.clear();
+    this.growth_look.clear();
     this.measures.forget();
     this.still.made.set(null);
     this.record.made.set(null);

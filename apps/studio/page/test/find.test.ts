@@ -11,6 +11,7 @@ import { strip_states, variable_states } from '../src/find/strip_states.ts';
 import { groups_of, shown_measure } from '../src/measures/measure_groups.ts';
 import { values_of } from '../src/measures/sweep_part.tsx';
 import type { Row } from '../src/tables/tables.ts';
+import { kFieldOfView, Orbit } from '../src/view/orbit.ts';
 
 const kRow: Row = { name: 'curl', kind: 'number', doc: '', min: 0, max: 90, usual: [0, 40], varies: 'instance' };
 const kTypes = { camera: { doc: '', table: 'camera', is_camera: true }, tree: { doc: '', table: 'tree', makes_stems: true } };
@@ -60,7 +61,7 @@ test('the camera is written over what it said, or added above all that it links 
     { set: 'components.view.target', value: [0, 1, 0] },
     { set: 'components.view.field_of_view', value: 32 },
   ]);
-  assert.deepEqual(camera_of_document(said, graph_of(said, kTypes)), { azimuth: 30, altitude: 6 });
+  assert.deepEqual(camera_of_document(said, graph_of(said, kTypes), 35), { azimuth: 30, altitude: 6, field_of_view: 35 });
   const without_one = { components: { a: { type: 'tree' }, b: { type: 'tree' } } };
   const edits = camera_edits(without_one, graph_of(without_one, kTypes), camera);
   assert.deepEqual(edits.slice(1), [{ set: 'links', value: [] }, { insert: 'links[0]', value: ['camera', 'a'] }, { insert: 'links[1]', value: ['camera', 'b'] }]);
@@ -75,4 +76,22 @@ test('measures stand under headings and are read at a look', () => {
   assert.equal(shown_measure(12345.6), '12,346');
   assert.equal(shown_measure([1, 2.5]), '1, 2.5');
   assert.equal(shown_measure(null), '–');
+});
+
+test('the view looks with the field of view of the document’s camera', () => {
+  const said = { components: { eye: { type: 'camera', position: [0, 1, 4], target: [0, 1, 0], field_of_view: 60 }, tree: { type: 'tree' } }, links: [['eye', 'tree']] };
+  const found = camera_of_document(said, graph_of(said, kTypes), 35);
+  assert.ok(found && 'state' in found);
+  assert.equal(found.state.field_of_view, 60);
+  const orbit = new Orbit();
+  orbit.look(found.state);
+  assert.equal(orbit.camera.fov, 60);
+  assert.ok(Math.abs(orbit.height_at_target - 8 * Math.tan(Math.PI / 6)) < 1e-9);
+  assert.equal(orbit.as_document.field_of_view, 60);
+  const other = new Orbit();
+  assert.ok(other.follow(orbit));
+  assert.equal(other.camera.fov, 60);
+  // A bookmark of before has none; so has what is said by angles where the camera says none.
+  orbit.look({ azimuth: 0, altitude: 0, distance: 4, target: [0, 1, 0] });
+  assert.equal(orbit.camera.fov, kFieldOfView);
 });

@@ -6,6 +6,9 @@ import { test } from 'node:test';
 import { next_position } from '../src/editors/next_position.ts';
 import { entry_of, entry_text } from '../src/editors/selection_text.ts';
 import { LatestSender } from '../src/server/latest_sender.ts';
+import { chosen_with, groups_at } from '../src/tables/resolve.ts';
+import type { Tables } from '../src/tables/tables.ts';
+import { completions } from '../src/text/completion.ts';
 
 test('selections: numbers, ranges and conditions, typed as people write them', () => {
   assert.equal(entry_of(' 7 '), 7);
@@ -44,4 +47,20 @@ test('drags: while one is answered, only the newest of those that came is sent',
   sender.drop();
   await new Promise((done) => setTimeout(done, 60));
   assert.equal(sent.length, 3);
+});
+
+test('names at the top of documents: each is offered, and what is one part is chosen as one', () => {
+  const row = (name: string, table?: string): object => ({ name, kind: table ? 'object' : 'text', doc: '', ...(table ? { table } : {}) });
+  const tables = {
+    document: 'document',
+    animation: 'animation',
+    limits: 'limits',
+    components: {},
+    tables: { document: { rows: [row('seed'), row('scene', 'scene'), row('output', 'output')] }, scene: { rows: [] }, animation: { rows: [row('length')] }, limits: { rows: [] } },
+  } as unknown as Tables;
+  const offered = completions(tables, null, '{"limits": {}, "', 16).options.map((one) => one.label);
+  assert.deepEqual(offered, ['"seed"', '"scene"', '"output"', '"variables"', '"components"', '"links"', '"animation"']);
+  const chosen = ['seed', 'scene.sun', 'output', 'animation.keys', 'limits', 'links[2].kind', 'links', 'components.leaf.length', 'components["a.b"]', 'variables.size'];
+  assert.deepEqual(chosen.map((path) => chosen_with(tables, path)), [null, 'scene', 'output', 'animation', 'limits', 'links[2]', null, 'components.leaf', 'components["a.b"]', null]);
+  assert.deepEqual(groups_at(tables, null, 'animation').map((one) => one.title), ['Animation']);
 });

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's way, turns of documents, handles from the tables, operations in words.
+// The sun's way, turns of documents, grips from the tables, operations in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { Store } from '../src/base/store.ts';
 import { draw_midrib, draw_widths, drawn_points } from '../src/grass/curves.ts';
 import { day_of, day_of_date, date_of_day, daylight, declination, hour_and_declination, hour_of, sun_place } from '../src/scene/sun_math.ts';
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
+import { InstanceChoice } from '../src/instance_choice.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
 import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
+import type { Studio } from '../src/studio.ts';
+import { kNoGrowth } from '../src/studio_state.ts';
 import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
-import { with_values } from '../src/view/gizmo/gizmo.ts';
-import type { HandleGroup, Sight } from '../src/view/gizmo/handle.ts';
-import { amount_of } from '../src/view/gizmo/handle.ts';
+import { with_values } from '../src/document/put_values.ts';
+import type { GripGroup, Sight } from '../src/view/gizmo/grip.ts';
+import { amount_of } from '../src/view/gizmo/grip.ts';
 import { groups_of_object } from '../src/view/gizmo/row_groups.ts';
 import type { Vec } from '../src/view/gizmo/space_math.ts';
 import { along_line, framed, frame_of_rows, kWorld, on_plane, point_in, turn_of, turns_to, vector_in, vector_out } from '../src/view/gizmo/space_math.ts';
@@ -90,8 +94,8 @@ const kTables = {
   },
 } as unknown as Tables;
 const kSight: Sight = { right: [1, 0, 0], toward: [0, 0, 1], reach: 1 };
-const of = (table: string, value: unknown, path: string): HandleGroup[] => groups_of_object(kTables, [kTables.tables[table] ?? { doc: '', rows: [] }], value as never, path, path, kWorld, kSight);
-const values_of = (group: HandleGroup | undefined, key: string, by: Vec, degrees = 0): unknown => group?.handles.find((one) => one.key === key)?.values({ by, degrees, step: 0.01 });
+const of = (table: string, value: unknown, path: string): GripGroup[] => groups_of_object(kTables, [kTables.tables[table] ?? { doc: '', rows: [] }], value as never, path, path, kWorld, kSight);
+const values_of = (group: GripGroup | undefined, key: string, by: Vec, degrees = 0): unknown => group?.grips.find((one) => one.key === key)?.values({ by, degrees, step: 0.01 });
 
 test('a box is moved, sized and turned about its middle', () => {
   const [box] = of('scene', { obstacles: [{ box: [[1, 0, 0], [3, 2, 2]] }] }, 'scene');
@@ -107,7 +111,7 @@ test('a box is moved, sized and turned about its middle', () => {
   near_all(turned['scene.obstacles[0].translate'] ?? [], [1, 0, 3], 1e-4);
 });
 
-test('lamps, meshes and wires are moved; expressions have no handles', () => {
+test('lamps, meshes and wires are moved; expressions have no grips', () => {
   const groups = of('scene', { lamps: [{ position: [1, 2, 3] }, { position: ['t', 0, 0] }], obstacles: [{ mesh: 'a.obj', translate: [1, 0, 0] }], supports: { wire: [[0, 1, 0], [2, 1, 0]] } }, 'scene');
   assert.deepEqual(groups.map((one) => one.label), ['obstacle 1, place', 'lamp 1', 'support wire, point 1', 'support wire, point 2']);
   assert.deepEqual(values_of(groups[1], 'move xz', [1, 0, 1]), { 'scene.lamps[0].position': [2, 2, 4] });
@@ -132,10 +136,10 @@ test('points of a profile are dragged across the view and keep their order', () 
 
 test('a hand moves along the line that it has hold of', () => {
   const [box] = of('scene', { obstacles: [{ box: [[0, 0, 0], [2, 2, 2]] }] }, 'scene');
-  const handle = box?.handles.find((one) => one.key === 'move x');
-  assert.ok(handle);
+  const grip = box?.grips.find((one) => one.key === 'move x');
+  assert.ok(grip);
   const ray = (x: number): { origin: Vec; way: Vec } => ({ origin: [x, 5, 10], way: [0, 0, -1] });
-  near_all(amount_of({ handle, start: ray(2) }, ray(3.5), kSight.toward, 0.1)?.by ?? [], [1.5, 0, 0]);
+  near_all(amount_of({ grip, start: ray(2) }, ray(3.5), kSight.toward, 0.1)?.by ?? [], [1.5, 0, 0]);
 });
 
 test('values under the hand stand in the place of the document\'s', () => {
@@ -180,4 +184,42 @@ test('operations are told in words, and by years', () => {
   const years = years_of(acts, [{ do: 'cut' }, { do: 'cut', season: 'summer' }], 'c.operations');
   assert.deepEqual(years.map(({ year, seasons }) => [year, seasons.map(({ season, entries }) => [season, entries.length])]), [[7, [['winter', 1]]], [8, [['summer', 1], ['winter', 1]]]]);
   assert.equal(text_with_off('[{"do": "cut"}]', 1, false), '[{"off": true, "do": "cut"}]');
+});
+
+/// A studio that answers questions for an instance when it is told to.
+function asked_studio(): { studio: Studio; grow: () => void; answer: (shoot: string | null, iteration: number) => Promise<void> } {
+  const growth = new Store(kNoGrowth);
+  const waiting: ((answer: object) => void)[] = [];
+  const request = (): Promise<object> => new Promise((done) => waiting.push(done));
+  const studio = { growth, chosen: new Store('components.tree'), choose: () => undefined, connection: { request } } as unknown as Studio;
+  const answer = async (shoot: string | null, iteration: number): Promise<void> => {
+    const instance = shoot === null ? null : { component: 'tree', shoot, tree: 0, metamer: 1, course: [0, 0, 0], metamers: [1], iteration };
+    waiting.shift()?.({ instance });
+    await new Promise((done) => setTimeout(done, 40));
+  };
+  return { studio, answer, grow: () => growth.merge({ grown: { dragged: false } as never }) };
+}
+
+test('a chosen shoot is one of the growth on show, or let go', async () => {
+  const { studio, grow, answer } = asked_studio();
+  const choice = new InstanceChoice(studio);
+  choice.choose({ component: 'tree', frame: [], position: [0, 1, 0] });
+  await answer('main.2', 8);
+  assert.equal(choice.found.get()?.iteration, 8);
+  grow();
+  await answer('main.2', 9);
+  assert.equal(choice.found.get()?.iteration, 9);
+  grow();
+  await answer('main.3', 10);
+  assert.equal(choice.found.get(), null);
+  assert.equal(choice.seen.get(), null);
+});
+
+test('an answer for a shoot that was let go meanwhile counts no more', async () => {
+  const { studio, answer } = asked_studio();
+  const choice = new InstanceChoice(studio);
+  choice.choose({ component: 'tree', frame: [], position: [0, 1, 0] });
+  choice.forget();
+  await answer('main.2', 8);
+  assert.equal(choice.found.get(), null);
 });

@@ -3,9 +3,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { without } from '../src/base/lists.ts';
 import type { Json } from '../src/document/json.ts';
+import type { Studio } from '../src/studio.ts';
+import { Store } from '../src/base/store.ts';
+import { dragged_values, set_values, value_now } from '../src/time/values_now.ts';
 import { moved_delay } from '../src/time/clock_rows.tsx';
-import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time, without_key } from '../src/time/keys.ts';
+import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time } from '../src/time/keys.ts';
+import { TimeModel } from '../src/time/time_model.ts';
 import type { Key } from '../src/time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../src/time/track.ts';
 
@@ -51,7 +56,7 @@ test('keys are put in by their time, moved between their neighbours and taken aw
   assert.equal(key_at(three, 4.00001), 2);
   assert.deepEqual(with_time(three, 1, 99, 10).map((one) => one.time), [0, 3.99, 4]);
   assert.deepEqual(with_time(three, 2, 99, 10).map((one) => one.time), [0, 2, 10]);
-  assert.equal(without_key(three, 0).length, 2);
+  assert.equal(without(three, 0).length, 2);
 });
 
 test('a document gets an animation with its first key, and loses the keys with the last', () => {
@@ -61,7 +66,7 @@ test('a document gets an animation with its first key, and loses the keys with t
   assert.deepEqual(track, { name: 'stem.length', path: 'components.stem.length', keys: keys([0, 1], [4, 2, 'smooth']) });
   assert.deepEqual(keys_edits(film, 'stem.length', keys([0, 1])), [{ set: 'animation.keys["stem.length"]', value: [[0, 1]] }]);
   assert.deepEqual(keys_edits(film, 'stem.length', []), [{ unset: 'animation.keys' }]);
-  assert.deepEqual(dragged_keys(film, 'stem.radius', keys([0, 1])), { 'animation.keys': { 'stem.length': [[0, 1], [4, 2, 'smooth']], 'stem.radius': [[0, 1]] } });
+  assert.deepEqual(dragged_keys(film, { 'stem.radius': keys([0, 1]) }), { 'animation.keys': { 'stem.length': [[0, 1], [4, 2, 'smooth']], 'stem.radius': [[0, 1]] } });
   assert.deepEqual(animation_of(film), { length: 4, fps: 25 });
   assert.equal(animation_of({}), null);
   // What is not well written has no track, and hinders none.
@@ -74,4 +79,93 @@ test('a delay moves as a number and as a range, and not as an expression', () =>
   assert.deepEqual(moved_delay([1, 3], -1), [0, 2]);
   assert.deepEqual(moved_delay({ range: [1, 3], apply: 'v*2' }, 1), { range: [2, 4], apply: 'v*2' });
   assert.equal(moved_delay('3*rand()', 1), null);
+});
+
+/// A studio whose view shows a time, and that notes its edits.
+function at_time(document: Json, time: number): { studio: Studio; edits: object[] } {
+  const edits: object[] = [];
+  const tracks = tracks_of(document, kTops);
+  const edit = (all: object[], label: string): Promise<null> => {
+    edits.push({ all, label });
+    return Promise.resolve(null);
+  };
+  return { studio: { edit, dragged: new Store({}), bench: { time: { document, tops: kTops, tracks, time } } } as unknown as Studio, edits };
+}
+
+test('what has keys is seen and edited at the time of the view, whoever edits it', () => {
+  const document = {
+    scene: { sun: { azimuth: 90, altitude: 10 } },
+    components: { stem: { frame: { translate: [1, 0, 0] } } },
+    animation: { length: 4, keys: { 'scene.sun.altitude': [[0, 10], [4, 50]], 'stem.frame.translate[1]': [[0, 0], [4, 2]] } },
+  };
+  const { studio, edits } = at_time(document, 2);
+  assert.deepEqual(value_now(studio, 'scene', document.scene), { sun: { azimuth: 90, altitude: 30 } });
+  assert.deepEqual(value_now(studio, 'components.stem', document.components.stem), { frame: { translate: [1, 1, 0] } });
+  set_values(studio, { 'scene.sun.altitude': 40 }, 'Set the sun');
+  set_values(studio, { 'scene.sun.azimuth': 80, 'scene.sun.altitude': 40 }, 'Set the sun');
+  // The element with keys of a vector that a hand moves gets one where it is another than its keys say.
+  set_values(studio, { 'components.stem.frame.translate': [3, 1, 0] }, 'Set the stem');
+  set_values(studio, { 'components.stem.frame.translate': [1, 1.5, 0] }, 'Set the stem');
+  const sun = { set: 'animation.keys["scene.sun.altitude"]', value: [[0, 10], [2, 40], [4, 50]] };
+  const still = { set: 'animation.keys["stem.frame.translate[1]"]', value: [[0, 0], [4, 2]] };
+  assert.deepEqual(edits, [
+    { all: [sun], label: 'Key the sun' },
+    { all: [{ set: 'scene.sun.azimuth', value: 80 }, sun], label: 'Set the sun' },
+    { all: [{ set: 'components.stem.frame.translate', value: [3, 1, 0] }], label: 'Set the stem' },
+    { all: [{ set: 'components.stem.frame.translate', value: [1, 1.5, 0] }, { ...still, value: [[0, 0], [2, 1.5], [4, 2]] }], label: 'Set the stem' },
+  ]);
+  assert.deepEqual(dragged_values(studio, { 'scene.sun.altitude': 40 }), { 'animation.keys': { ...document.animation.keys, 'scene.sun.altitude': sun.value } });
+  assert.deepEqual(dragged_values(studio, { 'scene.sun.azimuth': 1 }), { 'scene.sun.azimuth': 1 });
+});
+
+test('a value within one that has keys as a whole changes its part of the key', () => {
+  const document = { components: { stem: { frame: { translate: [1, 0, 0] } } }, animation: { length: 4, keys: { 'stem.frame.translate': [[0, [0, 0, 0]], [4, [4, 4, 4]]] } } };
+  const { studio, edits } = at_time(document, 2);
+  set_values(studio, { 'components.stem.frame.translate[2]': 9 }, 'Set the stem');
+  assert.deepEqual(edits, [{ all: [{ set: 'animation.keys["stem.frame.translate"]', value: [[0, [0, 0, 0]], [2, [2, 2, 9]], [4, [4, 4, 4]]] }], label: 'Key the stem' }]);
+});
+
+/// A model of the time whose server and view are looked at.
+function model_of_time(): { model: TimeModel; asked: Record<string, number>[]; view: { is_software: boolean; moves: boolean } } {
+  const asked: Record<string, number>[] = [];
+  const view = { is_software: true, moves: false, move_time: (moves: boolean): void => void (view.moves = moves) };
+  const send = (_: string, members: Record<string, number>): Promise<object> => {
+    asked.push(members);
+    return Promise.resolve({});
+  };
+  const studio = { document: { state: new Store({ tree: null }) }, tables: { tables: {}, document: '' }, view, connection: { request: send, tell: send } };
+  return { model: new TimeModel(studio as unknown as Studio), asked, view };
+}
+
+const later = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+
+test('while the time moves the view knows it and few triangles are asked for; at rest as many as ever', async () => {
+  (globalThis as { window?: object }).window ??= globalThis;
+  const { model, asked, view } = model_of_time();
+  model.scrub(1);
+  assert.ok(view.moves);
+  assert.equal(asked[0]?.['rest_triangles'], 60_000);
+  await later(220);
+  assert.ok(!view.moves);
+  assert.equal(asked.at(-1)?.['rest_triangles'], 250_000);
+  // Played, it moves until it is stopped, however long a picture takes.
+  model.state.merge({ is_playing: true });
+  model.scrub(2);
+  await later(220);
+  assert.ok(view.moves);
+  model.stop();
+  await later(40);
+  assert.ok(!view.moves);
+  assert.deepEqual([asked.at(-1)?.['time'], asked.at(-1)?.['rest_triangles']], [2, 250_000]);
+});
+
+test('a document that cannot be opened leaves the time as it is', async () => {
+  const { model, asked } = model_of_time();
+  model.scrub(3);
+  const left = model.leave();
+  assert.equal(model.time, 0);
+  model.come_back(left);
+  await later(40);
+  assert.equal(model.time, 3);
+  assert.equal(asked.at(-1)?.['time'], 3);
 });

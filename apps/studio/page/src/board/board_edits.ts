@@ -28,7 +28,7 @@ export function link_of(path: string): number | null {
   return found ? Number(found[1]) : null;
 }
 
-/// A name that no component has: the wanted one, or with a number behind it.
+/// A name that is not taken: the wanted one, or with a number behind it.
 export function free_name(wanted: string, taken: { has(name: string): boolean }): string {
   const plain = wanted.replace(/[^A-Za-z0-9_]/g, '_') || 'part';
   if (!taken.has(plain)) return plain;

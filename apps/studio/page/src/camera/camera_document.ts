@@ -36,16 +36,20 @@ export function camera_edits(document: Json | undefined, graph: PlantGraph, came
   return [...gone.map((name): Edit => ({ unset: path_below(path, name) })), ...Object.entries(said).map(([name, value]): Edit => ({ set: path_below(path, name), value }))];
 }
 
+export type DocumentCamera = { state: CameraState } | { azimuth: number; altitude: number; field_of_view: number };
+
 /// From where the document's camera looks; without a position, only from which side. Null where it says neither, or by
-/// expressions.
-export function camera_of_document(document: Json | undefined, graph: PlantGraph): { state: CameraState } | { azimuth: number; altitude: number } | null {
+/// expressions. `usual` is the field of view of a camera that says none.
+export function camera_of_document(document: Json | undefined, graph: PlantGraph, usual: number): DocumentCamera | null {
   const found = [...graph.components.values()].find((one) => one.is_camera && one.is_written);
   const said = found ? member_of(member_of(document, 'components'), found.id) : undefined;
   const [position, target] = [point_of(member_of(said, 'position')), point_of(member_of(said, 'target'))];
-  if (position && target) return { state: state_between(position, target) };
+  const opening = member_of(said, 'field_of_view');
+  const field_of_view = typeof opening === 'number' ? opening : usual;
+  if (position && target) return { state: { ...state_between(position, target), field_of_view } };
   const [azimuth, altitude] = [member_of(said, 'azimuth'), member_of(said, 'altitude')];
   if (typeof azimuth !== 'number' && typeof altitude !== 'number') return null;
-  return { azimuth: typeof azimuth === 'number' ? azimuth : 150, altitude: typeof altitude === 'number' ? altitude : 6 };
+  return { azimuth: typeof azimuth === 'number' ? azimuth : 150, altitude: typeof altitude === 'number' ? altitude : 6, field_of_view };
 }
 
 function point_of(value: Json | undefined): [number, number, number] | null {

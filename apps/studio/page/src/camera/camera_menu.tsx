@@ -7,6 +7,8 @@ import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
+import { component_groups } from '../tables/tables.ts';
+import { kFieldOfView } from '../view/orbit.ts';
 import { bookmarks_of, keep_bookmarks, next_name } from './bookmarks.ts';
 import { camera_edits, camera_of_document } from './camera_document.ts';
 
@@ -16,7 +18,7 @@ export function CameraMenu(): ReactElement {
   const [, redraw] = useState(0);
   const { graph } = studio.board.actions;
   const bookmarks = bookmarks_of(document);
-  const written = camera_of_document(document.tree?.value, graph);
+  const written = camera_of_document(document.tree?.value, graph, usual_field_of_view(studio));
   const keep = (all: typeof bookmarks): void => {
     keep_bookmarks(document, all);
     redraw((count) => count + 1);
@@ -51,9 +53,17 @@ function set_camera(studio: Studio): void {
 
 function look_as_document(studio: Studio): void {
   const { graph, document } = studio.board.actions;
-  const written = camera_of_document(document, graph);
+  const written = camera_of_document(document, graph, usual_field_of_view(studio));
   if (!written || !studio.view) return;
   if ('state' in written) return studio.view.look(written.state);
   studio.view.look_from(written.azimuth, written.altitude);
+  studio.view.open_to(written.field_of_view);
   studio.view.fit();
+}
+
+/// That of a camera that says none, as the tables have it.
+function usual_field_of_view({ tables }: Studio): number {
+  const type = Object.keys(tables.components).find((one) => tables.components[one]?.is_camera) ?? '';
+  const rows = component_groups(tables, type).flatMap((one) => one.rows);
+  return Number(rows.find((row) => row.name === 'field_of_view')?.default ?? kFieldOfView);
 }

@@ -6,8 +6,8 @@ import { useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
-import { copy_command } from '../copy_command.ts';
 import { Made } from '../dialogs/export_dialog.tsx';
+import { ExportFooter } from '../dialogs/export_footer.tsx';
 import type { ExportOptions } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 
@@ -40,16 +40,12 @@ export function StillDialog({ close }: { close: () => void }): ReactElement {
   const options: ExportOptions = { width: Number(width), height, samples: Number(samples), ...(transparent ? { transparent } : {}), ...(time > 0 ? { time } : {}), ...(view ? { camera: view.orbit.as_document } : {}) };
   const wish = { format: '.png', name: null, options };
   const footer = (
-    <>
-      <Button icon="command" tip="The line that does the same in a terminal" press={() => void copy_command(studio, wish)}>
-        Copy as command
-      </Button>
-      <span className="stretch" />
-      {is_busy && <Button press={() => studio.connection.tell('cancel')}>Cancel</Button>}
+    <ExportFooter wish={wish}>
+      {is_busy && <Button press={() => still.cancel()}>Cancel</Button>}
       <Button kind="main" icon="camera" is_off={is_busy || !good} press={() => still.make(wish)}>
         {is_busy ? 'Rendering…' : 'Render'}
       </Button>
-    </>
+    </ExportFooter>
   );
   return (
     <Dialog title="Still" width="wide" close={close} footer={footer}>

@@ -7,11 +7,11 @@ import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { copy_command } from '../copy_command.ts';
-import { NumberField } from '../controls/number_field.tsx';
+import { NumberLine } from '../controls/number_line.tsx';
 import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { take_file } from '../time/recording.ts';
+import { ExportFooter } from './export_footer.tsx';
 import { size_text } from './file_dialogs.tsx';
 
 const kInstances = [
@@ -76,15 +76,11 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
       .finally(() => set_busy(false));
   };
   const footer = (
-    <>
-      <Button icon="command" tip="The line that does the same in a terminal" press={() => void copy_command(studio, wish)}>
-        Copy as command
-      </Button>
-      <span className="stretch" />
+    <ExportFooter wish={wish}>
       <Button kind="main" icon="export" is_off={is_busy || !good} press={make}>
         {is_busy ? 'Exporting…' : 'Export'}
       </Button>
-    </>
+    </ExportFooter>
   );
   return (
     <Dialog title="Export" close={close} footer={footer}>
@@ -97,8 +93,8 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
           </label>
         ))}
       </div>
-      {options_of(format).map((option) => (
-        <OptionLine key={option.name} option={option} options={options} set={set_options} />
+      {options_of(format).map(({ name, fallback, ...form }) => (
+        <NumberLine key={name} {...form} value={options[name] ?? fallback} set={(value) => set_options({ ...options, [name]: value })} />
       ))}
       {format?.instances && (
         <div className="field-line">
@@ -127,17 +123,6 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
       {is_busy && <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the export" />}
       {made && <Made file={made} />}
     </Dialog>
-  );
-}
-
-function OptionLine({ option, options, set }: { option: NumberOption; options: ExportOptions; set: (options: ExportOptions) => void }): ReactElement {
-  const { name, label, unit, step, low, high, fallback } = option;
-  const put = (value: number): void => set({ ...options, [name]: value });
-  return (
-    <div className="field-line">
-      <span>{label}</span>
-      <NumberField label={label} value={options[name] ?? fallback} step={step} unit={unit} limit={(one) => Math.min(high, Math.max(low, one))} drag={put} commit={put} cancel={() => undefined} />
-    </div>
   );
 }
 

@@ -6,11 +6,11 @@ import { useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
-import { NumberField } from '../controls/number_field.tsx';
-import { copy_command } from '../copy_command.ts';
+import { NumberLine } from '../controls/number_line.tsx';
 import type { ExportOptions } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { Made } from './export_dialog.tsx';
+import { ExportFooter } from './export_footer.tsx';
 
 const kSizes = [
   ['640x360', '640 × 360'],
@@ -42,16 +42,12 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
   const options: ExportOptions = { width, height, samples, frames: { from, to, step: 1 / rate }, ...(camera ? { camera } : {}) };
   const wish = { format: ending, name: null, options };
   const footer = (
-    <>
-      <Button icon="command" tip="The line that does the same in a terminal" press={() => void copy_command(studio, wish)}>
-        Copy as command
-      </Button>
-      <span className="stretch" />
-      {is_busy && <Button press={() => studio.connection.tell('cancel')}>Cancel</Button>}
+    <ExportFooter wish={wish}>
+      {is_busy && <Button press={() => studio.bench.record.cancel()}>Cancel</Button>}
       <Button kind="main" icon="film" is_off={is_busy || !good} press={() => studio.bench.record.make(wish)}>
         {is_busy ? 'Recording…' : `Record ${frames} frames`}
       </Button>
-    </>
+    </ExportFooter>
   );
   return (
     <Dialog title="Record" close={close} footer={footer}>
@@ -80,24 +76,5 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
       )}
       {made && <Made file={made} />}
     </Dialog>
-  );
-}
-
-interface NumberLineProps {
-  label: string;
-  unit?: string;
-  value: number;
-  step: number;
-  low: number;
-  high: number;
-  set: (value: number) => void;
-}
-
-function NumberLine({ label, unit, value, step, low, high, set }: NumberLineProps): ReactElement {
-  return (
-    <div className="field-line">
-      <span>{label}</span>
-      <NumberField label={label} unit={unit} value={value} step={step} limit={(one) => Math.min(high, Math.max(low, one))} drag={set} commit={set} cancel={() => undefined} />
-    </div>
   );
 }

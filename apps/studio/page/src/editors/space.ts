@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points of space as two pictures show them, side by side: from the front, x to the right and y up, and from the right
 // or from above.
+import type { Vec } from '../base/vec.ts';
 import { fitting_step, rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
 import type { Frame, Point, Range } from './shape.ts';
-
-export type Place = readonly [number, number, number];
 
 /// One of the pictures: which of the three numbers goes to the right and which goes up, and whether it is turned round.
 export interface Side {
@@ -30,18 +29,18 @@ export function names_of(side: Side): readonly [string, string] {
 }
 
 /// Nothing where expressions stand in it.
-export function places_of(value: Json | undefined): Place[] | null {
+export function places_of(value: Json | undefined): Vec[] | null {
   if (!Array.isArray(value)) return null;
   const places = value.filter((one): one is [number, number, number] => Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'));
   return places.length === value.length ? places : null;
 }
 
-export function seen_from(side: Side, place: Place): Point {
+export function seen_from(side: Side, place: Vec): Point {
   return [side.signs[0] * place[side.across], side.signs[1] * place[side.up]];
 }
 
 /// The place that is seen there; what the picture does not show of it stays.
-export function moved_in(side: Side, place: Place, [across, up]: Point, digits: number): Place {
+export function moved_in(side: Side, place: Vec, [across, up]: Point, digits: number): Vec {
   const made: [number, number, number] = [place[0], place[1], place[2]];
   made[side.across] = rounded(side.signs[0] * across, digits);
   made[side.up] = rounded(side.signs[1] * up, digits);
@@ -49,7 +48,7 @@ export function moved_in(side: Side, place: Place, [across, up]: Point, digits: 
 }
 
 /// Both pictures show as much of space, so that places are as far apart in one as in the other.
-export function frame_from(side: Side, places: readonly Place[]): Frame {
+export function frame_from(side: Side, places: readonly Vec[]): Frame {
   const extents = [0, 1, 2].map((axis) => range_of(places.map((one) => one[axis] ?? 0)));
   const widest = Math.max(...extents.map((one) => one.high - one.low), 1e-6);
   const around = (axis: number, sign: number): Range => {
@@ -66,7 +65,7 @@ function range_of(numbers: readonly number[]): Range {
 }
 
 /// A step for arrow keys: about a hundred of them over all places.
-export function step_of(places: readonly Place[]): number {
+export function step_of(places: readonly Vec[]): number {
   const { x } = frame_from(kSides[0], places);
   return fitting_step(x.low, x.high, 100);
 }

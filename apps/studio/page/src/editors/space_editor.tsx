@@ -3,18 +3,19 @@
 import type { ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
+import type { Vec } from '../base/vec.ts';
 import { IconButton, Segments } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
 import { next_position } from './next_position.ts';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import { use_snapping } from './snapping.ts';
 import type { EditorSize } from './sizes.ts';
-import type { Place, Side } from './space.ts';
+import type { Side } from './space.ts';
 import { frame_from, kSides, moved_in, names_of, seen_from, step_of } from './space.ts';
 
 interface SpaceEditorProps {
   label: string;
-  places: readonly Place[];
+  places: readonly Vec[];
   is_joined: boolean;
   is_dim: boolean;
   size: EditorSize;
@@ -34,9 +35,9 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
   const { snaps, set_snaps } = use_snapping();
   const index = Math.min(chosen, places.length - 1);
   const digits = step_of(places);
-  const plain = (made: readonly Place[]): Json => made.map((one) => [...one]);
+  const plain = (made: readonly Vec[]): Json => made.map((one) => [...one]);
   const moved = (view: Side, which: number, point: readonly [number, number], step: number): Json => plain(places.map((one, k) => (k === which ? moved_in(view, one, point, step) : one)));
-  const put = (made: readonly Place[], which: number): void => {
+  const put = (made: readonly Vec[], which: number): void => {
     commit(plain(made));
     choose(which);
     focus_point(root.current, which);
@@ -46,7 +47,7 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
   };
   const add_after = (which: number): void => {
     const [here, next] = [places[which], places[which + 1]];
-    const made = here && next ? (here.map((one, axis) => (one + (next[axis] ?? 0)) / 2) as unknown as Place) : (next_position(plain(places) as Json[]) as unknown as Place);
+    const made = here && next ? (here.map((one, axis) => (one + (next[axis] ?? 0)) / 2) as unknown as Vec) : (next_position(plain(places) as Json[]) as unknown as Vec);
     put([...places.slice(0, which + 1), made, ...places.slice(which + 1)], which + 1);
   };
   const canvas = (view: Side): ReactElement => (

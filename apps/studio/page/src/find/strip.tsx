@@ -6,9 +6,7 @@ import type { Json } from '../document/json.ts';
 import { StillPicture } from './still_picture.tsx';
 import type { StripState } from './strip_states.ts';
 import { use_studio } from '../studio_context.ts';
-import { dragged_keys, with_key } from '../time/keys.ts';
-import type { Keyed } from '../time/use_keyed.ts';
-import type { StateValues } from './use_stills.ts';
+import { dragged_values } from '../time/values_now.ts';
 import { use_stills } from './use_stills.ts';
 
 interface StripProps {
@@ -17,16 +15,14 @@ interface StripProps {
   value: Json | undefined; // that holds now
   states: StripState[];
   take: (value: Json) => void;
-  keyed?: Keyed | null; // then the plants differ in the key at the view's time
 }
 
 const kPixels = 80;
 
-export function Strip({ label, path, value, states, take, keyed = null }: StripProps): ReactElement {
-  const { time } = use_studio().bench;
-  const values = (one: Json): StateValues => (keyed ? dragged_keys(time.document, keyed.track.name, with_key(keyed.track.keys, time.time, one)) : { [path]: one });
+export function Strip({ label, path, value, states, take }: StripProps): ReactElement {
+  const studio = use_studio();
   const pixels = kPixels * Math.min(2, Math.ceil(window.devicePixelRatio));
-  const { stills, is_working, fault } = use_stills(states.map((one) => values(one.value)), { width: pixels, height: pixels });
+  const { stills, is_working, fault } = use_stills(states.map((one) => dragged_values(studio, { [path]: one.value })), { width: pixels, height: pixels });
   return (
     <div className="strip" role="group" aria-label={`Plants over ${label}`} aria-busy={is_working}>
       {states.map((state, k) => (

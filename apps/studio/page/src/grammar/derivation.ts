@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a grammar derives, step by step: asked of the server while somebody looks, and shown as the plant of that step.
+import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import { is_object } from '../document/json.ts';
 import { member_of, path_below } from '../document/path.ts';
@@ -28,7 +29,7 @@ export class DerivationModel {
   readonly state = new Store<DerivationState>(kNothing);
   /// Index of the module that the pointer or the cursor is on, and where that was.
   readonly pointed = new Store<{ module: number; by: 'word' | 'view' } | null>(null);
-  private asked_ = 0;
+  private readonly newest_ = new Newest();
   private timer_ = 0;
   private seen_hash_ = '';
   private readonly looks_ = new Set<() => void>();
@@ -37,7 +38,7 @@ export class DerivationModel {
 
   /// Another document is opened. Who looks goes on to look at the component of this name.
   forget(): void {
-    this.asked_ += 1;
+    this.newest_.drop();
     this.pointed.set(null);
     this.state.set({ ...kNothing, component: this.looks_.size > 0 ? this.state.get().component : '' });
     this.seen_hash_ = '';
@@ -139,17 +140,16 @@ export class DerivationModel {
   private ask(): void {
     const { component, instance, number: wanted, step, is_drawn, first } = this.state.get();
     if (component === '') return;
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.state.merge({ is_working: true });
     this.studio_.connection
       .request<{ derivation: Derivation }>('grammar', { component, ...(instance === null ? { number: wanted } : { instance }), step, drawn: is_drawn, first, count: kModules })
-      .then(({ derivation }) => this.take(number, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }))
-      .catch((fault: unknown) => this.take(number, { fault: fault instanceof Refusal ? fault.message : '' }));
+      .then(({ derivation }) => this.take(counts, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }))
+      .catch((fault: unknown) => this.take(counts, { fault: fault instanceof Refusal ? fault.message : '' }));
   }
 
-  private take(number: number, part: Partial<DerivationState>): void {
-    if (number === this.asked_ && this.looks_.size > 0) this.state.merge({ ...part, is_working: false });
+  private take(counts: () => boolean, part: Partial<DerivationState>): void {
+    if (counts() && this.looks_.size > 0) this.state.merge({ ...part, is_working: false });
   }
 }
 

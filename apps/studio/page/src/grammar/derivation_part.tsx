@@ -20,7 +20,7 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
   const shown = step ?? steps;
   const go = (to: number): void => model.show_step(to === steps ? null : Math.max(0, to));
   const key = (event: KeyboardEvent): void => {
-    const to = { PageUp: shown - 1, PageDown: shown + 1 }[event.key];
+    const to = { PageUp: shown + 1, PageDown: shown - 1 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
     go(to);
@@ -29,9 +29,9 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
     <div className="derivation" role="group" aria-label="Derivation" onKeyDown={key}>
       <div className="derivation-steps">
         <IconButton is_small icon="first" label="Axiom" is_off={shown === 0} press={() => go(0)} />
-        <IconButton is_small icon="left" label="A step back" keys="PageUp" is_off={shown === 0} press={() => go(shown - 1)} />
+        <IconButton is_small icon="left" label="A step back" keys="PageDown" is_off={shown === 0} press={() => go(shown - 1)} />
         <NumberField label="Shown step" value={shown} step={1} limit={(one) => Math.max(0, Math.round(one))} drag={go} commit={go} cancel={() => go(steps)} />
-        <IconButton is_small icon="right" label="A step on" keys="PageDown" press={() => go(shown + 1)} />
+        <IconButton is_small icon="right" label="A step on" keys="PageUp" press={() => go(shown + 1)} />
         <IconButton is_small icon="last" label="All steps of the document" is_off={step === null} press={() => go(steps)} />
         <span className="quiet">of {steps} steps</span>
         <span className="stretch" />

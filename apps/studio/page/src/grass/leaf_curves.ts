@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which grass leaf's curves are shown, and what they are.
+import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Studio } from '../studio.ts';
 import type { LeafCurves } from './curves.ts';
@@ -7,7 +8,7 @@ import type { LeafCurves } from './curves.ts';
 export class LeafCurvesModel {
   readonly component = new Store<string | null>(null);
   readonly told = new Store<LeafCurves | null>(null);
-  private asked_ = 0;
+  private readonly newest_ = new Newest();
 
   constructor(private readonly studio_: Studio) {
     this.component.subscribe(() => this.told.set(null));
@@ -15,19 +16,18 @@ export class LeafCurvesModel {
 
   /// Another document is opened.
   forget(): void {
-    this.asked_ += 1;
+    this.newest_.drop();
     this.component.set(null);
     this.told.set(null);
   }
 
   /// Asks for the curves of a leaf as the document has grown last; the newest answer counts.
   ask(component: string, rank: number | null, leaf: number | null): void {
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.studio_.connection
       .request<{ curves: LeafCurves | null }>('curves', { component, ...(rank === null ? {} : { rank }), ...(leaf === null ? {} : { leaf }) })
       .then(({ curves }) => {
-        if (number === this.asked_ && this.component.get() === component) this.told.set(curves);
+        if (counts() && this.component.get() === component) this.told.set(curves);
       })
       .catch(() => undefined);
   }

@@ -9,13 +9,13 @@ import { use_studio } from '../studio_context.ts';
 import type { LegendKey } from './layers.ts';
 
 export function GrowthButton(): ReactElement {
-  const look = use_studio().bench.growth;
+  const look = use_studio().bench.growth_look;
   const { is_open } = use_store(look.state);
   return <IconButton icon="growth" label="Steps of growth, and what the plant grew by" keys="S" is_on={is_open} press={() => look.toggle()} />;
 }
 
 export function GrowthPanel(): ReactElement | null {
-  const look = use_studio().bench.growth;
+  const look = use_studio().bench.growth_look;
   const { is_open, legend } = use_store(look.state);
   if (!is_open) return null;
   return (
@@ -28,7 +28,7 @@ export function GrowthPanel(): ReactElement | null {
 }
 
 function Steps(): ReactElement {
-  const look = use_studio().bench.growth;
+  const look = use_studio().bench.growth_look;
   const { step, steps } = use_store(look.state);
   if (steps === 0) return <p className="quiet">No plant of this document grows step by step.</p>;
   const last = steps ?? 0;
@@ -54,7 +54,7 @@ function Steps(): ReactElement {
 }
 
 function Parts(): ReactElement {
-  const look = use_studio().bench.growth;
+  const look = use_studio().bench.growth_look;
   const { parts } = use_store(look.state);
   return (
     <div className="growth-parts" role="group" aria-label="Shown over the plant">

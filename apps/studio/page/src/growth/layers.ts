@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlays as the server tells them, made into layers of the view.
+import type { Vec } from '../base/vec.ts';
 import type { ToldLayer, ToldPlaces } from '../server/growth_protocol.ts';
-import type { OverlayArrow, OverlayLayer, Place } from '../view/overlays.ts';
+import type { OverlayArrow, OverlayLayer } from '../view/overlays.ts';
 
 export interface LegendKey {
   colour: [number, number, number]; // 0 to 1
@@ -33,7 +34,7 @@ function bytes_of(text: string): Uint8Array<ArrayBuffer> {
 }
 
 function arrows_of({ positions, colours }: { positions: Float32Array; colours: Uint8Array }): OverlayArrow[] {
-  const at = (numbers: ArrayLike<number>, first: number): Place => [numbers[first] ?? 0, numbers[first + 1] ?? 0, numbers[first + 2] ?? 0];
+  const at = (numbers: ArrayLike<number>, first: number): Vec => [numbers[first] ?? 0, numbers[first + 1] ?? 0, numbers[first + 2] ?? 0];
   const arrows: OverlayArrow[] = [];
   for (let k = 0; 6 * k < positions.length; ++k) {
     arrows.push({ from: at(positions, 6 * k), to: at(positions, 6 * k + 3), colour: at(colours, 8 * k) });

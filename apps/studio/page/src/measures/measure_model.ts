@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures of the plant, asked of the server while somebody looks and made anew after each change; and measures over the
 // values of a handle.
+import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
-import type { Fault } from '../server/protocol.ts';
+import type { Job } from '../server/connection.ts';
+import type { Fault, Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 
@@ -46,16 +48,18 @@ export class MeasureModel {
   readonly sweep = new Store<SweepState>(kNoSweep);
   private looks_ = 0;
   private timer_ = 0;
-  private asked_ = 0;
-  private swept_ = 0;
+  private readonly newest_ = new Newest(); // of measures
+  private readonly newest_sweep_ = new Newest();
+  private sweeping_: Job<{ sweep: SweepPoint[] }> | null = null;
   private seen_ = ''; // what was measured last
+  private called_off_: Grown | null = null; // the growth whose measuring was cancelled: it is measured when somebody asks
 
   constructor(private readonly studio_: Studio) {}
 
   /// Another document is opened.
   forget(): void {
-    this.asked_ += 1;
-    this.swept_ += 1;
+    this.newest_.drop();
+    this.newest_sweep_.drop();
     this.seen_ = '';
     this.sweep.set(kNoSweep);
     this.state.merge({ told: null, fault: '', is_working: false });
@@ -64,6 +68,7 @@ export class MeasureModel {
   /// Keeps the measures up to date while somebody looks. Gives what ends that.
   look(): () => void {
     this.looks_ += 1;
+    this.called_off_ = null;
     if (this.state.get().rows.length === 0) void this.fetch_rows();
     const stop = this.studio_.growth.subscribe(() => this.ask_later());
     this.ask_later();
@@ -75,21 +80,27 @@ export class MeasureModel {
   }
 
   set_light(with_light: boolean): void {
+    this.called_off_ = null;
     this.state.merge({ with_light });
     this.ask_later();
   }
 
   /// Measures the plant at each of these values of a handle, with the present values of all others.
   async measure_over(variable: string, values: readonly number[]): Promise<void> {
-    this.swept_ += 1;
-    const number = this.swept_;
+    const counts = this.newest_sweep_.begin();
     this.sweep.set({ variable, points: [], is_working: true, fault: '' });
+    this.sweeping_ = this.studio_.connection.begin<{ sweep: SweepPoint[] }>('sweep', { path: variable, values, light: this.state.get().with_light });
     try {
-      const { sweep } = await this.studio_.connection.request<{ sweep: SweepPoint[] }>('sweep', { path: variable, values, light: this.state.get().with_light });
-      if (number === this.swept_) this.sweep.merge({ points: sweep, is_working: false });
+      const { sweep } = await this.sweeping_.answer;
+      if (counts()) this.sweep.merge({ points: sweep, is_working: false });
     } catch (fault) {
-      if (number === this.swept_) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
+      if (counts()) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
     }
+  }
+
+  /// The sweep alone; all else that the server has in hand goes on.
+  stop_sweep(): void {
+    this.sweeping_?.cancel();
   }
 
   private async fetch_rows(): Promise<void> {
@@ -101,7 +112,7 @@ export class MeasureModel {
     const { grown } = this.studio_.growth.get();
     const { with_light } = this.state.get();
     const wanted = `${grown?.hash ?? ''} ${this.studio_.bench.time.time} ${with_light}`;
-    if (this.looks_ === 0 || !grown || grown.dragged || wanted === this.seen_) return;
+    if (this.looks_ === 0 || !grown || grown.dragged || wanted === this.seen_ || grown === this.called_off_) return;
     clearTimeout(this.timer_);
     this.timer_ = window.setTimeout(() => {
       this.seen_ = wanted;
@@ -110,18 +121,22 @@ export class MeasureModel {
   }
 
   private async ask(): Promise<void> {
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.state.merge({ is_working: true });
     const { with_light, told } = this.state.get();
     const height = typeof told?.['height'] === 'number' ? told['height'] : 0;
     const layers = with_light && height > 0 ? { layer_height: Number((height / kLayers).toPrecision(1)) } : {};
     try {
       const { measures } = await this.studio_.connection.request<{ measures: Measured }>('measures', { light: with_light, ...layers });
-      if (number === this.asked_) this.state.merge({ told: measures, is_working: false, fault: '' });
+      if (counts()) this.state.merge({ told: measures, is_working: false, fault: '' });
     } catch (fault) {
-      const is_fault = fault instanceof Refusal && !fault.facts.cancelled;
-      if (number === this.asked_) this.state.merge({ is_working: false, fault: is_fault ? fault.message : '' });
+      if (!counts()) return;
+      const is_cancelled = fault instanceof Refusal && fault.facts.cancelled === true;
+      this.state.merge({ is_working: false, fault: fault instanceof Refusal && !is_cancelled ? fault.message : '' });
+      if (!is_cancelled) return;
+      // The next growth is measured, also one of the same text.
+      this.seen_ = '';
+      this.called_off_ = this.studio_.growth.get().grown;
     }
   }
 }

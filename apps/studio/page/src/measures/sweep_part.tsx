@@ -50,7 +50,7 @@ export function SweepPart(): ReactElement | null {
         <Button is_off={sweep.is_working} press={measure}>
           {sweep.is_working ? 'Measuring…' : 'Measure'}
         </Button>
-        {sweep.is_working && <IconButton is_small icon="stop" label="Stop measuring" press={() => studio.connection.tell('cancel')} />}
+        {sweep.is_working && <IconButton is_small icon="stop" label="Stop measuring" press={() => model.stop_sweep()} />}
       </div>
       {sweep.is_working && <SweepProgress />}
       {sweep.fault !== '' && <p className="fault-line">{sweep.fault}</p>}

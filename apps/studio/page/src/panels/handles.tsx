@@ -19,10 +19,8 @@ import type { Variable } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { KeyButton } from '../time/key_button.tsx';
-import { with_key } from '../time/keys.ts';
-import type { Key } from '../time/track.ts';
-import type { Keyed } from '../time/use_keyed.ts';
-import { commit_keys, drag_keys, use_keyed } from '../time/use_keyed.ts';
+import { use_keyed } from '../time/use_keyed.ts';
+import { drag_values, set_values } from '../time/values_now.ts';
 import { step_of } from './handle_step.ts';
 
 export function Handles(): ReactElement {
@@ -104,9 +102,9 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
       {expression !== null && keyed === null && typeof dragged !== 'number' ? (
         <TextField label={label} value={expression} is_code commit={(text) => studio.set_value(name, text, `Set ${label}`)} />
       ) : (
-        <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : typeof keyed?.value === 'number' ? keyed.value : variable.value} unit={unit} keyed={keyed} />
+        <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : typeof keyed?.value === 'number' ? keyed.value : variable.value} unit={unit} />
       )}
-      {has_strip && <Strip label={label} path={name} value={expression === null ? variable.value : expression} states={states} keyed={keyed} take={(value) => (keyed ? commit_keys(studio, name, with_key(keyed.track.keys, studio.bench.time.time, value), `Key ${label}`) : studio.set_value(name, value, `Set ${label}`))} />}
+      {has_strip && <Strip label={label} path={name} value={expression === null ? variable.value : expression} states={states} take={(value) => set_values(studio, { [name]: value }, `Set ${label}`)} />}
       {doc && <p className="handle-doc">{doc}</p>}
       <Faults faults={faults} />
     </div>
@@ -118,17 +116,15 @@ interface HandleNumberProps {
   label: string;
   shown: number;
   unit: string;
-  keyed: Keyed | null; // then a hand sets its key at the view's time
 }
 
-function HandleNumber({ variable, label, shown, unit, keyed }: HandleNumberProps): ReactElement {
+function HandleNumber({ variable, label, shown, unit }: HandleNumberProps): ReactElement {
   const studio = use_studio();
   const { name, min, max, doc } = variable;
   const step = step_of(variable);
-  const keys = (value: number): Key[] => with_key(keyed?.track.keys ?? [], studio.bench.time.time, value);
   const acts = {
-    drag: (value: number) => (keyed ? drag_keys(studio, name, keys(value)) : studio.drag({ [name]: value })),
-    commit: (value: number) => (keyed ? commit_keys(studio, name, keys(value), `Key ${label}`) : studio.set_value(name, value, `Set ${label}`)),
+    drag: (value: number) => drag_values(studio, { [name]: value }),
+    commit: (value: number) => set_values(studio, { [name]: value }, `Set ${label}`),
     cancel: () => studio.stop_drag(),
   };
   return (

@@ -81,7 +81,7 @@ function Work(): ReactElement {
         <>
           <span className="quiet">{working.stage}</span>
           <progress max={1} value={working.share} aria-label="Progress" />
-          <IconButton is_small icon="stop" label="Cancel" press={() => studio.connection.tell('cancel')} />
+          <IconButton is_small icon="stop" label="Cancel" press={() => studio.connection.tell('cancel', working.re === undefined ? {} : { re: working.re })} />
         </>
       )}
       {!working && is_paused && <span className="quiet">Growth is paused</span>}

@@ -47,7 +47,7 @@ export function ViewPanel(): ReactElement {
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
-        <IconButton icon="handles" label="Handles of what is chosen" keys="E" is_on={view.shows_handles} press={() => studio.change_view({ shows_handles: !view.shows_handles })} />
+        <IconButton icon="grips" label="Grips of what is chosen" keys="E" is_on={view.shows_grips} press={() => studio.change_view({ shows_grips: !view.shows_grips })} />
         <PinButton />
         <GrowthButton />
         <TimeButton />

@@ -48,6 +48,11 @@ export function times_of(acts: readonly OperationAct[], path: string): number {
   return acts.reduce((sum, [operation, , , count]) => sum + (operation === path ? count : 0), 0);
 }
 
+/// The index of the operation that a path says, in the list at another path; -1 where it is not of that list.
+export function index_in(list: string, path: string): number {
+  return path.startsWith(`${list}[`) ? Number(path.slice(list.length + 1, -1)) : -1;
+}
+
 export interface PlanYear {
   year: number;
   seasons: { season: 'summer' | 'winter'; entries: { path: string; act: string; count: number }[] }[];
@@ -56,14 +61,13 @@ export interface PlanYear {
 /// What has been done year by year, summers before winters, in the order of the document's list; that of a training
 /// comes first.
 export function years_of(acts: readonly OperationAct[], operations: readonly Json[], list: string): PlanYear[] {
-  const index_of = (path: string): number => (path.startsWith(`${list}[`) ? Number(path.slice(list.length + 1, -1)) : -1);
-  const season_of = (path: string): 'summer' | 'winter' => (members_of(operations[index_of(path)] ?? null)['season'] === 'summer' ? 'summer' : 'winter');
+  const season_of = (path: string): 'summer' | 'winter' => (members_of(operations[index_in(list, path)] ?? null)['season'] === 'summer' ? 'summer' : 'winter');
   const years = [...new Set(acts.map(([, year]) => year))].sort((a, b) => a - b);
   return years.map((year) => {
     const entries = acts
       .filter(([, one]) => one === year)
       .map(([path, , act, count]) => ({ path, act, count }))
-      .sort((a, b) => index_of(a.path) - index_of(b.path));
+      .sort((a, b) => index_in(list, a.path) - index_in(list, b.path));
     const seasons = (['summer', 'winter'] as const).map((season) => ({ season, entries: entries.filter(({ path }) => season_of(path) === season) }));
     return { year, seasons: seasons.filter((one) => one.entries.length > 0) };
   });

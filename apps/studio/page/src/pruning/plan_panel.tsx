@@ -10,7 +10,7 @@ import { path_below, value_at } from '../document/path.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { OperationList } from './operation_list.tsx';
 import type { PlanYear } from './operation_text.ts';
-import { what_of, years_of } from './operation_text.ts';
+import { index_in, what_of, years_of } from './operation_text.ts';
 import { list_path } from './pruning.ts';
 import { use_plan_component } from './use_plan_component.ts';
 
@@ -70,9 +70,8 @@ function Years({ component }: { component: string }): ReactElement {
   const operations = pruning.operations_of(component);
   const years = told?.component === component ? years_of(told.operations.acts, operations, list) : [];
   if (years.length === 0) return <p className="empty">Nothing has been done to the trees up to the year on show.</p>;
-  const index_of = (path: string): number => (path.startsWith(`${list}[`) ? Number(path.slice(list.length + 1, -1)) : -1);
   const name_of = (path: string): string => {
-    const operation = operations[index_of(path)];
+    const operation = operations[index_in(list, path)];
     return operation === undefined ? 'training' : what_of(operation);
   };
   const entry = ({ path, act, count }: PlanYear['seasons'][number]['entries'][number], year: number): ReactElement => (

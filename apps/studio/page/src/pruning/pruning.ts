@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations on trees: what they have done, which one is looked at, and what a hand adds to their list.
+import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { member_of, node_at, path_below, value_at } from '../document/path.ts';
@@ -21,13 +22,13 @@ export class Pruning {
   readonly choice = new Store<DeedChoice>(kFirstChoice);
   readonly looked_at = new Store<LookedAt | null>(null);
   readonly told = new Store<{ component: string; operations: ToldOperations } | null>(null);
-  private asked_ = 0;
+  private readonly newest_ = new Newest();
 
   constructor(private readonly studio_: Studio) {}
 
   /// Another document is opened.
   forget(): void {
-    this.asked_ += 1;
+    this.newest_.drop();
     this.looked_at.set(null);
     this.told.set(null);
   }
@@ -51,13 +52,12 @@ export class Pruning {
 
   /// Asks what the operations of a component have done to what has grown last; the newest answer counts.
   ask(component: string): void {
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     const { path = '', iteration = null } = this.looked_at.get() ?? {};
     this.studio_.connection
       .request<{ operations: ToldOperations | null }>('operations', { component, operation: path, ...(iteration === null ? {} : { iteration }) })
       .then(({ operations }) => {
-        if (number === this.asked_) this.told.set(operations ? { component, operations } : null);
+        if (counts()) this.told.set(operations ? { component, operations } : null);
       })
       .catch(() => undefined);
   }

@@ -5,7 +5,7 @@ import type { KeyboardEvent, ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
-import { NumberField } from '../controls/number_field.tsx';
+import { NumberLine } from '../controls/number_line.tsx';
 import { InstanceChoice } from '../instance_choice.ts';
 import { TextField } from '../rows/text_field.tsx';
 import type { FoundShoot } from '../server/growth_protocol.ts';
@@ -82,22 +82,22 @@ function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
     return (
       <div className="shoot-fields">
         <Segments label="Where the shoot is cut" value={choice.cut_at} choices={places} choose={(cut_at) => change({ cut_at })} />
-        {choice.cut_at === 'count' && <Field label="Metamers that stay" value={choice.count} step={1} low={0} high={shoot.metamers.at(-1) ?? 0} take={(count) => change({ count })} />}
+        {choice.cut_at === 'count' && <NumberLine look="shoot-field" label="Metamers that stay" value={choice.count} step={1} low={0} high={shoot.metamers.at(-1) ?? 0} set={(count) => change({ count })} />}
       </div>
     );
   }
   if (choice.deed === 'bend') {
     return (
       <div className="shoot-fields">
-        <Field label="Inclination" unit="°" value={choice.inclination} step={5} low={-90} high={90} take={(inclination) => change({ inclination })} />
-        <Field label="Metamers bent" value={choice.bent} step={1} low={1} high={1000} take={(bent) => change({ bent })} />
+        <NumberLine look="shoot-field" label="Inclination" unit="°" value={choice.inclination} step={5} low={-90} high={90} set={(inclination) => change({ inclination })} />
+        <NumberLine look="shoot-field" label="Metamers bent" value={choice.bent} step={1} low={1} high={1000} set={(bent) => change({ bent })} />
       </div>
     );
   }
   if (choice.deed === 'tie') {
     return (
       <div className="shoot-fields">
-        <Field label="String" unit="m" value={choice.string} step={0.05} low={0} high={1000} take={(string) => change({ string })} />
+        <NumberLine look="shoot-field" label="String" unit="m" value={choice.string} step={0.05} low={0} high={1000} set={(string) => change({ string })} />
       </div>
     );
   }
@@ -108,24 +108,5 @@ function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
         <TextField label="State of the mark" value={choice.state} commit={(state) => change({ state: state.trim() === '' ? 'marked' : state.trim() })} />
       </label>
     </div>
-  );
-}
-
-interface FieldProps {
-  label: string;
-  unit?: string;
-  value: number;
-  step: number;
-  low: number;
-  high: number;
-  take: (value: number) => void;
-}
-
-function Field({ label, unit, value, step, low, high, take }: FieldProps): ReactElement {
-  return (
-    <label className="shoot-field">
-      <span>{label}</span>
-      <NumberField label={label} value={value} step={step} unit={unit} limit={(one) => Math.min(high, Math.max(low, one))} drag={take} commit={take} cancel={() => undefined} />
-    </label>
   );
 }

@@ -13,7 +13,8 @@ import { use_studio } from '../studio_context.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { as_object, first_object, has_meaning, table_of } from '../tables/tables.ts';
 import { ExcludedPaths } from './exclusion.ts';
-import { give, use_faults } from './row_actions.ts';
+import { give } from '../time/values_now.ts';
+import { use_faults } from './row_actions.ts';
 import { Faults, RowView, tip_of } from './row_editor.tsx';
 
 interface NestedRowProps {

@@ -122,7 +122,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
         </span>
       )}
       <Faults faults={faults} />
-      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} keyed={keyed} />}
+      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />}
     </div>
   );
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be put into a scene: boxes, meshes, lamps, poles. They are put beside the plants, as large as suits them, and
-// their handles are shown.
+// their grips are shown.
 import type { ReactElement } from 'react';
 
+import { free_name } from '../board/board_edits.ts';
 import { Button } from '../controls/button.tsx';
 import { rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
@@ -79,9 +80,7 @@ function put(studio: Studio, list: string, value: Json, label: string): void {
 /// Under a name that is free.
 function put_support(studio: Studio, name: string, points: number[][], label: string): void {
   const said = value_at(studio.document.state.get().tree, 'scene.supports');
-  const taken = is_object(said) ? Object.keys(said) : [];
-  let [free, number] = [name, 2];
-  for (; taken.includes(free); number += 1) free = `${name}_${number}`;
+  const free = free_name(name, new Set(is_object(said) ? Object.keys(said) : []));
   const path = path_below('scene.supports', free);
   const edit: Edit = is_object(said) ? { set: path, value: points } : { set: 'scene.supports', value: { [free]: points } };
   void studio.edit([edit], label).then((faults) => {

@@ -5,11 +5,12 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
 import { value_at } from '../document/path.ts';
 import { use_held } from '../editors/use_held.ts';
 import type { Json } from '../document/json.ts';
 import { use_document, use_studio } from '../studio_context.ts';
-import { with_values } from '../view/gizmo/gizmo.ts';
+import { drag_values, set_values, value_now } from '../time/values_now.ts';
 import type { SkyPlace } from './sun_math.ts';
 import { day_of, day_text, daylight, declination, hour_and_declination, hour_text, kSolstices, sun_place } from './sun_math.ts';
 import { SunFields } from './sun_fields.tsx';
@@ -27,26 +28,24 @@ const kDegreeStep = { plain: 2, fine: 0.5, coarse: 15 };
 export function SunDial(): ReactElement {
   const studio = use_studio();
   const { tree } = use_document();
-  const dragged = use_store(studio.dragged);
-  const scene = with_values(value_at(tree, 'scene'), ['scene'], dragged);
+  use_store(studio.dragged);
+  use_store(studio.bench.time.state);
+  const scene = value_now(studio, 'scene', value_at(tree, 'scene'));
   const state = sun_state(scene);
-  const set = (values: Record<string, Json>, label: string): void => void studio.edit(Object.entries(values).map(([path, value]) => ({ set: path, value })), label);
   if (state.kind === 'none') {
-    const give = (): void => set({ 'scene.sun': { day: kSolstices.summer, hour: 12 }, ...(state.latitude === null ? { 'scene.latitude': kNoLatitude } : {}) }, 'Give the scene a sun');
+    const give = (): void => set_values(studio, { 'scene.sun': { day: kSolstices.summer, hour: 12 }, ...(state.latitude === null ? { 'scene.latitude': kNoLatitude } : {}) }, 'Give the scene a sun');
     return (
       <section className="sun-dial" aria-label="Sun">
         <p className="empty">The scene has no sun: light comes from the zenith.</p>
-        <button type="button" className="button plain" onClick={give}>
-          Give it a sun
-        </button>
+        <Button press={give}>Give it a sun</Button>
       </section>
     );
   }
   if (state.kind === 'other') return <p className="empty">The sun is given by expressions; its rows say how.</p>;
   return (
     <section className="sun-dial" aria-label="Sun">
-      <Sky scene={scene} state={state} drag={(values) => studio.drag(values)} commit={(values) => set(values, 'Move the sun')} cancel={() => studio.stop_drag()} />
-      <SunFields scene={scene} state={state} drag={(values) => studio.drag(values)} commit={(values) => set(values, 'Move the sun')} cancel={() => studio.stop_drag()} />
+      <Sky scene={scene} state={state} drag={(values) => drag_values(studio, values)} commit={(values) => set_values(studio, values, 'Move the sun')} cancel={() => studio.stop_drag()} />
+      <SunFields scene={scene} state={state} drag={(values) => drag_values(studio, values)} commit={(values) => set_values(studio, values, 'Move the sun')} cancel={() => studio.stop_drag()} />
     </section>
   );
 }

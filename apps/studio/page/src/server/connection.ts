@@ -16,6 +16,12 @@ export interface Listener {
 const kPauses = [100, 250, 500, 1000, 2000];
 const kLimitPause = 150;
 
+/// A request that is answered later, and that can be cancelled by itself.
+export interface Job<T> {
+  answer: Promise<T>;
+  cancel: () => void;
+}
+
 /// The connection was lost before the answer came.
 export class Lost extends Error {}
 
@@ -53,10 +59,10 @@ export class Connection {
   }
 
   /// Rejects with a Refusal, or with Lost.
-  async request<T = object>(what: string, members: object = {}): Promise<T> {
+  async request<T = object>(what: string, members: object = {}, numbered: (id: number) => void = () => undefined): Promise<T> {
     for (;;) {
       try {
-        return await this.request_once<T>(what, members);
+        return await this.request_once<T>(what, members, numbered);
       } catch (fault) {
         // Too many a second: the message was not acted upon, so it is said again.
         if (!(fault instanceof Refusal) || fault.facts.limit !== 'messages_per_second') throw fault;
@@ -65,17 +71,26 @@ export class Connection {
     }
   }
 
+  begin<T>(what: string, members: object): Job<T> {
+    let re = 0;
+    const answer = this.request<T>(what, members, (id) => {
+      re = id;
+    });
+    return { answer, cancel: () => this.tell('cancel', { re }) };
+  }
+
   /// A request whose answer nobody waits for.
   tell(what: string, members: object = {}): void {
     this.request(what, members).catch(() => undefined);
   }
 
-  private request_once<T>(what: string, members: object): Promise<T> {
+  private request_once<T>(what: string, members: object, numbered: (id: number) => void): Promise<T> {
     return new Promise<T>((resolve, reject) => {
       const socket = this.socket_;
       if (!socket || socket.readyState !== WebSocket.OPEN) return reject(new Lost('the server is not there'));
       const id = this.next_id_;
       this.next_id_ += 1;
+      numbered(id);
       this.waiting_.set(id, { resolve: resolve as (answer: never) => void, reject });
       socket.send(JSON.stringify({ do: what, id, ...members }));
       this.counts.sent += 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene packets: a head in JSON, and arrays that are used where they lie.
+import type { Vec } from '../base/vec.ts';
 
 /// First byte, counted from the first array, and how many numbers.
 export type ArrayPlace = [number, number];
@@ -61,12 +62,10 @@ export interface PacketSkeleton {
   radii: ArrayPlace;
 }
 
-export type Corner = [number, number, number];
-
 /// What surrounds plants and is no mesh.
 export interface PacketScene {
-  sun: Corner; // unit vector to it
-  lamps: { position: Corner; strength: number }[];
+  sun: Vec; // unit vector to it
+  lamps: { position: Vec; strength: number }[];
   supports: { name: string; points: ArrayPlace }[];
 }
 
@@ -80,7 +79,7 @@ export interface PacketHead {
   triangles: number;
   instances: number;
   of: { triangles: number; instances: number; nodes: number };
-  bounds?: [Corner, Corner];
+  bounds?: [Vec, Vec];
   scene?: PacketScene;
   pictures?: PacketPicture[];
   materials?: PacketMaterial[];

@@ -181,7 +181,7 @@ export interface Hello {
 
 export interface Working {
   is: 'working';
-  job: 'grow' | 'export' | 'measure' | 'sweep' | 'stills' | 'grammar' | 'picture';
+  job: 'grow' | 'export' | 'measure' | 'sweep' | 'stills' | 'grammar' | 'picture' | 'question';
   re?: number;
   stage: string | null;
   share: number;

@@ -3,9 +3,7 @@
 import type { Json, JsonNode } from '../document/json.ts';
 import { member_of, path_below, path_of, steps_of, value_at } from '../document/path.ts';
 import type { Row, RowGroup, Tables } from './tables.ts';
-import { component_groups, document_groups, link_groups, table_of } from './tables.ts';
-
-const kParts = ['scene', 'output', 'animation', 'limits'];
+import { component_groups, document_groups, document_parts, link_groups, table_of } from './tables.ts';
 
 /// The groups of rows of what can be chosen: a component, a link, a part of the document, "" for its top level.
 export function groups_at(tables: Tables, tree: JsonNode | null, path: string): RowGroup[] {
@@ -13,7 +11,14 @@ export function groups_at(tables: Tables, tree: JsonNode | null, path: string): 
   if (head === 'components' && second !== undefined) return component_groups(tables, text_at(tree, path, 'type'));
   if (head === 'links' && second !== undefined) return link_groups(tables, link_kind(value_at(tree, path)));
   if (head === 'variables' && second !== undefined) return [{ title: 'Handle', table: table_of(tables, tables.variable), rows: table_of(tables, tables.variable).rows }];
-  return document_groups(tables, typeof head === 'string' && kParts.includes(head) ? head : '');
+  return document_groups(tables, typeof head === 'string' && document_parts(tables).includes(head) ? head : '');
+}
+
+/// What is chosen with a value at this path: its component, its link, its part of the document; null for none.
+export function chosen_with(tables: Tables, path: string): string | null {
+  const [head, second] = steps_of(path);
+  if (head === 'components' || head === 'links') return second === undefined ? null : path_of([head, second]);
+  return typeof head === 'string' && document_parts(tables).includes(head) ? head : null;
 }
 
 function text_at(tree: JsonNode | null, path: string, name: string): string {

@@ -73,6 +73,21 @@ function group(tables: Tables, name: string, title: string, without: ReadonlySet
   return { title, table, rows: table.rows.filter((row) => !without.has(row.name)) };
 }
 
+/// Names at the top of documents beside the rows of the document's table, as the library has them.
+const kSections = ['variables', 'components', 'links', 'animation', 'limits'];
+const kLists: ReadonlySet<string> = new Set(['variables', 'components', 'links']); // their elements are chosen one by one
+
+/// All names at the top of documents.
+export function document_names(tables: Tables): string[] {
+  return [...table_of(tables, tables.document).rows.map((row) => row.name), ...kSections];
+}
+
+/// Names at the top of documents of what is chosen as a whole, such as "scene".
+export function document_parts(tables: Tables): string[] {
+  const objects = table_of(tables, tables.document).rows.filter((row) => row.table !== undefined);
+  return [...objects.map((row) => row.name), ...kSections.filter((name) => !kLists.has(name))];
+}
+
 /// The rows of a component: its type's own, and those of all.
 export function component_groups(tables: Tables, type: string): RowGroup[] {
   const facts = tables.components[type];

@@ -7,10 +7,8 @@ import type { JsonNode } from '../document/json.ts';
 import { member_of, path_of } from '../document/path.ts';
 import { rows_at } from '../tables/resolve.ts';
 import type { Row, Tables } from '../tables/tables.ts';
-import { first_value } from '../tables/tables.ts';
+import { document_names, first_value } from '../tables/tables.ts';
 import { cursor_position } from './cursor_path.ts';
-
-const kTopLevel = ['variables', 'components', 'links', 'limits'];
 
 export function completions(tables: Tables, tree: JsonNode | null, text: string, offset: number): { from: number; options: Completion[] } {
   const at = cursor_position(text, offset);
@@ -22,7 +20,8 @@ export function completions(tables: Tables, tree: JsonNode | null, text: string,
 function names_at(tables: Tables, tree: JsonNode | null, path: string, given: string[]): Completion[] {
   const rows = rows_at(tables, tree, path).filter((row) => !given.includes(row.name));
   const made = rows.map((row) => name_of_row(tables, row));
-  if (path === '') made.push(...kTopLevel.filter((name) => !given.includes(name)).map((name) => ({ label: `"${name}"`, type: 'property' })));
+  const is_known = (name: string): boolean => given.includes(name) || rows.some((row) => row.name === name);
+  if (path === '') made.push(...document_names(tables).filter((name) => !is_known(name)).map((name) => ({ label: `"${name}"`, type: 'property' })));
   if (/^components\.[^.[]+$/.test(path) && !given.includes('type')) made.unshift({ label: '"type"', apply: '"type": "', type: 'property', detail: 'the kind of component' });
   return made;
 }

@@ -11,6 +11,7 @@ import { patch_between } from '../document/patch.ts';
 import { node_at, path_at } from '../document/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Studio } from '../studio.ts';
+import { chosen_with } from '../tables/resolve.ts';
 import { code_extensions } from './code_extensions.ts';
 import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
@@ -68,10 +69,10 @@ export class TextEditor {
   private choose_at_cursor(): void {
     const { tree, text } = this.studio_.document.state.get();
     if (!tree || text !== this.view_.state.doc.toString()) return;
-    const found = /^(?:components\.[^.[]+|links\[\d+\]|scene|output|limits)/.exec(path_at(tree, this.view_.state.selection.main.head));
-    if (!found || found[0] === this.studio_.chosen.get()) return;
+    const found = chosen_with(this.studio_.tables, path_at(tree, this.view_.state.selection.main.head));
+    if (found === null || found === this.studio_.chosen.get()) return;
     this.is_choosing_ = true;
-    this.studio_.choose(found[0]);
+    this.studio_.choose(found);
     this.is_choosing_ = false;
   }
 

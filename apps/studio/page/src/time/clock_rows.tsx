@@ -26,7 +26,12 @@ export function ClockRows(): ReactElement {
   const { length } = studio.bench.time.animation;
   const [clocks, set_clocks] = useState<BegunClocks[]>([]);
   const hash = grown?.dragged === false ? grown.hash : null;
+  const nothing_has_grown = grown === null; // of this document
   useEffect(() => {
+    if (nothing_has_grown) {
+      set_clocks([]);
+      studio.bench.time.clocks.set([]);
+    }
     if (hash === null) return undefined;
     let is_wanted = true;
     studio.connection
@@ -40,7 +45,7 @@ export function ClockRows(): ReactElement {
     return () => {
       is_wanted = false;
     };
-  }, [studio, hash, length]);
+  }, [studio, hash, nothing_has_grown, length]);
   return (
     <>
       {clocks.map((one) => (

@@ -100,10 +100,6 @@ export function with_way(keys: readonly Key[], index: number, way: Way): Key[] {
   return keys.map((one, k) => (k === index ? { ...one, way } : one));
 }
 
-export function without_key(keys: readonly Key[], index: number): Key[] {
-  return keys.filter((_, k) => k !== index);
-}
-
 /// Has a parameter have these keys; none: no keys any more. A document without an animation gets one.
 export function keys_edits(document: Json | undefined, name: string, keys: readonly Key[]): Edit[] {
   const animation = member_of(document, 'animation');
@@ -119,11 +115,12 @@ export function keys_edits(document: Json | undefined, name: string, keys: reado
   return [set];
 }
 
-/// All keys of a document with those of one parameter in place of its own, as a drag shows them.
-export function dragged_keys(document: Json | undefined, name: string, keys: readonly Key[]): Record<string, Json> {
+/// All keys of a document with those of some parameters, by their names, in place of their own, as a drag shows them.
+export function dragged_keys(document: Json | undefined, keys: Readonly<Record<string, readonly Key[]>>): Record<string, Json> {
   const animation = member_of(document, 'animation');
   const all = member_of(animation, 'keys');
-  const made = { ...(is_object(all) ? all : {}), [name]: written_keys(keys) };
+  const written = Object.entries(keys).map(([name, one]) => [name, written_keys(one)] as const);
+  const made = { ...(is_object(all) ? all : {}), ...Object.fromEntries(written) };
   return is_object(animation) ? { [kKeysPath]: made } : { animation: { length: kUsual.length, keys: made } };
 }
 

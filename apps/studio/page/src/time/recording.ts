@@ -2,6 +2,7 @@
 // A film or a still that the server makes, whether its window is open or not.
 import { Store } from '../base/store.ts';
 import type { ExportWish } from '../copy_command.ts';
+import type { Job } from '../server/connection.ts';
 import type { MadeFile } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
@@ -9,6 +10,7 @@ import type { Studio } from '../studio.ts';
 export class Recording {
   readonly made = new Store<MadeFile | null>(null);
   readonly is_busy = new Store(false);
+  private job_: Job<{ file: MadeFile }> | null = null;
 
   /// `takes`: the browser stores what is made at once.
   constructor(
@@ -20,8 +22,8 @@ export class Recording {
     if (this.is_busy.get()) return;
     this.is_busy.set(true);
     this.made.set(null);
-    this.studio_.connection
-      .request<{ file: MadeFile }>('export', wish)
+    this.job_ = this.studio_.connection.begin<{ file: MadeFile }>('export', wish);
+    this.job_.answer
       .then(({ file }) => {
         this.made.set(file);
         if (!this.takes_) return;
@@ -33,6 +35,11 @@ export class Recording {
         this.studio_.tell(is_cancelled ? 'Cancelled' : fault.message, !is_cancelled);
       })
       .finally(() => this.is_busy.set(false));
+  }
+
+  /// This one alone; all else that the server has in hand goes on.
+  cancel(): void {
+    this.job_?.cancel();
   }
 }
 

@@ -30,7 +30,7 @@ export function Ruler(): ReactElement {
     go(event);
   };
   const key = (event: KeyboardEvent): void => {
-    const frames = { ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10 }[event.key];
+    const frames = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 }[event.key];
     const to = { Home: 0, End: length }[event.key] ?? (frames === undefined ? undefined : time + (frames * (event.shiftKey ? 10 : 1)) / fps);
     if (to === undefined) return;
     event.preventDefault();

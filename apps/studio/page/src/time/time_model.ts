@@ -5,6 +5,7 @@ import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { Studio } from '../studio.ts';
+import { document_names } from '../tables/tables.ts';
 import { budgets_of } from '../view/budgets.ts';
 import type { AnimationFacts, Track } from './keys.ts';
 import { animation_of, tidy_time, tracks_of } from './keys.ts';
@@ -18,7 +19,6 @@ export interface TimeState {
 }
 
 const kAtStart: TimeState = { time: 0, is_playing: false, is_open: false, track: null, key: 0 };
-const kHeads = ['variables', 'components', 'links', 'animation', 'limits']; // further names at the top of documents
 const kStill = 150; // ms after the last move until all detail is asked for
 const kLongestWait = 400; // ms for a picture, while playing
 
@@ -46,8 +46,7 @@ export class TimeModel {
 
   /// Names at the top of documents, which components' names must not be taken for.
   get tops(): ReadonlySet<string> {
-    const { tables } = this.studio_;
-    return new Set([...(tables.tables[tables.document]?.rows.map((row) => row.name) ?? []), ...kHeads]);
+    return new Set(document_names(this.studio_.tables));
   }
 
   /// Worked out once per text.
@@ -88,16 +87,26 @@ export class TimeModel {
   }
 
   stop(): void {
-    if (this.state.get().is_playing) this.state.merge({ is_playing: false });
+    if (!this.state.get().is_playing) return;
+    this.state.merge({ is_playing: false });
+    if (this.moves_until_ === 0) this.rest();
   }
 
-  /// Another document will be opened: its time begins anew.
-  leave(): void {
+  /// Another document will be opened: its time begins anew. Gives the state that was left.
+  leave(): TimeState {
     clearTimeout(this.moves_until_);
     this.moves_until_ = 0;
-    const { time, is_open } = this.state.get();
-    this.state.set({ ...kAtStart, is_open });
-    if (time !== 0) this.studio_.connection.tell('view', { time: 0 });
+    this.studio_.view?.move_time(false);
+    const left = this.state.get();
+    this.state.set({ ...kAtStart, is_open: left.is_open });
+    if (left.time !== 0) this.studio_.connection.tell('view', { time: 0 });
+    return left;
+  }
+
+  /// The other document could not be opened: the time that was left is shown again.
+  come_back(left: TimeState): void {
+    this.state.set({ ...left, is_playing: false });
+    if (left.time !== 0) this.rest();
   }
 
   /// Shows the time that it is, as soon as each picture is there, round and round.
@@ -131,15 +140,22 @@ export class TimeModel {
     clearTimeout(this.moves_until_);
     this.moves_until_ = window.setTimeout(() => {
       this.moves_until_ = 0;
-      this.sender_.ask();
+      if (!this.state.get().is_playing) this.rest();
     }, kStill);
+    this.studio_.view?.move_time(true);
+    this.sender_.ask();
+  }
+
+  /// The time moves no more: all detail is asked for.
+  private rest(): void {
+    this.studio_.view?.move_time(false);
     this.sender_.ask();
   }
 
   private send(): Promise<unknown> {
     const { view, connection } = this.studio_;
     const budgets = view ? budgets_of(view) : null;
-    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 ? budgets.drag_triangles : budgets.rest_triangles };
+    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 || this.state.get().is_playing ? budgets.drag_triangles : budgets.rest_triangles };
     return connection.request('view', { time: this.time, ...rest });
   }
 }

@@ -4,6 +4,7 @@
 import type { ReactElement } from 'react';
 import { useRef } from 'react';
 
+import { without } from '../base/lists.ts';
 import { use_store } from '../base/store.ts';
 import { IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
@@ -18,7 +19,7 @@ import { use_snapping } from '../editors/snapping.ts';
 import { TextField } from '../rows/text_field.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Track } from './keys.ts';
-import { tidy_time, with_key, with_time, with_way, without_key } from './keys.ts';
+import { tidy_time, with_key, with_time, with_way } from './keys.ts';
 import type { Key } from './track.ts';
 import { curve_of, has_values_between, value_at_time } from './track.ts';
 import { commit_keys, drag_keys, with_dragged } from './use_keyed.ts';
@@ -46,7 +47,7 @@ export function TrackEditor({ track: written }: { track: Track }): ReactElement 
     choose(made.findIndex((one) => Math.abs(one.time - tidy_time(time)) < 1e-3));
   };
   const remove = (which: number): void => {
-    acts.commit(without_key(keys, which), 'Remove a key');
+    acts.commit(without(keys, which), 'Remove a key');
     choose(Math.max(0, which - 1));
   };
   const props = { label, keys, index, length: model.animation.length, choose, add, remove, ...acts };

@@ -3,6 +3,7 @@
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
+import { without } from '../base/lists.ts';
 import { use_store } from '../base/store.ts';
 import { component_of } from '../board/board_edits.ts';
 import { standing_on } from '../board/plant_graph.ts';
@@ -13,7 +14,7 @@ import { use_document, use_studio } from '../studio_context.ts';
 import { use_held } from '../editors/use_held.ts';
 import { percent, time_under, to_frame } from './lane.ts';
 import type { Track } from './keys.ts';
-import { with_time, without_key } from './keys.ts';
+import { with_time } from './keys.ts';
 import type { Key } from './track.ts';
 import { curve_of, has_values_between, value_at_time } from './track.ts';
 import { commit_keys, drag_keys, with_dragged } from './use_keyed.ts';
@@ -83,7 +84,7 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
     const at = track.keys[index];
     if (event.key === 'Escape' && held.get()?.moved) let_go(false);
     else if (frames !== undefined && at) commit_keys(studio, name, with_time(track.keys, index, at.time + (frames * (event.shiftKey ? 10 : 1)) / fps, length), `Move a key of ${label}`);
-    else if (event.key === 'Delete' || event.key === 'Backspace') commit_keys(studio, name, without_key(track.keys, index), `Remove a key of ${label}`);
+    else if (event.key === 'Delete' || event.key === 'Backspace') commit_keys(studio, name, without(track.keys, index), `Remove a key of ${label}`);
     else if (event.key === 'Enter' || event.key === ' ') go_to(index);
     else return;
     event.preventDefault();

@@ -2,13 +2,14 @@
 // A row that has keys: the value that they give now, and edits that are made at the time that the view shows.
 import { useSyncExternalStore } from 'react';
 
+import { without } from '../base/lists.ts';
 import { use_store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Track } from './keys.ts';
-import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key, without_key } from './keys.ts';
+import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
 import type { Key } from './track.ts';
 import { value_at_time } from './track.ts';
 
@@ -19,7 +20,7 @@ export interface Keyed {
 }
 
 /// Variables have keys as a whole.
-function keyed_path(path: string): string {
+export function keyed_path(path: string): string {
   return path.startsWith('variables.') ? path.replace(/\.value$/, '') : path;
 }
 
@@ -51,7 +52,7 @@ export function commit_keys(studio: Studio, name: string, keys: readonly Key[], 
 }
 
 export function drag_keys(studio: Studio, name: string, keys: readonly Key[]): void {
-  studio.drag(dragged_keys(studio.bench.time.document, name, keys));
+  studio.drag(dragged_keys(studio.bench.time.document, { [name]: keys }));
 }
 
 /// Puts a key where the view's time is, or takes the one there away.
@@ -60,6 +61,6 @@ export function toggle_key(studio: Studio, path: string, keyed: Keyed | null, va
   const name = keyed?.track.name ?? name_of_path(model.tops, keyed_path(path));
   const label = name.replaceAll('_', ' ');
   if (!model.state.get().is_open) model.toggle();
-  if (keyed && keyed.index >= 0) commit_keys(studio, name, without_key(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
+  if (keyed && keyed.index >= 0) commit_keys(studio, name, without(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
   else commit_keys(studio, name, with_key(keyed?.track.keys ?? [], model.time, value), `Key ${label}`);
 }

@@ -4,7 +4,6 @@ import * as three from 'three';
 
 import type { Ray, Vec } from './gizmo/space_math.ts';
 import type { Orbit } from './orbit.ts';
-import { kFieldOfView } from './orbit.ts';
 
 export class Eye {
   constructor(
@@ -37,7 +36,6 @@ export class Eye {
 
   /// At the point that the camera looks at.
   get metres_per_pixel(): number {
-    const height = 2 * this.orbit_.distance * Math.tan((kFieldOfView / 360) * Math.PI);
-    return height / Math.max(1, this.canvas_.clientHeight);
+    return this.orbit_.height_at_target / Math.max(1, this.canvas_.clientHeight);
   }
 }

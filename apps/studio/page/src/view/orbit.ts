@@ -8,6 +8,7 @@ export interface CameraState {
   altitude: number;
   distance: number;
   target: [number, number, number];
+  field_of_view?: number; // vertical angle, degrees; the usual one where it is not said
 }
 
 export const kFieldOfView = 32;
@@ -19,14 +20,15 @@ export class Orbit {
   private azimuth_ = 155;
   private altitude_ = 12;
   private distance_ = 10;
+  private field_of_view_ = kFieldOfView;
   private readonly target_ = new three.Vector3(0, 1, 0);
 
   get state(): CameraState {
-    return { azimuth: this.azimuth_, altitude: this.altitude_, distance: this.distance_, target: this.target_.toArray() };
+    return { azimuth: this.azimuth_, altitude: this.altitude_, distance: this.distance_, target: this.target_.toArray(), field_of_view: this.field_of_view_ };
   }
   /// As documents and exports write a camera.
   get as_document(): { position: number[]; target: number[]; field_of_view: number } {
-    return { position: this.camera.position.toArray(), target: this.target_.toArray(), field_of_view: kFieldOfView };
+    return { position: this.camera.position.toArray(), target: this.target_.toArray(), field_of_view: this.field_of_view_ };
   }
   get distance(): number {
     return this.distance_;
@@ -37,11 +39,15 @@ export class Orbit {
   get target(): three.Vector3 {
     return this.target_;
   }
+  /// Height of the picture at the point that it looks at, metres.
+  get height_at_target(): number {
+    return 2 * this.distance_ * this.slope;
+  }
 
   /// Looks as another one does. Whether that changed anything.
   follow(other: Orbit): boolean {
     if (JSON.stringify(other.state) === JSON.stringify(this.state)) return false;
-    [this.azimuth_, this.altitude_, this.distance_] = [other.azimuth_, other.altitude_, other.distance_];
+    [this.azimuth_, this.altitude_, this.distance_, this.field_of_view_] = [other.azimuth_, other.altitude_, other.distance_, other.field_of_view_];
     this.target_.copy(other.target_);
     this.place();
     return true;
@@ -51,6 +57,12 @@ export class Orbit {
   look(state: CameraState): void {
     [this.azimuth_, this.altitude_, this.distance_] = [state.azimuth, Math.min(89.5, Math.max(-89.5, state.altitude)), state.distance];
     this.target_.fromArray(state.target);
+    this.open_to(state.field_of_view ?? kFieldOfView);
+  }
+
+  /// Takes another field of view; the eye stays where it is.
+  open_to(field_of_view: number): void {
+    this.field_of_view_ = Math.min(150, Math.max(1, field_of_view));
     this.place();
   }
 
@@ -78,7 +90,7 @@ export class Orbit {
 
   /// By shares of the picture's height.
   pan(right: number, up: number): void {
-    const height = 2 * this.distance_ * Math.tan((kFieldOfView / 2) * kRadians);
+    const height = this.height_at_target;
     const [x, y] = [new three.Vector3(), new three.Vector3()];
     this.camera.matrixWorld.extractBasis(x, y, new three.Vector3());
     this.target_.addScaledVector(x, right * height).addScaledVector(y, up * height);
@@ -98,7 +110,7 @@ export class Orbit {
   distance_for(box: three.Box3): number {
     // Seen as the camera is turned, wherever it stands, so that fitting again changes nothing.
     const inverse = new three.Matrix4().lookAt(this.way_to_eye(), new three.Vector3(), this.camera.up).transpose();
-    const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.94;
+    const tan_y = this.slope * 0.94;
     const tan_x = tan_y * this.camera.aspect;
     // The corners of the box about a crown are empty; those about a field or a row of trees are not.
     const half = box.getSize(new three.Vector3()).multiplyScalar(0.5);
@@ -114,6 +126,11 @@ export class Orbit {
     return distance;
   }
 
+  /// Half of the picture's height, one metre before the eye.
+  private get slope(): number {
+    return Math.tan((this.field_of_view_ / 2) * kRadians);
+  }
+
   /// The unit vector from the target to the eye. North is -z and east +x.
   private way_to_eye(): three.Vector3 {
     const [azimuth, altitude] = [this.azimuth_ * kRadians, this.altitude_ * kRadians];
@@ -124,6 +141,7 @@ export class Orbit {
     this.camera.position.copy(this.target_).addScaledVector(this.way_to_eye(), this.distance_);
     this.camera.near = this.distance_ / 200;
     this.camera.far = this.distance_ * 60;
+    this.camera.fov = this.field_of_view_;
     this.camera.lookAt(this.target_);
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();

@@ -3,9 +3,9 @@
 // away by name. One layer costs at most two pictures' calls, however much it holds.
 import * as three from 'three';
 
+import type { Vec } from '../base/vec.ts';
 import { kOverlayFragment, kOverlayPointFragment, kOverlayPointVertex, kOverlayVertex } from './overlay_shader.ts';
 
-export type Place = readonly [number, number, number]; // metres, in the world
 export type Colour = readonly [number, number, number]; // sRGB, 0 to 255
 
 export interface OverlayPoints {
@@ -20,13 +20,13 @@ export interface OverlayLines {
 }
 
 export interface OverlayArrow {
-  from: Place;
-  to: Place;
+  from: Vec;
+  to: Vec;
   colour: Colour;
 }
 
 export interface OverlayLabel {
-  at: Place;
+  at: Vec;
   text: string;
 }
 
@@ -155,7 +155,7 @@ function joined(lines: OverlayLines | undefined, arrows: readonly OverlayArrow[]
 }
 
 /// The segments that draw an arrow.
-export function arrow_lines(from: Place, to: Place): [Place, Place][] {
+export function arrow_lines(from: Vec, to: Vec): [Vec, Vec][] {
   const tip = new three.Vector3(...to);
   const way = tip.clone().sub(new three.Vector3(...from));
   const length = way.length();
@@ -166,5 +166,5 @@ export function arrow_lines(from: Place, to: Place): [Place, Place][] {
   const back = tip.clone().addScaledVector(way, -kHead * length);
   const wide = kHead * kHeadWidth * length;
   const corners = [side, side.clone().negate(), other, other.clone().negate()].map((across) => back.clone().addScaledVector(across, wide));
-  return [[from, to], ...corners.map((corner): [Place, Place] => [to, [corner.x, corner.y, corner.z]])];
+  return [[from, to], ...corners.map((corner): [Vec, Vec] => [to, [corner.x, corner.y, corner.z]])];
 }

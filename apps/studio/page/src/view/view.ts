@@ -4,10 +4,11 @@ import * as three from 'three';
 
 import type { Packet } from '../server/packet.ts';
 import { draws_by_software } from './budgets.ts';
+import { CanvasPixels } from './canvas_pixels.ts';
 import { Eye } from './eye.ts';
 import { Ground } from './ground.ts';
 import type { CameraState } from './orbit.ts';
-import { Orbit } from './orbit.ts';
+import { kFieldOfView, Orbit } from './orbit.ts';
 import { Overlays } from './overlays.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
@@ -20,12 +21,6 @@ import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
 export type { SeenInstance, ViewEvents, ViewFacts };
 
-// A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time. At rest it
-// draws four for each, as long as they are not too many: several samples per pixel, which cards have, would make each
-// triangle three times as dear while hands move too.
-const kCoarse = 0.5;
-const kFine = 2;
-const kFinePixels = 4e6;
 const kAfterMove = 200; // ms without a move of the camera until all pixels are drawn
 
 export class View {
@@ -44,9 +39,10 @@ export class View {
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
   private readonly picker_ = new Picker();
   private readonly queue_: PictureQueue;
-  private size_: [number, number] = [1, 1]; // of the frame, pixels
-  private sized_: [number, number] = [0, 0]; // that the canvas was made for
+  private readonly pixels_: CanvasPixels;
+  private readonly sizes_ = new ResizeObserver(() => this.resize());
   private is_draft_ = false;
+  private time_moves_ = false;
   private moves_until_ = 0; // a timer; 0: the camera rests
 
   constructor(
@@ -56,8 +52,8 @@ export class View {
     this.eye = new Eye(this.orbit, canvas_);
     this.is_software = draws_by_software();
     this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: !this.is_software, alpha: true, powerPreference: 'high-performance' });
-    this.renderer_.setPixelRatio(this.is_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer_.setClearColor(0, 0);
+    this.pixels_ = new CanvasPixels(this.renderer_, this.is_software);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
     this.plant = new PlantScene(this.sunlight_.light, this.is_software ? 1 : 4, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
@@ -73,7 +69,7 @@ export class View {
       events_.restored();
       this.ask();
     });
-    new ResizeObserver(() => this.resize()).observe(canvas_.parentElement ?? canvas_);
+    this.sizes_.observe(canvas_.parentElement ?? canvas_);
     this.resize();
   }
 
@@ -90,7 +86,10 @@ export class View {
     const bounds = packet.head.bounds;
     this.box_.makeEmpty();
     if (bounds) this.box_.set(new three.Vector3(...bounds[0]), new three.Vector3(...bounds[1]));
-    if (packet.head.fit) this.fit();
+    if (packet.head.fit) {
+      this.orbit.open_to(kFieldOfView);
+      this.fit();
+    }
     if (bounds) {
       this.ground_.suit(this.box_);
       this.sunlight_.suit(this.box_);
@@ -139,6 +138,19 @@ export class View {
     this.ask();
   }
 
+  /// Looks with this vertical angle, degrees.
+  open_to(field_of_view: number): void {
+    this.orbit.open_to(field_of_view);
+    this.ask();
+  }
+
+  /// Whether the time that is shown moves: then what is seen changes with each packet.
+  move_time(moves: boolean): void {
+    if (moves === this.time_moves_) return;
+    this.time_moves_ = moves;
+    if (this.is_software) this.ask();
+  }
+
   /// Looks as a camera did before.
   look(state: CameraState): void {
     this.fitted_.makeEmpty();
@@ -159,7 +171,7 @@ export class View {
   /// A picture now; `ask` is for all but measuring.
   draw(): void {
     this.sunlight_.place(this.orbit.azimuth, this.surroundings.said?.sun);
-    this.suit_pixels();
+    this.pixels_.suit(this.is_draft_ || this.time_moves_ || this.moves_until_ !== 0);
     this.renderer_.render(this.scene_, this.orbit.camera);
     this.frames_drawn += 1;
     this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: this.eye.metres_per_pixel });
@@ -172,8 +184,9 @@ export class View {
     this.ask();
   }
 
-  /// Looks as another view does.
+  /// Looks as another view does, and is fitted to what that one was fitted to.
   follow(other: View): void {
+    this.fitted_.copy(other.fitted_);
     if (this.orbit.follow(other.orbit)) this.ask();
   }
 
@@ -184,6 +197,7 @@ export class View {
 
   /// Lets go what the view holds; it draws no more.
   destroy(): void {
+    this.sizes_.disconnect();
     this.queue_.stop();
     this.plant.clear();
     this.overlays.clear();
@@ -209,20 +223,6 @@ export class View {
     this.ask();
   }
 
-  /// Just before a picture is drawn, since it clears the last one, and since a canvas whose size changes waits for the
-  /// card: up to seconds where a processor draws. Until then the last picture is stretched.
-  private suit_pixels(): void {
-    const [width, height] = this.size_;
-    if (width !== this.sized_[0] || height !== this.sized_[1]) {
-      this.sized_ = this.size_;
-      this.renderer_.setSize(width, height, false);
-    }
-    if (!this.is_software) return;
-    const fine = Math.sqrt(kFinePixels / Math.max(1, this.canvas_.clientWidth * this.canvas_.clientHeight));
-    const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : Math.min(kFine, fine);
-    if (ratio !== this.renderer_.getPixelRatio()) this.renderer_.setPixelRatio(ratio);
-  }
-
   private click(x: number, y: number): void {
     if (!this.events_.clicked || this.plant.seen.length === 0) return;
     const found = this.pick(x, y);
@@ -240,7 +240,7 @@ export class View {
     const frame = this.canvas_.parentElement ?? this.canvas_;
     const [width, height] = [frame.clientWidth, frame.clientHeight];
     if (width === 0 || height === 0) return;
-    this.size_ = [width, height];
+    this.pixels_.resize(width, height);
     this.orbit.resize(width, height);
     this.orbit.fit(this.fitted_);
     this.ask();

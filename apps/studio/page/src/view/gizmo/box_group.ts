@@ -3,10 +3,10 @@
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Row } from '../../tables/tables.ts';
-import type { Amount, Handle, HandleField, HandleGroup, Values } from './handle.ts';
-import { moved_vector } from './handle.ts';
-import { move_handles } from './move_handles.ts';
-import { turn_handles } from './pose_group.ts';
+import type { Amount, Grip, GripField, GripGroup, Values } from './grip.ts';
+import { moved_vector } from './grip.ts';
+import { move_grips } from './move_grips.ts';
+import { turn_grips } from './pose_group.ts';
 import type { Spot } from './row_groups.ts';
 import { vec_of } from './row_groups.ts';
 import type { Frame3, Vec } from './space_math.ts';
@@ -17,7 +17,7 @@ const kSizes = ['width', 'height', 'depth'];
 const kThinnest = 1e-3; // metres that a box keeps when a face is pushed
 
 /// `base` is the frame that the pose of the table speaks of.
-export function box_group(spot: Spot, row: Row, base: Frame3): HandleGroup | null {
+export function box_group(spot: Spot, row: Row, base: Frame3): GripGroup | null {
   const said = spot.value[row.name];
   const [a, b] = Array.isArray(said) ? [vec_of(said[0]), vec_of(said[1])] : [null, null];
   if (!a || !b) return null;
@@ -30,16 +30,16 @@ export function box_group(spot: Spot, row: Row, base: Frame3): HandleGroup | nul
     return corners(moved_vector(a, inside, step), moved_vector(b, inside, step));
   };
   const at = point_in(frame, middle);
-  const handles = [
-    ...move_handles(at, base, middle.map((one) => one.toFixed(2)).join(', '), move),
+  const grips = [
+    ...move_grips(at, base, middle.map((one) => one.toFixed(2)).join(', '), move),
     ...faces_of(a, b, frame, path),
-    ...turn_handles(spot, middle, base),
+    ...turn_grips(spot, middle, base),
   ];
-  return { key: path, label: spot.title === row.name ? spot.title : `${spot.title}, ${row.name}`, at, handles, fields: fields_of(a, b, corners), lines: edges_of(a, b, frame) };
+  return { key: path, label: spot.title === row.name ? spot.title : `${spot.title}, ${row.name}`, at, grips, fields: fields_of(a, b, corners), lines: edges_of(a, b, frame) };
 }
 
-function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Handle[] {
-  const handles: Handle[] = [];
+function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Grip[] {
+  const grips: Grip[] = [];
   for (const axis of [0, 1, 2] as const) {
     for (const side of [-1, 1] as const) {
       // Corners may stand in any order: the upper one along this axis is moved by the upper face.
@@ -48,7 +48,7 @@ function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Handle[] {
       const centre = times(add(a, b), 0.5).map((one, k) => (k === axis ? moved[axis] : one)) as unknown as Vec;
       const way = unit(times(frame.axes[axis], side));
       const scale = length(frame.axes[axis]) || 1;
-      handles.push({
+      grips.push({
         key: `${side < 0 ? 'lower' : 'upper'} ${kAxes[axis]}`,
         label: `${side < 0 ? 'Lower' : 'Upper'} side along ${kAxes[axis]}`,
         motion: 'line',
@@ -66,12 +66,12 @@ function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Handle[] {
       });
     }
   }
-  return handles;
+  return grips;
 }
 
-function fields_of(a: Vec, b: Vec, corners: (one: number[], other: number[]) => Values): HandleField[] {
+function fields_of(a: Vec, b: Vec, corners: (one: number[], other: number[]) => Values): GripField[] {
   const middle = times(add(a, b), 0.5);
-  return kAxes.flatMap((name, axis): HandleField[] => {
+  return kAxes.flatMap((name, axis): GripField[] => {
     const size = Math.abs((b[axis] ?? 0) - (a[axis] ?? 0));
     const shift = (by: number): Values => corners(a.map((one, k) => (k === axis ? rounded(one + by, 1e-6) : one)), b.map((one, k) => (k === axis ? rounded(one + by, 1e-6) : one)));
     const sized = (to: number): Values => {

@@ -1,50 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// The handles of what is chosen: found from the document and the tables, in the frame in which it stands.
+// The grips of what is chosen: found from the document and the tables, in the frame in which it stands.
+import { Newest } from '../../base/newest.ts';
 import { Store } from '../../base/store.ts';
-import type { Json } from '../../document/json.ts';
-import { is_object } from '../../document/json.ts';
 import { path_of, steps_of, value_at } from '../../document/path.ts';
-import type { PathStep } from '../../document/path.ts';
 import type { Studio } from '../../studio.ts';
 import { groups_at } from '../../tables/resolve.ts';
-import type { HandleGroup, Sight, Values } from './handle.ts';
+import { value_now } from '../../time/values_now.ts';
+import type { GripGroup, Sight } from './grip.ts';
 import { groups_of_object } from './row_groups.ts';
 import type { Frame3 } from './space_math.ts';
 import { frame_of_rows, kWorld } from './space_math.ts';
 
 export class Gizmo {
-  readonly active = new Store<string | null>(null); // key of the group whose handles are shown
+  readonly active = new Store<string | null>(null); // key of the group whose grips are shown
   readonly stand = new Store<{ component: string; frame: Frame3 } | null>(null);
-  private asked_ = 0;
+  private readonly newest_ = new Newest();
 
   constructor(private readonly studio_: Studio) {}
 
   /// Another document is opened.
   forget(): void {
-    this.asked_ += 1;
+    this.newest_.drop();
     this.active.set(null);
     this.stand.set(null);
   }
 
-  /// Shows the handles of a part of what is chosen, as soon as it has some: those whose key begins with the path.
+  /// Shows the grips of a part of what is chosen, as soon as it has some: those whose key begins with the path.
   show(path: string): void {
     this.active.set(path);
   }
 
   /// Asks where the first instance of a component stands, as it has grown last.
   ask(component: string): void {
-    this.asked_ += 1;
-    const number = this.asked_;
+    const counts = this.newest_.begin();
     this.studio_.connection
       .request<{ stand: number[] | null }>('stand', { component })
       .then(({ stand }) => {
-        if (number === this.asked_) this.stand.set(stand ? { component, frame: frame_of_rows(stand) } : null);
+        if (counts()) this.stand.set(stand ? { component, frame: frame_of_rows(stand) } : null);
       })
       .catch(() => undefined);
   }
 
-  /// The groups of what is chosen, with the values under the hand.
-  groups(sight: Sight): HandleGroup[] {
+  /// The groups of what is chosen, with the values under the hand and of keys.
+  groups(sight: Sight): GripGroup[] {
     const studio = this.studio_;
     const object = object_of(studio.chosen.get());
     if (object === null) return [];
@@ -52,7 +50,7 @@ export class Gizmo {
     const frame = this.frame_of(object);
     if (!frame) return [];
     const tables = groups_at(studio.tables, tree, object).map((one) => one.table);
-    const value = with_values(value_at(tree, object), steps_of(object), studio.dragged.get());
+    const value = value_now(studio, object, value_at(tree, object));
     return groups_of_object(studio.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
   }
 
@@ -68,25 +66,4 @@ export function object_of(path: string): string | null {
   const steps = steps_of(path);
   if (steps[0] === 'scene') return 'scene';
   return steps[0] === 'components' && steps.length > 1 ? path_of(steps.slice(0, 2)) : null;
-}
-
-/// A value of the document with others in places of its own.
-export function with_values(value: Json | undefined, at: readonly PathStep[], values: Values): Json | undefined {
-  let made = value;
-  for (const [path, one] of Object.entries(values)) {
-    const steps = steps_of(path);
-    if (steps.length >= at.length && at.every((step, k) => steps[k] === step)) made = with_value(made, steps.slice(at.length), one);
-  }
-  return made;
-}
-
-function with_value(value: Json | undefined, [step, ...rest]: PathStep[], put: Json): Json {
-  if (step === undefined) return put;
-  if (typeof step === 'number') {
-    const list = Array.isArray(value) ? [...value] : [];
-    list[step < 0 ? list.length : step] = with_value(list[step], rest, put);
-    return list;
-  }
-  const object = is_object(value) ? value : {};
-  return { ...object, [step]: with_value(object[step], rest, put) };
 }

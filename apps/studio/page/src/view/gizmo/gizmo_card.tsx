@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of the handles that are shown, and the list of all things that have handles.
+// The numbers of the grips that are shown, and the list of all things that have grips.
 import type { ReactElement } from 'react';
 
 import { IconButton } from '../../controls/button.tsx';
 import { NumberField } from '../../controls/number_field.tsx';
 import { use_snapping } from '../../editors/snapping.ts';
 import { use_studio } from '../../studio_context.ts';
-import type { HandleField, HandleGroup, Values } from './handle.ts';
+import { drag_values, set_values } from '../../time/values_now.ts';
+import type { GripField, GripGroup } from './grip.ts';
 
 interface GizmoCardProps {
-  groups: readonly HandleGroup[];
-  shown: HandleGroup | null;
+  groups: readonly GripGroup[];
+  shown: GripGroup | null;
 }
 
 export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
@@ -18,10 +19,10 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
   const { active } = studio.bench.gizmo;
   const { snaps, set_snaps } = use_snapping();
   return (
-    <section className="gizmo-card" aria-label="Handles">
+    <section className="gizmo-card" aria-label="Grips">
       <header>
-        <select className="select" aria-label="What has handles" value={shown?.key ?? ''} onChange={(event) => active.set(event.target.value === '' ? null : event.target.value)}>
-          <option value="">{groups.length === 1 ? '1 thing has handles' : `${groups.length} things have handles`}</option>
+        <select className="select" aria-label="What has grips" value={shown?.key ?? ''} onChange={(event) => active.set(event.target.value === '' ? null : event.target.value)}>
+          <option value="">{groups.length === 1 ? '1 thing has grips' : `${groups.length} things have grips`}</option>
           {groups.map((group) => (
             <option key={group.key} value={group.key}>
               {group.label}
@@ -29,7 +30,7 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
           ))}
         </select>
         <IconButton is_small icon="magnet" label="Move in whole steps; Alt holds it off" is_on={snaps} press={() => set_snaps(!snaps)} />
-        {shown && <IconButton is_small icon="close" label="Hide the handles" press={() => active.set(null)} />}
+        {shown && <IconButton is_small icon="close" label="Hide the grips" press={() => active.set(null)} />}
       </header>
       {shown && shown.fields.length > 0 && (
         <div className="gizmo-fields">
@@ -42,13 +43,12 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
   );
 }
 
-function Field({ group, field }: { group: HandleGroup; field: HandleField }): ReactElement {
+function Field({ group, field }: { group: GripGroup; field: GripField }): ReactElement {
   const studio = use_studio();
-  const commit = (values: Values): void => void studio.edit(Object.entries(values).map(([set, value]) => ({ set, value })), `Set ${group.label}`);
   return (
     <label className="gizmo-field">
       <span>{field.label}</span>
-      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => studio.drag(field.values(one))} commit={(one) => commit(field.values(one))} cancel={() => studio.stop_drag()} />
+      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => drag_values(studio, field.values(one))} commit={(one) => set_values(studio, field.values(one), `Set ${group.label}`)} cancel={() => studio.stop_drag()} />
     </label>
   );
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles over the view. A hand or the arrow keys move them; one gesture is one step, and Escape puts back.
+// Grips over the view. A hand or the arrow keys move them; one gesture is one step, and Escape puts back.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -10,12 +10,13 @@ import { use_snapping } from '../../editors/snapping.ts';
 import { use_held } from '../../editors/use_held.ts';
 import { use_document, use_studio } from '../../studio_context.ts';
 import type { Studio } from '../../studio.ts';
+import { drag_values, set_values } from '../../time/values_now.ts';
 import { ProjectedLine } from '../projected_line.tsx';
 import type { View } from '../view.ts';
 import { GizmoCard } from './gizmo_card.tsx';
-import { HandleShape } from './handle_shape.tsx';
-import type { Grip, Handle, HandleGroup, Sight, Values } from './handle.ts';
-import { amount_of, amount_of_key } from './handle.ts';
+import { GripShape } from './grip_shape.tsx';
+import type { Hold, Grip, GripGroup, Sight, Values } from './grip.ts';
+import { amount_of, amount_of_key } from './grip.ts';
 import { object_of } from './gizmo.ts';
 
 const kReach = 72; // pixels from the middle of a group to the ends of its arrows
@@ -27,20 +28,21 @@ export function GizmoOverlay(): ReactElement | null {
   const { gizmo } = studio.bench;
   use_document();
   use_store(studio.dragged);
+  use_store(studio.bench.time.state); // what has keys moves with the time
   use_store(gizmo.stand);
   use_store(studio.view_facts); // the camera may have moved
-  const { shows_handles } = use_store(studio.view_state);
+  const { shows_grips } = use_store(studio.view_state);
   const active = use_store(gizmo.active);
   use_stand(studio);
   const { view } = studio;
-  if (!view || !shows_handles) return null;
+  if (!view || !shows_grips) return null;
   const sight = sight_of(view);
   const groups = gizmo.groups(sight);
   if (groups.length === 0) return null;
   const shown = groups.find((one) => one.key === active) ?? groups.find((one) => active !== null && one.key.startsWith(`${active}.`)) ?? null;
   return (
     <>
-      <svg className="gizmo" role="group" aria-label="Handles of what is chosen" data-groups={groups.length}>
+      <svg className="gizmo" role="group" aria-label="Grips of what is chosen" data-groups={groups.length}>
         {groups.map((group) => group !== shown && <Dot key={group.key} view={view} group={group} press={() => gizmo.active.set(group.key)} />)}
         {shown && <ActiveGroup key={shown.key} view={view} group={shown} sight={sight} />}
       </svg>
@@ -65,7 +67,7 @@ function sight_of(view: View): Sight {
 }
 
 /// A group that is not shown in full; the keyboard chooses it in the list beside.
-function Dot({ view, group, press }: { view: View; group: HandleGroup; press: () => void }): ReactElement | null {
+function Dot({ view, group, press }: { view: View; group: GripGroup; press: () => void }): ReactElement | null {
   const at = view.eye.project(group.at);
   if (!at) return null;
   return (
@@ -79,7 +81,7 @@ function Dot({ view, group, press }: { view: View; group: HandleGroup; press: ()
 
 interface ActiveGroupProps {
   view: View;
-  group: HandleGroup;
+  group: GripGroup;
   sight: Sight;
 }
 
@@ -87,82 +89,82 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
   const studio = use_studio();
   const { snaps } = use_snapping();
   const root = useRef<SVGGElement>(null);
-  const held = use_held<{ grip: Grip; values: Values | null }>();
+  const held = use_held<{ hold: Hold; values: Values | null }>();
   const chosen = use_held<string>();
   const label = `Set ${group.label}`;
-  const step_of = (handle: Handle, is_fine: boolean): number => {
+  const step_of = (grip: Grip, is_fine: boolean): number => {
     const { pixels, degrees } = is_fine ? kFine : kSnap;
-    return handle.motion === 'ring' ? degrees : fitting_step(0, pixels * view.eye.metres_per_pixel, 1);
+    return grip.motion === 'ring' ? degrees : fitting_step(0, pixels * view.eye.metres_per_pixel, 1);
   };
-  const ray = (event: PointerEvent): Grip['start'] => {
+  const ray = (event: PointerEvent): Hold['start'] => {
     const box = root.current?.ownerSVGElement?.getBoundingClientRect();
     return view.eye.ray_at(event.clientX - (box?.left ?? 0), event.clientY - (box?.top ?? 0));
   };
-  const down = (event: PointerEvent<SVGGElement>, handle: Handle): void => {
+  const down = (event: PointerEvent<SVGGElement>, grip: Grip): void => {
     if (event.button !== 0) return;
     event.stopPropagation();
     event.currentTarget.setPointerCapture(event.pointerId);
     event.currentTarget.focus();
-    held.set({ grip: { handle, start: ray(event) }, values: null });
+    held.set({ hold: { grip, start: ray(event) }, values: null });
   };
   const move = (event: PointerEvent): void => {
     const hand = held.get();
     if (!hand) return;
-    const { handle } = hand.grip;
-    const amount = amount_of(hand.grip, ray(event), sight.toward, step_of(handle, !snaps || event.altKey || event.shiftKey));
+    const { grip } = hand.hold;
+    const amount = amount_of(hand.hold, ray(event), sight.toward, step_of(grip, !snaps || event.altKey || event.shiftKey));
     if (!amount) return;
-    if (handle.motion === 'ring') amount.degrees = amount.step * Math.round(amount.degrees / amount.step);
+    if (grip.motion === 'ring') amount.degrees = amount.step * Math.round(amount.degrees / amount.step);
     const is_still = amount.degrees === 0 && amount.by.every((one) => one === 0);
-    const values = is_still ? {} : handle.values(amount);
+    const values = is_still ? {} : grip.values(amount);
     held.set({ ...hand, values: is_still ? null : values });
-    studio.drag(values);
+    drag_values(studio, values);
   };
   const let_go = (commits: boolean): void => {
     const hand = held.get();
     held.set(null);
-    if (hand?.values && commits) void studio.edit(edits_of(hand.values), label);
+    if (hand?.values && commits) set_values(studio, hand.values, label);
     else if (hand) studio.stop_drag();
   };
-  const key = (event: KeyboardEvent, handle: Handle): void => {
+  const key = (event: KeyboardEvent, grip: Grip): void => {
     if (event.key === 'Alt') return event.preventDefault();
     const way = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as const)[event.key];
     const go = { PageUp: -1, PageDown: 1 }[event.key];
     if (event.key === 'Escape' && held.get()) let_go(false);
     else if (event.key === 'Escape') studio.bench.gizmo.active.set(null);
-    else if (go !== undefined) focus_handle(root.current, handle.key, go);
+    else if (go !== undefined) focus_grip(root.current, grip.key, go);
     else if (way) {
-      const step = step_of(handle, event.shiftKey) * (event.ctrlKey || event.metaKey ? 10 : 1);
-      void studio.edit(edits_of(handle.values(amount_of_key(handle, way, sight, step))), label);
+      const step = step_of(grip, event.shiftKey) * (event.ctrlKey || event.metaKey ? 10 : 1);
+      set_values(studio, grip.values(amount_of_key(grip, way, sight, step)), label);
     } else return;
     event.preventDefault();
     event.stopPropagation();
   };
-  const first = chosen.shown !== null && group.handles.some((one) => one.key === chosen.shown) ? chosen.shown : (group.handles[0]?.key ?? '');
-  const holding = held.shown?.grip.handle.key ?? null;
+  const first = chosen.shown !== null && group.grips.some((one) => one.key === chosen.shown) ? chosen.shown : (group.grips[0]?.key ?? '');
+  const holding = held.shown?.hold.grip.key ?? null;
   return (
     <g ref={root} className="gizmo-group">
       {group.lines.map((line, k) => (
         <ProjectedLine key={k} view={view} places={line} className="gizmo-outline" />
       ))}
-      {in_order(group.handles).map((handle) => (
+      {in_order(group.grips).map((grip) => (
         <g
-          key={handle.key}
-          className={`gizmo-handle of-${handle.look}${holding === handle.key ? ' held' : ''}`}
-          data-handle={handle.key}
-          data-axis={/[xyz]+$/.exec(handle.key)?.[0]}
-          tabIndex={handle.key === first ? 0 : -1}
+          key={grip.key}
+          className={`gizmo-grip of-${grip.look}${holding === grip.key ? ' held' : ''}`}
+          data-grip={grip.key}
+          data-axis={/[xyz]+$/.exec(grip.key)?.[0]}
+          tabIndex={grip.key === first ? 0 : -1}
           role="slider"
-          aria-label={`${group.label}: ${handle.label}`}
-          aria-valuenow={handle.now}
-          aria-valuetext={handle.said}
-          onPointerDown={(event) => down(event, handle)}
+          aria-label={`${group.label}: ${grip.label}`}
+          aria-valuenow={grip.now}
+          aria-valuetext={grip.said}
+          onPointerDown={(event) => down(event, grip)}
           onPointerMove={move}
           onPointerUp={() => let_go(true)}
           onPointerCancel={() => let_go(false)}
-          onFocus={() => chosen.set(handle.key)}
-          onKeyDown={(event) => key(event, handle)}
+          onFocus={() => chosen.set(grip.key)}
+          onKeyDown={(event) => key(event, grip)}
         >
-          <HandleShape view={view} handle={handle} reach={sight.reach} />
+          <GripShape view={view} grip={grip} reach={sight.reach} />
         </g>
       ))}
     </g>
@@ -170,17 +172,13 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
 }
 
 /// What is small lies over what is large, so that hands can take hold of it.
-function in_order(handles: readonly Handle[]): Handle[] {
-  const looks: readonly Handle['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
-  return [...handles].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));
+function in_order(grips: readonly Grip[]): Grip[] {
+  const looks: readonly Grip['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
+  return [...grips].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));
 }
 
-function edits_of(values: Values): { set: string; value: Values[string] }[] {
-  return Object.entries(values).map(([set, value]) => ({ set, value }));
-}
-
-function focus_handle(root: SVGGElement | null, key: string, by: number): void {
-  const all = [...(root?.querySelectorAll<SVGGElement>('.gizmo-handle') ?? [])];
-  const at = all.findIndex((one) => one.dataset['handle'] === key);
+function focus_grip(root: SVGGElement | null, key: string, by: number): void {
+  const all = [...(root?.querySelectorAll<SVGGElement>('.gizmo-grip') ?? [])];
+  const at = all.findIndex((one) => one.dataset['grip'] === key);
   all[(at + by + all.length) % all.length]?.focus();
 }

@@ -5,9 +5,9 @@ import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Row } from '../../tables/tables.ts';
 import { within_hard_range } from '../../tables/tables.ts';
-import type { Handle, HandleField, HandleGroup, Sight } from './handle.ts';
-import { moved_vector } from './handle.ts';
-import { move_handles } from './move_handles.ts';
+import type { Grip, GripField, GripGroup, Sight } from './grip.ts';
+import { moved_vector } from './grip.ts';
+import { move_grips } from './move_grips.ts';
 import { fields_of } from './pose_group.ts';
 import type { Spot } from './row_groups.ts';
 import { vec_of } from './row_groups.ts';
@@ -19,13 +19,13 @@ const kRoundness = 48; // pieces of a circle
 
 interface Parts {
   lines: Vec[][];
-  handles: Handle[];
-  fields: HandleField[];
+  grips: Grip[];
+  fields: GripField[];
 }
 
 /// Nothing where its table has no position, or expressions stand in it. Defaults count in objects that are written.
 /// Directions and sizes are those of the first position.
-export function place_groups(spot: Spot, sight: Sight): HandleGroup[] {
+export function place_groups(spot: Spot, sight: Sight): GripGroup[] {
   const rows = spot.table.rows.filter((row) => row.in_space !== undefined);
   const value_of = (row: Row): Json | undefined => spot.value[row.name] ?? (spot.is_given ? row.default : undefined);
   const positions = rows.filter((row) => row.in_space === 'position' && vec_of(value_of(row)));
@@ -35,14 +35,14 @@ export function place_groups(spot: Spot, sight: Sight): HandleGroup[] {
   return [first, ...others].filter((group) => group !== null);
 }
 
-function place_group(spot: Spot, rows: readonly Row[], position: Row | undefined, direction: Row | undefined, value_of: (row: Row) => Json | undefined, sight: Sight): HandleGroup | null {
+function place_group(spot: Spot, rows: readonly Row[], position: Row | undefined, direction: Row | undefined, value_of: (row: Row) => Json | undefined, sight: Sight): GripGroup | null {
   if (!position && !direction) return null;
   const place = (position && vec_of(value_of(position))) ?? [0, 0, 0];
   const at = point_in(spot.frame, place);
-  const parts: Parts = { lines: [], handles: [], fields: [] };
+  const parts: Parts = { lines: [], grips: [], fields: [] };
   if (position) {
     const path = spot.path_of(position.name);
-    parts.handles.push(...move_handles(at, spot.frame, place.join(', '), ({ by, step }) => ({ [path]: moved_vector(place, vector_out(spot.frame, by), step) as Json })));
+    parts.grips.push(...move_grips(at, spot.frame, place.join(', '), ({ by, step }) => ({ [path]: moved_vector(place, vector_out(spot.frame, by), step) as Json })));
     parts.fields.push(...fields_of(place, path, kAxes, 'm', 0.05));
   }
   const way = (direction && vec_of(value_of(direction))) ?? null;
@@ -55,13 +55,13 @@ function place_group(spot: Spot, rows: readonly Row[], position: Row | undefined
   return { key: spot.path_of(first?.name ?? ''), label, at, ...parts };
 }
 
-/// The tip of an arrow as long as handles reach; the length of what is written stays.
+/// The tip of an arrow as long as grips reach; the length of what is written stays.
 function add_direction(parts: Parts, spot: Spot, path: string, at: Vec, way: Vec, sight: Sight): void {
   const long = length(way);
   const shown = unit(vector_in(spot.frame, way));
   const tip = add(at, times(shown, sight.reach));
   parts.lines.push([at, tip]);
-  parts.handles.push({
+  parts.grips.push({
     key: 'direction',
     label: 'Point in a direction',
     motion: 'free',
@@ -111,11 +111,11 @@ function add_size(parts: Parts, spot: Spot, row: Row, value: Json | undefined, p
   }
 }
 
-/// A handle `share` of a length away from a place; `way` is as long as a metre of the document is.
+/// A grip `share` of a length away from a place; `way` is as long as a metre of the document is.
 function push_length(parts: Parts, name: string, at: Vec, way: Vec, value: number, share: number, set: (value: number, step: number) => Record<string, Json>, row: Row): void {
   const [along, scale] = [unit(way), length(way) || 1];
   const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`.replaceAll('_', ' ');
-  parts.handles.push({
+  parts.grips.push({
     key: name,
     label,
     motion: 'line',

@@ -4,9 +4,9 @@ import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import { line_of, shape_of } from '../../editors/shape.ts';
 import type { Row } from '../../tables/tables.ts';
-import type { Handle, HandleGroup, Sight } from './handle.ts';
-import { moved_vector } from './handle.ts';
-import { move_handles } from './move_handles.ts';
+import type { Grip, GripGroup, Sight } from './grip.ts';
+import { moved_vector } from './grip.ts';
+import { move_grips } from './move_grips.ts';
 import { fields_of } from './pose_group.ts';
 import type { Spot } from './row_groups.ts';
 import { vec_of } from './row_groups.ts';
@@ -17,7 +17,7 @@ const kAxes = ['x', 'y', 'z'] as const;
 const kMostPoints = 64; // of a list; longer ones are edited in their rows
 const kLeastRise = 1e-3; // metres from one point of a profile to the next
 
-export function points_groups(spot: Spot, row: Row): HandleGroup[] {
+export function points_groups(spot: Spot, row: Row): GripGroup[] {
   const said = spot.value[row.name];
   if (!Array.isArray(said) || said.length > kMostPoints) return [];
   const points = said.map(vec_of);
@@ -25,18 +25,18 @@ export function points_groups(spot: Spot, row: Row): HandleGroup[] {
   const shown = points.map((point) => point && point_in(spot.frame, point));
   const line = row.together === 'line' ? shown.filter((one) => one !== null) : [];
   const name = spot.is_given ? spot.title : row.name.replaceAll('_', ' ');
-  return points.flatMap((point, k): HandleGroup[] => {
+  return points.flatMap((point, k): GripGroup[] => {
     const at = shown[k];
     if (!point || !at) return [];
     const put = (made: number[]): Json => said.map((old, index) => (index === k ? made : old));
     const fields = fields_of(point, path, kAxes, 'm', 0.05).map((field) => ({ ...field, values: (one: number) => ({ [path]: put((field.values(one)[path] as number[]) ?? []) }) }));
-    const handles = move_handles(at, spot.frame, point.join(', '), ({ by, step }) => ({ [path]: put(moved_vector(point, vector_out(spot.frame, by), step)) }));
-    return [{ key: `${path}[${k}]`, label: points.length > 1 ? `${name}, point ${k + 1}` : name, at, handles, fields, lines: line.length > 1 ? [line] : [] }];
+    const grips = move_grips(at, spot.frame, point.join(', '), ({ by, step }) => ({ [path]: put(moved_vector(point, vector_out(spot.frame, by), step)) }));
+    return [{ key: `${path}[${k}]`, label: points.length > 1 ? `${name}, point ${k + 1}` : name, at, grips, fields, lines: line.length > 1 ? [line] : [] }];
   });
 }
 
 /// `spot` is on the root.
-export function profile_group(spot: Spot, row: Row, sight: Sight): HandleGroup | null {
+export function profile_group(spot: Spot, row: Row, sight: Sight): GripGroup | null {
   const shape = shape_of(spot.value[row.name], 'silhouette');
   if (!shape) return null;
   const path = spot.path_of(row.name);
@@ -49,7 +49,7 @@ export function profile_group(spot: Spot, row: Row, sight: Sight): HandleGroup |
   const spline = line_of({ points: shape.points.map(([radius, height]) => [height, radius]), joining: 'spline', form: 'function' });
   const half = (side: number): Vec[] => spline.map(([height, radius]) => place(side * Math.max(0, radius), height));
   const rings = shape.points.map(([radius, height]) => circle(place(0, height), across, normal, radius * scale));
-  const handles = shape.points.map(([radius, height], k): Handle => {
+  const grips = shape.points.map(([radius, height], k): Grip => {
     const [below, above] = [shape.points[k - 1]?.[1] ?? -Infinity, shape.points[k + 1]?.[1] ?? Infinity];
     const moved = (by: Vec, step: number): Json => {
       const made = [Math.max(0, rounded(radius + dot(by, across) / scale, step)), Math.min(above - kLeastRise, Math.max(below + kLeastRise, rounded(height + dot(by, up) / scale, step)))];
@@ -68,7 +68,7 @@ export function profile_group(spot: Spot, row: Row, sight: Sight): HandleGroup |
     };
   });
   const top = shape.points.at(-1) ?? [0, 0];
-  return { key: path, label: spot.title === row.name ? spot.title : `${spot.title}, ${row.name}`, at: place(0, top[1]), handles, fields: [], lines: [half(1), half(-1), ...rings] };
+  return { key: path, label: spot.title === row.name ? spot.title : `${spot.title}, ${row.name}`, at: place(0, top[1]), grips, fields: [], lines: [half(1), half(-1), ...rings] };
 }
 
 function circle(centre: Vec, one: Vec, other: Vec, radius: number): Vec[] {

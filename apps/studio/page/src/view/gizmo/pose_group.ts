@@ -2,9 +2,9 @@
 // A shift and turns of something whose form the tables do not say: moved along the axes, turned by rings.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
-import type { Handle, HandleField, HandleGroup, Values } from './handle.ts';
-import { moved_vector } from './handle.ts';
-import { move_handles } from './move_handles.ts';
+import type { Grip, GripField, GripGroup, Values } from './grip.ts';
+import { moved_vector } from './grip.ts';
+import { move_grips } from './move_grips.ts';
 import type { Spot } from './row_groups.ts';
 import { pose_of, vec_of } from './row_groups.ts';
 import type { Frame3, Vec } from './space_math.ts';
@@ -24,15 +24,15 @@ function role_path(spot: Spot, role: string): { path: string; value: Vec | null 
 }
 
 /// The pose of what is written; nothing where expressions stand in it.
-export function pose_group(spot: Spot): HandleGroup | null {
+export function pose_group(spot: Spot): GripGroup | null {
   const shift = role_path(spot, 'shift');
   if (!shift?.value || !spot.is_given || Object.keys(spot.value).length === 0) return null;
   if (!poses_something(spot)) return null;
   const { frame } = spot;
   const from = shift.value;
   const at = point_in(frame, from);
-  const handles = [...move_handles(at, frame, from.map((one) => one.toFixed(2)).join(', '), ({ by, step }) => ({ [shift.path]: moved_vector(from, vector_out(frame, by), step) as Json })), ...turn_handles(spot, kStill, frame)];
-  return { key: shift.path, label: spot.title === 'frame' ? 'frame' : `${spot.title}, place`, at, handles, fields: [...fields_of(from, shift.path, kAxes, 'm', 0.05), ...turn_fields(spot)], lines: [] };
+  const grips = [...move_grips(at, frame, from.map((one) => one.toFixed(2)).join(', '), ({ by, step }) => ({ [shift.path]: moved_vector(from, vector_out(frame, by), step) as Json })), ...turn_grips(spot, kStill, frame)];
+  return { key: shift.path, label: spot.title === 'frame' ? 'frame' : `${spot.title}, place`, at, grips, fields: [...fields_of(from, shift.path, kAxes, 'm', 0.05), ...turn_fields(spot)], lines: [] };
 }
 
 /// Tables that may hold a file have a pose for it alone.
@@ -41,12 +41,12 @@ function poses_something({ table, value }: Spot): boolean {
   return !file || value[file.name] !== undefined;
 }
 
-function turn_fields(spot: Spot): HandleField[] {
+function turn_fields(spot: Spot): GripField[] {
   const turn = role_path(spot, 'turn');
   return turn?.value ? fields_of(turn.value, turn.path, kTurns, '°', 1) : [];
 }
 
-export function fields_of(from: Vec, path: string, names: readonly string[], unit_name: string, step: number): HandleField[] {
+export function fields_of(from: Vec, path: string, names: readonly string[], unit_name: string, step: number): GripField[] {
   return names.map((name, axis) => ({
     label: name,
     unit: unit_name,
@@ -58,13 +58,13 @@ export function fields_of(from: Vec, path: string, names: readonly string[], uni
 }
 
 /// Rings about the axes of the frame around the pose. `middle`, in the frame of what is posed, stays where it is.
-export function turn_handles(spot: Spot, middle: Vec, base: Frame3): Handle[] {
+export function turn_grips(spot: Spot, middle: Vec, base: Frame3): Grip[] {
   const [turn, shift] = [role_path(spot, 'turn'), role_path(spot, 'shift')];
   if (!turn?.value || !shift?.value) return [];
   const pose = pose_of(spot.table, spot.value);
   const centre = point_in(base, point_in(pose, middle));
   const [from, origin] = [turn.value, shift.value];
-  return kAxes.map((name, axis): Handle => {
+  return kAxes.map((name, axis): Grip => {
     const about: Vec = [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
     const values = ({ degrees, step }: { degrees: number; step: number }): Values => {
       const axes = pose.axes.map((one) => turned(one, about, degrees)) as [Vec, Vec, Vec];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which handles a part of the document has, found by what the parameter tables say of its rows in space.
+// Which grips a part of the document has, found by what the parameter tables say of its rows in space.
 import type { Json } from '../../document/json.ts';
 import { is_object } from '../../document/json.ts';
 import { path_below } from '../../document/path.ts';
 import type { ParameterTable, Row, Tables } from '../../tables/tables.ts';
 import { as_object, table_of } from '../../tables/tables.ts';
-import type { HandleGroup, Sight } from './handle.ts';
+import type { GripGroup, Sight } from './grip.ts';
 import type { Frame3, Vec } from './space_math.ts';
 import { framed, point_in, times, turn_of } from './space_math.ts';
 import { box_group } from './box_group.ts';
@@ -35,12 +35,12 @@ export interface Spot {
 interface Walk {
   tables: Tables;
   sight: Sight;
-  groups: HandleGroup[];
+  groups: GripGroup[];
 }
 
 /// The groups of all rows of an object. `frame` is what the rows speak of; of a component that of the site on which it
 /// stands.
-export function groups_of_object(tables: Tables, row_tables: readonly ParameterTable[], value: Json | undefined, path: string, title: string, frame: Frame3, sight: Sight): HandleGroup[] {
+export function groups_of_object(tables: Tables, row_tables: readonly ParameterTable[], value: Json | undefined, path: string, title: string, frame: Frame3, sight: Sight): GripGroup[] {
   const walk: Walk = { tables, sight, groups: [] };
   const object = is_object(value) ? value : {};
   const own = framed(frame, own_frame(tables, row_tables, object));
@@ -85,7 +85,7 @@ function visit(walk: Walk, spot: Spot, base: Frame3, depth: number): void {
   for (const row of table.rows) visit_nested(walk, row, spot, base, depth);
 }
 
-function push(walk: Walk, group: HandleGroup | null): void {
+function push(walk: Walk, group: GripGroup | null): void {
   if (group) walk.groups.push(group);
 }
 

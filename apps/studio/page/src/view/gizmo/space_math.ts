@@ -2,7 +2,8 @@
 // Places and frames of the world, and what a line of sight meets. Turns are those of documents: roll about y, then pitch
 // about x, then yaw about z, in degrees.
 
-export type Vec = readonly [number, number, number];
+import type { Vec } from '../../base/vec.ts';
+export type { Vec };
 
 /// Where things stand: the ways of x, y and z, which may scale, and the origin.
 export interface Frame3 {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What handles look like: an arrow, a square of a plane, a ring, a dot, the middle of a side. Each has a wider reach
+// What grips look like: an arrow, a square of a plane, a ring, a dot, the middle of a side. Each has a wider reach
 // that cannot be seen.
 import type { ReactElement } from 'react';
 
-import type { Place3 } from '../projected_line.tsx';
 import { ProjectedLine } from '../projected_line.tsx';
 import type { View } from '../view.ts';
-import type { Handle } from './handle.ts';
+import type { Grip } from './grip.ts';
 import type { Vec } from './space_math.ts';
 import { add, beside, cross, times } from './space_math.ts';
 
@@ -15,14 +14,14 @@ const kRing = 1.25; // radius of rings, in reaches
 const kTip = 9; // pixels
 const kSquare = { from: 0.24, to: 0.44 }; // of a reach, along both ways of a plane
 
-interface HandleShapeProps {
+interface GripShapeProps {
   view: View;
-  handle: Handle;
+  grip: Grip;
   reach: number; // metres
 }
 
-export function HandleShape({ view, handle, reach }: HandleShapeProps): ReactElement | null {
-  const { at, way, look } = handle;
+export function GripShape({ view, grip, reach }: GripShapeProps): ReactElement | null {
+  const { at, way, look } = grip;
   const centre = view.eye.project(at);
   if (!centre) return null;
   if (look === 'arrow') return <Arrow from={centre} to={view.eye.project(add(at, times(way, reach)))} />;
@@ -62,7 +61,7 @@ function Arrow({ from, to }: { from: [number, number]; to: [number, number] | nu
   );
 }
 
-function Line({ view, places }: { view: View; places: readonly Place3[] }): ReactElement {
+function Line({ view, places }: { view: View; places: readonly Vec[] }): ReactElement {
   return (
     <>
       <ProjectedLine view={view} places={places} className="reach" />

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles of the view: what a hand or the arrow keys move, and which values of the document that means.
+// Grips of the view: what a hand or the arrow keys move, and which values of the document that means.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Ray, Vec } from './space_math.ts';
@@ -8,14 +8,14 @@ import { add, along_line, angle_about, minus, on_plane, times } from './space_ma
 /// Values by their paths.
 export type Values = Record<string, Json>;
 
-/// How far a handle was moved.
+/// How far a grip was moved.
 export interface Amount {
   by: Vec; // metres in the world
   degrees: number; // of a ring
   step: number; // to which values are rounded: metres or degrees
 }
 
-export interface Handle {
+export interface Grip {
   key: string; // within its group
   label: string;
   motion: 'line' | 'plane' | 'ring' | 'free'; // free: across the line of sight
@@ -29,7 +29,7 @@ export interface Handle {
 }
 
 /// A number beside the view.
-export interface HandleField {
+export interface GripField {
   label: string;
   unit: string;
   value: number;
@@ -38,54 +38,54 @@ export interface HandleField {
   values: (value: number) => Values;
 }
 
-/// The handles of one thing: of a box, a lamp, a point of a wire.
-export interface HandleGroup {
+/// The grips of one thing: of a box, a lamp, a point of a wire.
+export interface GripGroup {
   key: string; // path of its first row
   label: string;
   at: Vec;
-  handles: Handle[];
-  fields: HandleField[];
+  grips: Grip[];
+  fields: GripField[];
   lines: Vec[][]; // its outline in the world
 }
 
-/// What the view looks like, for handles that lie across the line of sight.
+/// What the view looks like, for grips that lie across the line of sight.
 export interface Sight {
   right: Vec; // of the screen, level
   toward: Vec; // the eye
-  reach: number; // metres from the middle of a group to its outer handles
+  reach: number; // metres from the middle of a group to its outer grips
 }
 
-export interface Grip {
-  handle: Handle;
+export interface Hold {
+  grip: Grip;
   start: Ray;
 }
 
-/// How far the hand has moved a handle that it took hold of at `grip.start`; null where that cannot be told.
-export function amount_of({ handle, start }: Grip, now: Ray, toward: Vec, step: number): Amount | null {
+/// How far the hand has moved a grip that it took hold of at `hold.start`; null where that cannot be told.
+export function amount_of({ grip, start }: Hold, now: Ray, toward: Vec, step: number): Amount | null {
   const still: Amount = { by: [0, 0, 0], degrees: 0, step };
-  if (handle.motion === 'line') {
-    const [from, to] = [along_line(start, handle.at, handle.way), along_line(now, handle.at, handle.way)];
-    return from === null || to === null ? null : { ...still, by: times(handle.way, to - from) };
+  if (grip.motion === 'line') {
+    const [from, to] = [along_line(start, grip.at, grip.way), along_line(now, grip.at, grip.way)];
+    return from === null || to === null ? null : { ...still, by: times(grip.way, to - from) };
   }
-  if (handle.motion === 'ring') {
-    const centre = handle.centre ?? handle.at;
-    const [from, to] = [on_plane(start, centre, handle.way), on_plane(now, centre, handle.way)];
+  if (grip.motion === 'ring') {
+    const centre = grip.centre ?? grip.at;
+    const [from, to] = [on_plane(start, centre, grip.way), on_plane(now, centre, grip.way)];
     if (!from || !to) return null;
-    const turn = angle_about(handle.way, centre, to) - angle_about(handle.way, centre, from);
+    const turn = angle_about(grip.way, centre, to) - angle_about(grip.way, centre, from);
     return { ...still, degrees: ((turn + 540) % 360) - 180 };
   }
-  const normal = handle.motion === 'free' ? toward : handle.way;
-  const [from, to] = [on_plane(start, handle.at, normal), on_plane(now, handle.at, normal)];
+  const normal = grip.motion === 'free' ? toward : grip.way;
+  const [from, to] = [on_plane(start, grip.at, normal), on_plane(now, grip.at, normal)];
   return from && to ? { ...still, by: minus(to, from) } : null;
 }
 
 /// What an arrow key moves: along its line, about its ring, or to the right and up on its plane.
-export function amount_of_key(handle: Handle, [right, up]: readonly [number, number], sight: Sight, step: number): Amount {
+export function amount_of_key(grip: Grip, [right, up]: readonly [number, number], sight: Sight, step: number): Amount {
   const still: Amount = { by: [0, 0, 0], degrees: 0, step };
-  if (handle.motion === 'line') return { ...still, by: times(handle.way, (right + up) * step) };
-  if (handle.motion === 'ring') return { ...still, degrees: (right + up) * step };
-  const level = Math.abs(handle.way[1]) > 0.9 && handle.motion === 'plane';
-  const across = handle.motion === 'plane' ? across_of(handle.way, sight.right) : sight.right;
+  if (grip.motion === 'line') return { ...still, by: times(grip.way, (right + up) * step) };
+  if (grip.motion === 'ring') return { ...still, degrees: (right + up) * step };
+  const level = Math.abs(grip.way[1]) > 0.9 && grip.motion === 'plane';
+  const across = grip.motion === 'plane' ? across_of(grip.way, sight.right) : sight.right;
   const upward: Vec = level ? [-sight.toward[0], 0, -sight.toward[2]] : [0, 1, 0];
   const long = Math.hypot(...upward) || 1;
   return { ...still, by: add(times(across, right * step), times(upward, (up * step) / long)) };

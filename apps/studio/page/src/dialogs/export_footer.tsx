@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Below what makes files: the line of a terminal that does the same, and then what makes them.
+import type { ReactElement, ReactNode } from 'react';
+
+import { Button } from '../controls/button.tsx';
+import type { ExportWish } from '../copy_command.ts';
+import { copy_command } from '../copy_command.ts';
+import { use_studio } from '../studio_context.ts';
+
+export function ExportFooter({ wish, children }: { wish: ExportWish; children: ReactNode }): ReactElement {
+  const studio = use_studio();
+  return (
+    <>
+      <Button icon="command" tip="The line that does the same in a terminal" press={() => void copy_command(studio, wish)}>
+        Copy as command
+      </Button>
+      <span className="stretch" />
+      {children}
+    </>
+  );
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// What has keys is seen and edited at the time that the view shows: a value that a hand means for a path becomes keys
+// of what has some there, and is the value of the text where nothing has.
+import type { Json } from '../document/json.ts';
+import { steps_of } from '../document/path.ts';
+import type { PathStep } from '../document/path.ts';
+import { value_within, with_value, with_values } from '../document/put_values.ts';
+import type { Edit } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import type { Track } from './keys.ts';
+import { dragged_keys, keys_edits, with_key } from './keys.ts';
+import type { Key } from './track.ts';
+import { value_at_time } from './track.ts';
+import { keyed_path, with_dragged } from './use_keyed.ts';
+
+export type Values = Readonly<Record<string, Json>>;
+
+/// The same values, parted: those of the text, and the keys of tracks, by their names.
+export interface PartedValues {
+  plain: Record<string, Json>;
+  keys: Record<string, readonly Key[]>;
+}
+
+/// Tracks may stand at a path, below it (of an element of a vector), or above it.
+export function parted(values: Values, tracks: readonly Track[], time: number): PartedValues {
+  const made: PartedValues = { plain: {}, keys: {} };
+  const keys_of = (track: Track): readonly Key[] => made.keys[track.name] ?? track.keys;
+  const put = (track: Track, value: Json, is_part = false): void => {
+    // An element of a vector that a hand means as a whole gets no further key where it stays as its keys have it.
+    if (is_part && JSON.stringify(value) === JSON.stringify(value_at_time(keys_of(track), time))) return;
+    made.keys[track.name] = with_key(keys_of(track), time, value);
+  };
+  for (const [path, value] of Object.entries(values)) {
+    const steps = steps_of(path);
+    const whole = tracks.find((one) => one.path === keyed_path(path) || one.name === path);
+    const above = tracks.find((one) => is_below(steps, steps_of(one.path)));
+    if (whole) put(whole, value);
+    else if (above) put(above, with_value(value_at_time(keys_of(above), time), steps.slice(steps_of(above.path).length), value));
+    else {
+      made.plain[path] = value;
+      for (const track of tracks) {
+        const own = is_below(steps_of(track.path), steps) ? value_within(value, steps_of(track.path).slice(steps.length)) : undefined;
+        if (own !== undefined) put(track, own, true);
+      }
+    }
+  }
+  return made;
+}
+
+function is_below(steps: readonly PathStep[], above: readonly PathStep[]): boolean {
+  return steps.length > above.length && above.every((step, k) => steps[k] === step);
+}
+
+/// The value at a path as it is shown: that under the hand, else with what keys give at the view's time.
+export function value_now(studio: Studio, path: string, value: Json | undefined): Json | undefined {
+  const { time } = studio.bench;
+  const dragged = studio.dragged.get();
+  const steps = steps_of(path);
+  const keyed = Object.fromEntries(
+    time.tracks
+      .filter((one) => one.path === path || is_below(steps_of(one.path), steps))
+      .map((one) => [one.path, value_at_time(with_dragged(one, dragged, time.document, time.tops).keys, time.time)]),
+  );
+  return with_values(value, steps, { ...keyed, ...dragged });
+}
+
+/// Whether something below a path has keys of its own, as an element of a vector may.
+export function has_keys_below(tracks: readonly Track[], path: string): boolean {
+  return tracks.some((one) => is_below(steps_of(one.path), steps_of(path)));
+}
+
+/// Grows with these values for a while, as `drag` of the studio does.
+export function drag_values(studio: Studio, values: Values): void {
+  studio.drag(dragged_values(studio, values));
+}
+
+/// What a drag says of these values.
+export function dragged_values(studio: Studio, values: Values): Record<string, Json> {
+  const { time } = studio.bench;
+  const { plain, keys } = parted(values, time.tracks, time.time);
+  return Object.keys(keys).length > 0 ? { ...plain, ...dragged_keys(time.document, keys) } : plain;
+}
+
+/// Gives these values as one step, and takes what never stands beside them. A label "Set ..." says "Key ..." where keys
+/// alone are written.
+export function set_values(studio: Studio, values: Values, label: string, excluded: readonly string[] = []): void {
+  const { time } = studio.bench;
+  const { plain, keys } = parted(values, time.tracks, time.time);
+  const edits: Edit[] = Object.entries(plain).map(([set, value]) => ({ set, value }));
+  if (edits.length === 0) return void studio.edit(edits_of_keys(studio, keys), label.replace(/^Set /, 'Key '));
+  give(studio, [...edits, ...edits_of_keys(studio, keys)], label, excluded);
+}
+
+/// Gives something and takes what never stands beside it, as one step.
+export function give(studio: Studio, edits: Edit[], label: string, excluded: readonly string[]): void {
+  void studio.edit([...edits, ...excluded.map((path) => ({ unset: path }))], label);
+  if (excluded.length > 0) studio.tell(`Removed ${excluded.map(last_name).join(' and ')}, which cannot stand beside it`);
+}
+
+function edits_of_keys(studio: Studio, keys: PartedValues['keys']): Edit[] {
+  return Object.entries(keys).flatMap(([name, made]) => keys_edits(studio.bench.time.document, name, made));
+}
+
+function last_name(path: string): string {
+  return path.slice(path.lastIndexOf('.') + 1).replaceAll('_', ' ');
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// A studio with one page, for tests of what they tell each other.
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "meristem/components/registry.h"
+#include "meristem/document/json.h"
+#include "studio_session.h"
+#include "tests/support/shown_scene.h"
+#include "tests/support/temporary_folder.h"
+
+namespace meristem::studio {
+
+namespace fs = std::filesystem;
+
+inline const std::string kBush = R"json({
+  "meristem": 1,
+  "variables": {"size": {"value": 0.1, "min": 0, "max": 1}},  // "\u00e9\ud83c\udf33"
+  "components": {
+    "stem": {"type": "tree", "length": 1.5, "radius": 0.01},
+    "leaf": {"type": "leaf", "length": "size", "width": 0.03, "colour": "#337722"}
+  },
+  "links": [{"from": "stem", "to": "leaf", "kind": "branch", "count": 40}]
+}
+)json";
+
+/// What the page would have received, in order.
+class Mailbox : public Outbox {
+ public:
+  void send_text(std::string message) override {
+    const std::lock_guard lock(mutex_);
+    texts_.push_back(parse_json(message));
+    news_.notify_all();
+  }
+  void send_packet(std::string packet) override {
+    const std::lock_guard lock(mutex_);
+    packets_.push_back(std::move(packet));
+    news_.notify_all();
+  }
+
+  /// The first message for which that holds, which comes if it is not there yet.
+  template <class Holds>
+  Value wait_for(Holds holds) {
+    std::unique_lock lock(mutex_);
+    for (std::size_t k = 0;; ++k) {
+      while (k >= texts_.size()) {
+        if (news_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
+          throw std::runtime_error("silence");
+      }
+      if (holds(texts_[k])) return texts_[k];
+    }
+  }
+  Value answer(double id) {
+    return wait_for([id](const Value& message) {
+      const Value* re = message.find("re");
+      return re != nullptr && re->number() != nullptr && *re->number() == id &&
+             *message.find("is")->text() != "working";
+    });
+  }
+  std::string packet(std::size_t k) {
+    std::unique_lock lock(mutex_);
+    while (k >= packets_.size()) {
+      if (news_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
+        throw std::runtime_error("no packet");
+    }
+    return packets_[k];
+  }
+  std::size_t packet_count() {
+    const std::lock_guard lock(mutex_);
+    return packets_.size();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::vector<Value> texts_;
+  std::vector<std::string> packets_;
+};
+
+/// A studio with one page, which takes over packets as the page does.
+class Studio {
+ public:
+  explicit Studio(std::chrono::milliseconds still = std::chrono::milliseconds(0)) {
+    std::ofstream(folder_ / "bush.json") << kBush;
+    host_.still_after = still;
+    host_.limits.messages_per_second = 100'000;
+  }
+
+  Host& host() { return host_; }
+  const fs::path& folder() const { return folder_.path(); }
+  Mailbox& mailbox() { return *mailbox_; }
+  StudioSession& page() {
+    if (!page_) page_.emplace(host_, mailbox_);
+    return *page_;
+  }
+
+  /// Asks and gives the answer; members are the request's in JSON.
+  Value ask(const std::string& what, const std::string& members = "") {
+    page().receive(request(what, members));
+    return mailbox_->answer(id_);
+  }
+  std::string request(const std::string& what, const std::string& members) {
+    return "{\"do\": \"" + what + "\", \"id\": " + std::to_string(++id_) + (members.empty() ? "" : ", ") + members +
+           "}";
+  }
+  Value open_bush() {
+    const Value answer = ask("open", R"("path": "bush.json")");
+    hash_ = text_of(answer, "hash");
+    return answer;
+  }
+  Value edit(const std::string& edits) {
+    const Value answer = ask("edit", "\"base\": \"" + hash_ + "\", \"edits\": " + edits);
+    if (answer.find("hash") != nullptr) hash_ = text_of(answer, "hash");
+    return answer;
+  }
+  /// Takes packets over until one at rest shows the text of this hash.
+  ReadPacket show(const std::string& hash) {
+    for (;;) {
+      last_ = mailbox_->packet(taken_++);
+      scene_.apply(last_);
+      const ReadPacket packet(last_);
+      ask("shown", "\"packet\": " + std::to_string(static_cast<int>(packet.number("packet"))));
+      if (!packet.flag("draft") && *packet.head.find("hash")->text() == hash) return packet;
+    }
+  }
+  ReadPacket show() { return show(hash_); }
+  const ShownScene& scene() const { return scene_; }
+  std::size_t taken() const { return taken_; }
+  const std::string& last_packet() const { return last_; }
+  const std::string& hash() const { return hash_; }
+
+  static std::string text_of(const Value& message, const char* name) {
+    const Value* member = message.find(name);
+    return member != nullptr && member->text() != nullptr ? *member->text() : "";
+  }
+
+ private:
+  TemporaryFolder folder_;
+  Host host_{.registry = builtin_components(),
+             .root = RootFolder(folder_.path().string()),
+             .models_folder = MERISTEM_SOURCE_DIR "/models"};
+  std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
+  std::optional<StudioSession> page_;
+  ShownScene scene_;
+  std::string hash_;
+  std::string last_;
+  std::size_t taken_ = 0;
+  int id_ = 0;
+};
+
+inline bool is_refused(const Value& answer) { return Studio::text_of(answer, "is") == "refused"; }
+
+}  // namespace meristem::studio

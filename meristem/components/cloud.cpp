@@ -135,7 +135,8 @@ ComponentType cloud_component() {
                                     {"limit", "light.limit"},
                                     {"frame", "frame"},
                                     {"gravitropism", "gravitropism"},
-                                    {"phototropism", "phototropism"}}}},
+                                    {"phototropism", "phototropism"}},
+                           .before_growth = {"crown", "points", "roots", "one_crown", "limit"}}},
       .parameters =
           Table<Cloud>("a cloud", "The attraction points of a crown as dots.")
               .text("of", &Cloud::of,

@@ -284,8 +284,22 @@ class DocumentReader {
     if (reader.fault_count() != faults_before) return;
     prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), whole, path);
     if (reader.fault_count() != faults_before) return;
+    check_shown(reader, prototype, value, path);
     set_fingerprints(prototype, whole, reader.constants(), std::span(reader.files()).subspan(files_before),
                      reader.limits());
+  }
+
+  /// Where a component shows what growth has left to another one, its own rows for what there was before mean nothing.
+  static void check_shown(ParameterReader& reader, const Prototype& prototype, const Value& value,
+                          const DocumentPath& path) {
+    const auto& watches = prototype.type->watches_growth;
+    if (prototype.shown.empty() || !watches || !watches(prototype.parameters.get())) return;
+    for (const std::string& row : prototype.type->shows.before_growth) {
+      if (value.find(row) == nullptr) continue;
+      reader.fault_meaning(DocumentPath(path, row),
+                           fmt::format("'{}' has no meaning beside the growth of '{}'", row, prototype.shown),
+                           "no such key");
+    }
   }
 
   /// What a component says, and what it takes from the one that it shows.

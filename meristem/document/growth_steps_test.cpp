@@ -253,6 +253,24 @@ TEST(GrowthSteps, ACloudBesideATreeShowsWhatGrowthHasLeft) {
   EXPECT_EQ(dots(grown(apart, {})), there);
 }
 
+TEST(GrowthSteps, PointsOfACloudsOwnMeanNothingBesideTheGrowthOfATree) {
+  const std::string text = R"j({
+    "meristem": 1,
+    "components": {
+      "tree": {"type": "colonize", "crown": {"ellipsoid": {"centre": [0, 1, 0], "radii": [0.5, 0.5, 0.5]}}, "points": 20},
+      "dots": {"type": "cloud", "of": "tree", "after_growth": true, "points": 10}
+    }
+  })j";
+  try {
+    read(text);
+    FAIL();
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.diagnostics().size(), 1U);
+    EXPECT_EQ(error.diagnostics()[0].path, "components.dots.points");
+    EXPECT_EQ(error.diagnostics()[0].message, "'points' has no meaning beside the growth of 'tree'");
+  }
+}
+
 TEST(GrowthSteps, ACloudThatDoesNotStandBesideItsTreeIsAFault) {
   const std::string text = R"j({
     "meristem": 1,

@@ -31,6 +31,8 @@ struct Showing {
   std::string type;  ///< type of the other component; empty: it shows none
   /// The rows that it takes from the other component, each with the row's path there, as in "light.limit".
   std::vector<std::pair<std::string, std::string>> rows;
+  /// Rows of its own that mean nothing where it shows what growth has left to the other component.
+  std::vector<std::string> before_growth;
 };
 
 struct ComponentTraits {

@@ -40,7 +40,7 @@ TEST(Formats, LevelsOfDetailStandBesideTheFile) {
 TEST(Formats, FilesNeedWhatOneOfThemNeeds) {
   const std::vector<const Format*> tables{&format_of("a.csv"), &format_of("a.points.csv")};
   EXPECT_EQ(needed_part(tables), GrownPart::plant);
-  EXPECT_TRUE(needed_wish(tables).points);
+  EXPECT_TRUE(needed_wish(tables).has(TracePart::points));
   const std::vector<const Format*> meshes{&format_of("a.csv"), &format_of("a.glb")};
   EXPECT_EQ(needed_part(meshes), GrownPart::textures);
   EXPECT_FALSE(needed_wish(meshes).any());

@@ -17,13 +17,13 @@ void append_all(std::vector<T>& list, std::vector<T> more) {
 
 std::uint64_t TraceWish::bits() const {
   std::uint64_t bits = 0;
-  for (const bool part : {steps, points, pulls, ways, losses, markers}) bits = 2 * bits + (part ? 1 : 0);
+  for (const bool part : {steps, points, pulls, ways, losses, markers, outcome}) bits = 2 * bits + (part ? 1 : 0);
   return bits;
 }
 
 TraceWish operator|(const TraceWish& a, const TraceWish& b) {
-  return {a.steps || b.steps, a.points || b.points, a.pulls || b.pulls,
-          a.ways || b.ways,   a.losses || b.losses, a.markers || b.markers};
+  return {a.steps || b.steps,   a.points || b.points,   a.pulls || b.pulls,    a.ways || b.ways,
+          a.losses || b.losses, a.markers || b.markers, a.outcome || b.outcome};
 }
 
 void StepMarks::append(StepMarks more) {

@@ -24,8 +24,9 @@ struct TraceWish {
   bool ways = false;     ///< the ways to more light, or to more room, that buds found
   bool losses = false;   ///< what was shed and cut, and why
   bool markers = false;  ///< the markers of room, free and taken; needs `steps`
+  bool outcome = false;  ///< how the plant would stand after what it plans
 
-  bool any() const { return steps || points || pulls || ways || losses || markers; }
+  bool any() const { return steps || points || pulls || ways || losses || markers || outcome; }
   std::uint64_t bits() const;  ///< equal for equal wishes; 0 for none
   bool operator==(const TraceWish&) const = default;
 };
@@ -93,6 +94,9 @@ class GrowthTrace {
   /// the byte. `scene` is the one in which it grew. Only where steps were asked for. Throws what
   /// Grower::take_skeleton() throws.
   virtual Skeleton standing(int step, const Scene& scene, Progress& progress) const = 0;
+  /// The finished skeleton after what the plant plans, as a growth gives it that does so, where nothing else of the
+  /// stand grows on afterwards. Null where it plans nothing, or nobody asked for it.
+  virtual const Skeleton* outcome() const { return nullptr; }
   /// What is known of a step: the marks that `wish` names, as far as they were recorded.
   virtual StepMarks marks(int step, const TraceWish& wish) const = 0;
   virtual std::uint64_t bytes() const = 0;  ///< of memory

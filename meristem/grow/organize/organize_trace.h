@@ -4,6 +4,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "meristem/grow/growth_trace.h"
@@ -26,8 +28,12 @@ class OrganizeTrace : public GrowthTrace {
   /// Shows the room of a tree, whose buds see markers up to `perception` metres away.
   void show_room(std::shared_ptr<const MarkerField> vacant, double perception);
 
+  /// Takes how all trees stand after what they plan.
+  void plan(Skeleton outcome) { outcome_ = std::move(outcome); }
+
   int last_step() const override { return static_cast<int>(steps_.size()) - 1; }
   Skeleton standing(int step, const Scene& scene, Progress& progress) const override;
+  const Skeleton* outcome() const override { return outcome_ ? &*outcome_ : nullptr; }
   /// Ways, losses and markers. Markers are those that the component's own trees have taken or could see. Their time
   /// goes with the trees' size, and the square of how far buds see.
   StepMarks marks(int step, const TraceWish& wish) const override;
@@ -37,6 +43,7 @@ class OrganizeTrace : public GrowthTrace {
   std::vector<TracedPlace> markers(const Skeleton& skeleton) const;
 
   std::vector<Step> steps_;
+  std::optional<Skeleton> outcome_;
   std::vector<TracedLoss> losses_;                         // by rising step
   std::vector<std::shared_ptr<const MarkerField>> rooms_;  // one for each tree; empty: no markers are shown
   double perception_ = 0;

@@ -552,7 +552,7 @@ TEST(OrganizeComponent, ConditionsThatAreNoNumbersFindNothing) {
 }
 
 TEST(OrganizeComponent, LinksAskForRankAgeAndInclination) {
-  const Value operations = operation({{"above", 6}})[0].second;
+  const Value operations = operation({{"at", 8}, {"above", 8}})[0].second;
   const Value::Object parameters{{"iterations", 14}, {"operations", operations}};
   const Skeleton tree = skeleton_of(parameters);
   const std::vector<float>& rank = tree.extra.at("rank");

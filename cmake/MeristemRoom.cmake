@@ -34,6 +34,19 @@ function(meristem_compile_options target)
   endif()
 endfunction()
 
+# Leaves in the list `files` those that have a test whose name or suite matches.
+function(meristem_tests_named name files)
+  set(matching "")
+  foreach(file IN LISTS ${files})
+    file(STRINGS ${file} found REGEX "^[A-Z_]*(TEST|GTEST)[A-Z_]*\\(.*(${name})" LIMIT_COUNT 1)
+    if(found)
+      list(APPEND matching ${file})
+    endif()
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${${files}})
+  set(${files} "${matching}" PARENT_SCOPE)
+endfunction()
+
 # meristem_room(NAME SOURCES ... HEADERS ... TESTS ... PUBLIC ... PRIVATE ... TESTED_WITH ...)
 #
 # One static library `meristem_NAME`, alias `meristem::NAME`, and one test program `meristem_NAME_tests` from the files
@@ -89,6 +102,9 @@ function(meristem_room name)
   set_property(GLOBAL APPEND PROPERTY MERISTEM_ROOM_LIST meristem::${name})
   set_property(GLOBAL APPEND PROPERTY MERISTEM_EXPORTED_TARGETS ${target})
 
+  if(MERISTEM_TESTS_NAMED)
+    meristem_tests_named("${MERISTEM_TESTS_NAMED}" ROOM_TESTS)
+  endif()
   if(MERISTEM_TESTS AND MERISTEM_ROOM_TESTS AND ROOM_TESTS)
     add_executable(${target}_tests ${ROOM_TESTS})
     meristem_compile_options(${target}_tests)

@@ -287,7 +287,8 @@ class KeyReader {
     const bool is_whole_vector = row.kind == ParameterKind::vector && !found.is_element;
     if (!is_whole_vector) {
       Value::List list = numbers(number, keys, place, by_instance, std::nullopt);
-      return by_instance ? Value(std::move(list)) : now(list, row.kind == ParameterKind::integer);
+      const bool is_whole = row.kind == ParameterKind::integer && !row.form.counts;
+      return by_instance ? Value(std::move(list)) : now(list, is_whole);
     }
     Value::List vector;
     for (std::size_t c = 0; c < 3; ++c) {

@@ -189,6 +189,22 @@ TEST(Animation, AnInstanceOfAKeyedCountBeginsItsClockWhenTheCountReachesIt) {
   }
 }
 
+TEST(Animation, OfAKeyedCountOfALinkTheLastChildGrowsOutOfNothing) {
+  const auto with = [&](const std::string& count, const std::string& keys) {
+    return read(R"j({"meristem": 1, "components": {
+        "pole": {"type": "horn", "length": 1}, "box": {"type": "simple"}},
+      "links": [{"from": "pole", "to": "box", "kind": "branch", "where": "1", "count": )j" +
+                count + "}]" + keys + "}");
+  };
+  const Document keyed = with("1", R"j(, "animation": {"length": 8, "keys": {"links[0].count": [[0, 1], [8, 5]]}})j");
+  for (const double time : {0.0, 1.0, 3.5, 8.0}) {
+    EXPECT_EQ(hash_at(keyed, time), hash_at(with(fmt::format("{}", 1 + time / 2), ""))) << time;
+    EXPECT_EQ(heights(keyed, time).size(), static_cast<std::size_t>(std::ceil(1 + time / 2)));
+  }
+  // An expression gives whole numbers, as it always has.
+  EXPECT_EQ(hash_at(with("\"2*1.7\"", "")), hash_at(with("3", "")));
+}
+
 constexpr const char* kGrowing = R"j({"meristem": 1,
   "components": {
     "tree": {"type": "colonize", "crown": {"profile": [[0.2, 0.5], [1, 1], [0.2, 2]]}, "points": 300,

@@ -17,8 +17,9 @@ const ParameterTable& placement_table() {
       Table<Placement>("a branch link", "Positions of children along stems.")
           .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9, .usual = {0, 200}},
                   "Density of the sites along the stem; 40 where neither density nor count is given.")
-          .integer("count", &Placement::count, {.min = 0, .max = 2e9, .usual = {0, 500}},
-                   "Number of sites on each skeleton, divided among its axes by their length.")
+          .count("count", &Placement::count, {.min = 0, .max = 2e9, .usual = {0, 500}},
+                 "Number of sites on each skeleton, divided among its axes by their length; of 3.4 sites the last one "
+                 "has 0.4 of its size.")
           .condition("where", &Placement::where, node_variables(),
                      "Condition for the parts of stems that bear children; by default, twigs (\"tip_distance < 0.4\") "
                      "of grown plants, and all of other stems.")
@@ -109,6 +110,7 @@ struct AxisSites {
   double eligible = 0;  // metres that may carry children
   float length = 0;     // of the whole axis
   std::uint64_t places = 0;
+  double last = 1;  // how far the last place has come to be
   std::uint64_t first_site = 0;
 };
 
@@ -154,23 +156,34 @@ AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> node
   return places;
 }
 
-/// Shares sites out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
-/// or an exact count by cumulated length. Returns their number, as a double so that nothing overflows.
-double count_places(std::vector<AxisSites>& axes, const Placement& placement, RandomKey key) {
-  double total = 0;
-  if (placement.count) {
-    double whole = 0;
-    for (const AxisSites& axis : axes) whole += axis.eligible;
-    double before = 0;
-    double given = 0;
-    for (AxisSites& axis : axes) {
-      before += axis.eligible;
-      const double due = whole > 0 ? std::floor(*placement.count * (before / whole) + 0.5) : 0;
-      axis.places = static_cast<std::uint64_t>(due - given);
-      given = due;
-    }
-    return given * placement.whorl;
+/// Shares an exact count out over the axes by cumulated length. Returns the number of places, with those that are
+/// coming to be.
+double share_count(std::vector<AxisSites>& axes, double count) {
+  double whole = 0;
+  for (const AxisSites& axis : axes) whole += axis.eligible;
+  if (!(whole > 0)) return 0;
+  const double below = std::floor(count), above = std::ceil(count);
+  double before = 0, given_below = 0, given_above = 0, total = 0;
+  for (AxisSites& axis : axes) {
+    before += axis.eligible;
+    const double due_below = std::floor(below * (before / whole) + 0.5);
+    const double due_above = std::floor(above * (before / whole) + 0.5);
+    const double of_below = due_below - given_below, of_above = due_above - given_above;
+    const Count places(of_below + (count - below) * (of_above - of_below));
+    axis.places = places.parts();
+    axis.last = places.last();
+    total += places.parts();
+    given_below = due_below;
+    given_above = due_above;
   }
+  return total;
+}
+
+/// Shares sites out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
+/// or by an exact count. Returns their number, as a double so that nothing overflows.
+double count_places(std::vector<AxisSites>& axes, const Placement& placement, RandomKey key) {
+  if (placement.count) return share_count(axes, placement.count->value) * placement.whorl;
+  double total = 0;
   const double density = placement.density.value_or(kDefaultDensity);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const double expected = std::floor(axes[a].eligible * density + key.child(a).uniform(0));
@@ -197,13 +210,13 @@ class AxisWriter {
     if (axis.places == 0) return;
     const auto whorl = static_cast<std::uint64_t>(placement_.whorl);
     const double roll = placement_.roll.value_or(2 * kPi * places_.uniform(1));
-    const double spacing = axis.eligible / static_cast<double>(axis.places);
+    const double spacing = axis.eligible / (static_cast<double>(axis.places) - 1 + axis.last);
     std::size_t p = 0;
     Vec3 tangent = piece_tangent(axis.pieces[0]);
     Vec3 radial = first_radial(tangent);
     for (std::uint64_t k = 0; k < axis.places; ++k) {
       // Walk to the piece with the k-th site, carrying the radial direction without twist.
-      const double at = (static_cast<double>(k) + 0.5) * spacing;
+      const double at = std::min((static_cast<double>(k) + 0.5) * spacing, axis.eligible);
       while (p + 1 < axis.pieces.size() && at >= axis.pieces[p + 1].carried) {
         const Vec3 next = piece_tangent(axis.pieces[++p]);
         radial = rotation_between(tangent, next) * radial;
@@ -218,8 +231,10 @@ class AxisWriter {
         site = context_.parent;
         site.i = static_cast<std::uint32_t>(k * whorl + w);
         site.n = static_cast<std::uint32_t>(axis.places * whorl);
+        site.part = static_cast<float>(1 - placement_.whorl * (1 - axis.last));
         site.key = key_.child(site.i);
         fill(site, axis, piece, std::clamp(along, 0.0F, 1.0F), rotation(tangent, azimuth) * radial, tangent);
+        if (k + 1 == axis.places && axis.last < 1) site.frame.axes *= static_cast<float>(axis.last);
       }
     }
   }

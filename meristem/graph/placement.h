@@ -10,6 +10,7 @@
 
 #include "meristem/base/curve.h"
 #include "meristem/base/limits.h"
+#include "meristem/graph/table/count.h"
 #include "meristem/graph/table/facing.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/graph/table/selection.h"
@@ -26,7 +27,7 @@ struct Placement {
   bool operator==(const Placement&) const = default;
 
   std::optional<double> density;                    ///< sites per metre of stem; 40 where neither is given
-  std::optional<int> count;                         ///< sites on a skeleton, shared out over its axes by length
+  std::optional<Count> count;                       ///< sites on a skeleton, shared out over its axes by length
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
   int whorl = 1;                                    ///< organs per site
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from site to site
@@ -85,7 +86,9 @@ Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity);
 std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
                                         const PlacementContext& context);
 
-/// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
+/// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. Of a count
+/// with a fraction, each axis has what lies between its sites of the whole counts below and above: those of its last
+/// place are smaller, and the others make room for them, so that nothing jumps while a count rises or falls. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
 /// A lateral axis begins at its parent's bark. A skeleton of one node has no axis to stand on and gets no sites.
 /// Throws InputError past the limit of instances.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -103,6 +104,58 @@ TEST(Placement, CountIsExact) {
     EXPECT_EQ(places(twigs(0.12F), everywhere({{"count", count}})).size(), static_cast<std::size_t>(count));
   }
   EXPECT_EQ(places(pole(), everywhere({{"count", 5}, {"whorl", 3}})).size(), 15U);
+}
+
+float size_of(const Site& site) { return glm::length(site.frame.axes[1]); }
+
+TEST(Placement, OfACountWithAFractionTheLastChildHasComeToBeInPart) {
+  const auto sites = places(pole(), everywhere({{"count", 3.25}, {"whorl", 2}}));
+  ASSERT_EQ(sites.size(), 8U);
+  for (const Site& site : sites) EXPECT_NEAR(size_of(site), site.i < 6 ? 1 : 0.25, 1e-6) << site.i;
+  // 2 m for 3.25 places; the fourth would stand past the tip.
+  EXPECT_NEAR(sites[4].frame.origin.y, 2 * 2.5 / 3.25, 1e-6);
+  EXPECT_NEAR(sites[6].frame.origin.y, 2, 1e-6);
+  EXPECT_EQ(sites[0].n, 8U);
+  EXPECT_EQ(sites[0].part, 1 - 2 * 0.75F);
+}
+
+TEST(Placement, WhileACountRisesNothingJumps) {
+  Skeleton skeleton;
+  add_axis(skeleton, kNoNode, kUp, 3, 3);
+  for (const float length : {0.5F, 0.7F, 1.1F}) add_axis(skeleton, kNoNode, {1, 0, 0}, length, 5);
+  std::map<std::pair<float, std::uint32_t>, std::pair<float, float>> before;  // u and size by axis and place
+  constexpr double kStep = 1.0 / 64;
+  for (double count = 0; count <= 12; count += kStep) {
+    std::map<std::pair<float, std::uint32_t>, std::pair<float, float>> now;
+    double all = 0;
+    for (const Site& site : places(skeleton, everywhere({{"count", count}}))) {
+      now[{site.length, site.i}] = {site.u, size_of(site)};
+      all += static_cast<double>(size_of(site));
+    }
+    EXPECT_NEAR(all, count, 1e-5);
+    for (const auto& [place, state] : now) {
+      const auto found = before.find(place);
+      // A share of an axis's places is at most one for each that the whole count gains.
+      EXPECT_LE(std::abs(state.second - (found == before.end() ? 0 : found->second.second)), kStep + 1e-6) << count;
+      if (found == before.end()) continue;
+      EXPECT_LE(std::abs(state.first - found->second.first), 2 * kStep) << count;
+    }
+    for (const auto& [place, state] : before) {
+      if (now.contains(place)) continue;
+      EXPECT_LE(state.second, kStep + 1e-6) << count;
+    }
+    before = std::move(now);
+  }
+}
+
+TEST(Placement, ARangeOverACountThatRisesIsWholeAtWholeCounts) {
+  for (const double count : {2.0, 2.5, 3.0}) {
+    Varying range{.min = 0, .max = 90, .scale = 1};
+    range.last = 90;
+    const auto sites = places(pole(), everywhere({{"count", count}}));
+    const VaryingValues values(std::span(&range, 1), sites, 0);
+    EXPECT_NEAR(values.value(0, 1), std::min(1.0, 1 / (count - 1)) * 90, 1e-5) << count;
+  }
 }
 
 TEST(Placement, CountIsSharedOutByLength) {

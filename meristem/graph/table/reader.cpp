@@ -302,7 +302,8 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   const auto store = [&](double number) { slot.store(slot.member, number * scale); };
   const bool may_vary = holder_.object != nullptr && parameter.may_vary();
   if (value.number() != nullptr || (value.text() != nullptr && !may_vary)) {
-    if (const std::optional<double> given = number(parameter, value, path)) store(*given);
+    const std::optional<double> given = number(parameter, value, path);
+    if (given) store(parameter.form.counts && value.number() == nullptr ? std::floor(*given + 0.5) : *given);
     return;
   }
   if (!may_vary) {

@@ -67,7 +67,7 @@ struct Site {
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
   Clock clock;
   double appeared = 0;  ///< when it came to be, by its clock, seconds; plus infinity where it has not yet
-  float part = 1;       ///< how far the last of the siblings has come to be: counts that have a fraction
+  float part = 1;       ///< n - 1 + part siblings have come to be, of a count that has a fraction
   std::shared_ptr<const SiteValues> values{};          ///< null where nothing has been given
   std::shared_ptr<const Surroundings> surroundings{};  ///< null where nothing has been said of them
 };

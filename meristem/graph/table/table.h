@@ -55,8 +55,10 @@ class Table {
     row(ParameterKind::integer, name, member, doc).form = form;
     return std::move(*this);
   }
-  /// A number of parts, whole but where keys or a plain number give it a fraction.
-  Table&& count(std::string_view name, Count P::*member, NumberRange form, std::string_view doc) && {
+  /// A number of parts, whole but where keys or a plain number give it a fraction. A Count or an optional one.
+  template <class M>
+  Table&& count(std::string_view name, M P::*member, NumberRange form, std::string_view doc) && {
+    static_assert(std::is_same_v<ValueOf<M>, Count>);
     form.counts = true;
     row(ParameterKind::integer, name, member, doc).form = form;
     return std::move(*this);

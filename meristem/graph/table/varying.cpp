@@ -51,7 +51,7 @@ void evaluate_expression(const Varying& varying, std::span<const Site> sites, do
 
 /// What the range of a number gives for one of the siblings.
 double at_site(const Varying& varying, const Site& site, double time) {
-  const double gaps = static_cast<double>(site.n) - 2 + static_cast<double>(site.part);
+  const double gaps = std::max(1.0, static_cast<double>(site.n) - 2 + static_cast<double>(site.part));
   const double share = site.n > 1 ? std::min(1.0, site.i / gaps) : 0;
   if (varying.keys == nullptr) return varying.first + share * (varying.last - varying.first);
   const double shown = site.clock.at(time);

@@ -8,6 +8,7 @@ import type { Packet, PacketInstances, PacketMesh } from '../server/packet.ts';
 import { bytes, floats, shorts, signed_bytes, words } from '../server/packet.ts';
 import type { Placing } from './instances.ts';
 import { copies_for, frames_texture, tints_texture } from './instances.ts';
+import { Solid } from './ray.ts';
 
 /// Arrays that several batches may draw from: copies of a mesh.
 interface Arrays {
@@ -21,6 +22,7 @@ interface Mesh {
   copied: Map<number, Arrays>; // by the number of copies; 1: `once`
   vertices: number;
   triangles: number;
+  solid: Solid;
 }
 
 interface InstanceSet {
@@ -35,6 +37,7 @@ export interface Batch extends Placing {
   mesh: string;
   instances_of: string;
   tint_scale: three.Color;
+  solid: Solid; // its mesh, for rays
 }
 
 const kWhite: [number, number, number] = [1, 1, 1];
@@ -72,7 +75,9 @@ export class Buffers {
     const vertices = attributes['position']?.count ?? 0;
     attributes['copy'] = new three.BufferAttribute(new Uint16Array(vertices), 1);
     const once = { attributes, index, users: new Set<three.InstancedBufferGeometry>() };
-    this.meshes_.set(mesh.key, { once, copied: new Map([[1, once]]), vertices, triangles: mesh.triangles });
+    const uv = attributes['uv'];
+    const solid = new Solid(floats(packet, mesh.positions), index.array, uv ? (k) => [uv.getX(k), uv.getY(k)] : null);
+    this.meshes_.set(mesh.key, { once, copied: new Map([[1, once]]), vertices, triangles: mesh.triangles, solid });
   }
 
   add_instances(packet: Packet, set: PacketInstances): void {
@@ -108,7 +113,7 @@ export class Buffers {
     geometry.instanceCount = Math.ceil(set.count / copies);
     arrays.users.add(geometry);
     const { frames, tints, count } = set;
-    const batch = { geometry, mesh: mesh_key, instances_of: set_key, tint_scale: new three.Color(...set.tint_scale), frames, tints, instances: count, copies };
+    const batch = { geometry, mesh: mesh_key, instances_of: set_key, tint_scale: new three.Color(...set.tint_scale), frames, tints, instances: count, copies, solid: mesh.solid };
     this.batches_.set(key, batch);
     return batch;
   }

@@ -4,7 +4,7 @@ import * as three from 'three';
 
 import type { Batch, Buffers } from './buffers.ts';
 import { place, placing_uniforms } from './instances.ts';
-import { kMarkFragment, kMarkVertex } from './pick_shader.ts';
+import { kMarkFragment, kMarkVertex } from './mark_shader.ts';
 
 const kKey = 'mark';
 const kColour = new three.Color(1, 0.55, 0.1);

@@ -42,7 +42,7 @@ export class View {
   private readonly ground_ = new Ground();
   private readonly box_ = new three.Box3();
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
-  private readonly picker_: Picker;
+  private readonly picker_ = new Picker();
   private readonly queue_: PictureQueue;
   private size_: [number, number] = [1, 1]; // of the frame, pixels
   private sized_: [number, number] = [0, 0]; // that the canvas was made for
@@ -62,7 +62,6 @@ export class View {
     this.plant = new PlantScene(this.sunlight_.light, this.is_software ? 1 : 4, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
     this.scene_.matrixWorldAutoUpdate = false;
-    this.picker_ = new Picker(this.renderer_);
     listen(canvas_, this.orbit, {
       moved: () => this.move(),
       fit: () => this.fit(),

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the pictures of leaves have holes, as the processor can ask: their alpha, kept while the picture is.
+import type * as three from 'three';
+
+import type { IsHole } from './ray.ts';
+
+const kMost = 512; // pixels on a side that are kept
+
+export class Holes {
+  private readonly known_ = new WeakMap<object, IsHole>();
+
+  /// Whether a picture is less than half there at (u, v), of which each period shows the whole picture.
+  of(picture: three.Texture): IsHole | null {
+    const image = picture.image as ImageBitmap | null;
+    if (!image) return null;
+    const known = this.known_.get(image);
+    if (known) return known;
+    const [width, height] = [Math.min(kMost, image.width), Math.min(kMost, image.height)];
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    if (!context) return null;
+    context.drawImage(image, 0, 0, width, height);
+    const { data } = context.getImageData(0, 0, width, height);
+    const pixel = (share: number, pixels: number): number => Math.min(pixels - 1, Math.floor((share - Math.floor(share)) * pixels));
+    const made: IsHole = (u, v) => (data[4 * (pixel(v, height) * width + pixel(u, width)) + 3] ?? 255) < 128;
+    this.known_.set(image, made);
+    return made;
+  }
+}

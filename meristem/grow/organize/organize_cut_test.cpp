@@ -136,7 +136,7 @@ TEST(OrganizeCut, ALateralThatTakesOverTurnsToWhereTheTerminalWent) {
 }
 
 /// Inclinations of what leads above a cut of the stem at iteration 8 or, where nothing was cut, of the stem there; of
-/// 20 seeds. The first metamers of a successor still turn.
+/// 20 seeds. Only what grew after iteration 10 counts: until then a successor still turns.
 double mean_inclination(OrganizeParameters parameters, bool cuts) {
   if (cuts) parameters = with_cuts(parameters, {{.at = 8, .shoot = "main", .above = 6}});
   double sum = 0;
@@ -147,7 +147,7 @@ double mean_inclination(OrganizeParameters parameters, bool cuts) {
     const auto rank = tree.extra.find("rank");
     for (NodeIndex node = 1; node < tree.node_count(); ++node) {
       const bool leads = cuts ? rank->second[node] == 0 && axis[node] != 0 : axis[node] == 0;
-      if (!leads || state(tree, "metamer", node) <= (cuts ? 4.0F : 10.0F)) continue;
+      if (!leads || tree.birth[node] <= 10) continue;
       const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];
       sum += degrees(std::asin(std::clamp(way.y / glm::length(way), -1.0F, 1.0F)));
       ++count;

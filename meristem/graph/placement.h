@@ -86,8 +86,8 @@ Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity);
 std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
                                         const PlacementContext& context);
 
-/// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. Of a count
-/// with a fraction, each axis has what lies between its sites of the whole counts below and above: those of its last
+/// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. A count
+/// with a fraction gives each axis what lies between its sites of the whole counts below and above: those of its last
 /// place are smaller, and the others make room for them, so that nothing jumps while a count rises or falls. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
 /// A lateral axis begins at its parent's bark. A skeleton of one node has no axis to stand on and gets no sites.

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -30,7 +31,6 @@ std::deque<Registry>& registries() {
 std::vector<Override> overrides_of(const DocumentOptions& options) {
   std::vector<Override> overrides;
   for (const std::string& set : options.sets) overrides.push_back(parse_override(set));
-  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   return overrides;
 }
 
@@ -93,6 +93,13 @@ Document open_document(const DocumentOptions& options, double time) {
       {.overrides = overrides_of(options), .seed = options.seed, .time = time, .models = models_folder()});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
+}
+
+Document read_again(const Document& document, const DocumentOptions& options, std::vector<Override> more) {
+  std::vector<Override> overrides = overrides_of(options);
+  overrides.insert(overrides.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return read_document(document.source.text, document.source.file, components(),
+                       {.overrides = std::move(overrides), .seed = options.seed, .models = models_folder()});
 }
 
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun) {

@@ -35,7 +35,6 @@ void add_plugin_option(CLI::App& command);
 struct DocumentOptions {
   std::string path;
   std::vector<std::string> sets;
-  std::vector<Override> overrides;  ///< what a command sets besides, after `sets`
   std::optional<std::uint64_t> seed;
   int threads = 0;
   bool quiet = false;
@@ -46,6 +45,10 @@ struct DocumentOptions {
 /// Reads the document that the options name: a file, "-" for standard input, or a shipped model by its name. Prints
 /// warnings unless quiet. It stands as its animation says at `time`, in seconds.
 Document open_document(const DocumentOptions& options, double time = 0);
+
+/// A document that was opened with these options, with other values besides, which replace those of the same paths.
+/// Prints nothing.
+Document read_again(const Document& document, const DocumentOptions& options, std::vector<Override> more);
 
 /// The scene of a document that was opened with these options, with another sun: `sun` is the JSON of a "scene.sun".
 /// Prints what is odd about it unless quiet.

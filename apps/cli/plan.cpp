@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What people would do to the trees of a document now: the operations of their last iteration, found and not done.
+#include "meristem/document/plan.h"
+
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,7 +16,6 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/counted.h"
 #include "meristem/base/parallel.h"
-#include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
@@ -37,52 +39,14 @@ struct PlanOptions {
 
 constexpr const char* kRule = "--rule";  // what messages call it
 
-/// The components that could have operations, and the iteration of the last.
-std::vector<std::pair<std::string, int>> pruned_components(const Document& document) {
-  std::vector<std::pair<std::string, int>> found;
-  for (const Prototype& component : document.graph.components) {
-    if (const std::optional<int> last = last_iteration(component)) found.emplace_back(component.id, *last);
-  }
-  if (!found.empty()) return found;
-  throw InputError(Diagnostic{.message = fmt::format("'{}' has no trees that operations act on", document.source.file),
-                              .expected = "a document with a component of type organize"});
-}
-
-/// The operations of a component in the document's text, and those that were asked for besides: at the last iteration,
-/// unless they say when.
-Value with_rules(const Document& document, const std::string& id, int last, const std::vector<std::string>& rules) {
-  const Value text = parse_json(document.source.text);
-  const Value* components = text.find("components");
-  const Value* own = components != nullptr ? components->find(id) : nullptr;
-  const Value* given = own != nullptr ? own->find("operations") : nullptr;
-  Value::List operations = given != nullptr && given->list() != nullptr ? *given->list() : Value::List();
-  for (const std::string& rule : rules) {
-    Value operation = parse_json_of(rule, kRule);
-    if (operation.object() == nullptr) {
-      throw InputError(
-          Diagnostic{.message = fmt::format("--rule cannot be {}", operation.description()),
-                     .expected = R"(an operation, such as {"do": "cut", "shoots": "inward", "above": 0})"});
-    }
-    const auto has = [&](const char* key) { return operation.find(key) != nullptr; };
-    if (const Value* season = operation.find("season"); season != nullptr && *season == Value("summer")) {
-      throw InputError(Diagnostic{.message = "--rule acts after all growth of the last iteration, and not in summer",
-                                  .expected = "an operation without 'season'"});
-    }
-    if (!has("at") && !has("from") && !has("every") && !has("to")) {
-      operation.object()->insert(operation.object()->begin(), {"at", Value(last)});
-    }
-    operations.push_back(std::move(operation));
-  }
-  return operations;
-}
-
 std::string told(const OperationRecord& record) {
   std::string text = fmt::format("{}: {} {}", record.operation, record.act, record.shoot);
   if (record.metamer > 0) text += fmt::format(" above metamer {}", record.metamer);
   text += fmt::format(" at ({:.3f}, {:.3f}, {:.3f}) m", record.position.x, record.position.y, record.position.z);
   if (record.metamers > 0) {
     text +=
-        fmt::format(", {}, {:.3f} m", counted(static_cast<std::uint64_t>(record.metamers), "metamer"), record.length);
+        fmt::format(", {}, {:.3f} m, {:.1f} mm thick", counted(static_cast<std::uint64_t>(record.metamers), "metamer"),
+                    record.length, 1000 * record.diameter);
   }
   return text;
 }
@@ -91,18 +55,11 @@ void plan(const PlanOptions& options) {
   const auto format_at = [](const std::string& path) { return path.empty() ? nullptr : &format_of(path); };
   const Format* const before = format_at(options.before);
   const Format* const after = format_at(options.after);
+  PlanRules rules{{}, kRule};
+  for (const std::string& rule : options.rules) rules.operations.push_back(parse_json_of(rule, kRule));
   const Document asked = open_document(options.document);
-  DocumentOptions quiet = options.document;
-  quiet.quiet = true;
-  for (const auto& [id, last] : pruned_components(asked)) {
-    if (options.rules.empty()) continue;
-    quiet.overrides.push_back(
-        {fmt::format("components.{}.operations", id), with_rules(asked, id, last, options.rules), kRule});
-  }
-  const Document done = options.rules.empty() ? asked : open_document(quiet);
-  for (const auto& [id, last] : pruned_components(asked))
-    quiet.overrides.push_back({fmt::format("components.{}.plan", id), true, ""});
-  const Document planned = open_document(quiet);
+  const Document done = read_again(asked, options.document, with_rules(asked, rules));
+  const Document planned = read_again(asked, options.document, only_planned(asked, rules));
   for (const std::string& path : {options.output, options.before, options.after}) {
     if (!path.empty()) check_grown_output(asked, path);
   }
@@ -113,16 +70,24 @@ void plan(const PlanOptions& options) {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
     FileSet files;
-    const auto options_for = [](const Format* const& format) {
+    GrowthCache cache;
+    const auto options_for = [&](const Format* const& format, TraceWish wish, bool outcome) {
       const std::span<const Format* const> formats(&format, format != nullptr ? 1 : 0);
-      return GrowthOptions{.up_to = needed_part(formats), .view = {{}, needed_wish(formats)}};
+      return GrowthOptions{
+          .up_to = needed_part(formats), .cache = &cache, .view = {{}, wish | needed_wish(formats), outcome}};
     };
-    GrownDocument grown = grow_document(planned, progress, options_for(before));
+    // One growth is shown before and after what it plans, and records what either file tells of it.
+    const std::array both{before, after};
+    TraceWish wish = after != nullptr ? TraceWish{TracePart::outcome} : TraceWish{};
+    for (const Format* format : both) {
+      if (format != nullptr) wish = wish | needed_wish(std::span(&format, 1));
+    }
+    GrownDocument grown = grow_document(planned, progress, options_for(before, wish, false));
     records = operation_records(*ExpandedPlant(grown.plant, progress));
     if (!options.output.empty()) write_operation_csv(grown.plant, options.output, progress);
     if (before != nullptr) before->write(planned, grown, options.before, {}, progress);
     if (after != nullptr) {
-      grown = grow_document(done, progress, options_for(after));
+      grown = grow_document(planned, progress, options_for(after, wish, true));
       after->write(done, grown, options.after, {}, progress);
     }
     files.commit();

@@ -33,8 +33,12 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
   growth.radii.tip_radius *= scale;
   growth.light = tree.light.model;
   growth.light.voxel *= scale;
+  int number = 0;
   const auto add = [&](const AnyOperation& operation) {
-    if (!common_of(operation).off) growth.operations.push_back(build_operation(operation, axes));
+    ++number;
+    if (common_of(operation).off) return;
+    growth.operations.push_back(build_operation(operation, axes));
+    growth.operations.back().number = number;
   };
   if (tree.training) std::ranges::for_each(tree.training->operations, add);
   std::ranges::for_each(tree.operations, add);

@@ -582,14 +582,51 @@ TEST(OrganizeComponent, OperationsAndLeavesAskForMarks) {
 }
 
 TEST(OrganizeComponent, ConditionsThatAreNoNumbersFindNothing) {
-  for (const char* const shoots : {"sqrt(-1)", "0 / 0", "log(-length)"}) {
+  for (const char* const shoots : {"sqrt(-1)", "0 / 0", "log(-length)", "1 / 0", "-1 / 0"}) {
     Value::Object cut = operation({{"shoots", shoots}, {"above", 0}});
     cut.emplace_back("iterations", 6);
     EXPECT_EQ(skeleton_of(cut).node_count(), skeleton_of({{"iterations", 6}}).node_count()) << shoots;
   }
-  Value::Object when = operation({{"when", "0 / 0"}, {"above", 3}});
-  when.emplace_back("iterations", 6);
-  EXPECT_EQ(skeleton_of(when).node_count(), skeleton_of({{"iterations", 6}}).node_count());
+  for (const char* const condition : {"0 / 0", "1 / 0", "-1 / 0"}) {
+    Value::Object when = operation({{"when", condition}, {"above", 3}});
+    when.emplace_back("iterations", 6);
+    EXPECT_EQ(skeleton_of(when).node_count(), skeleton_of({{"iterations", 6}}).node_count()) << condition;
+    // Nor do links find a part of a stem.
+    EXPECT_TRUE(organs_of(leafy({{"iterations", 6}}, {{"where", condition}}).grow(), "leaf").empty()) << condition;
+  }
+}
+
+TEST(OrganizeComponent, LinksAskForRankAgeAndInclination) {
+  const Value operations = operation({{"at", 8}, {"above", 8}})[0].second;
+  const Value::Object parameters{{"iterations", 14}, {"operations", operations}};
+  const Skeleton tree = skeleton_of(parameters);
+  const std::vector<float>& rank = tree.extra.at("rank");
+  const auto leaves = [&](const char* where) {
+    return static_cast<double>(organs_of(leafy(parameters, {{"where", where}}).grow(), "leaf").size());
+  };
+  const double all = leaves("1");
+  // Metamers are equally long, so those for which it holds bear as large a share of all leaves as they are of all.
+  const auto expect = [&](const char* where, auto holds) {
+    double count = 0;
+    for (NodeIndex node = 1; node < tree.node_count(); ++node) count += holds(node) ? 1 : 0;
+    EXPECT_GT(count, 0) << where;
+    EXPECT_NEAR(leaves(where) / all, count / static_cast<double>(tree.node_count() - 1), 0.005) << where;
+  };
+  expect("rank == 0", [&](NodeIndex node) { return rank[node] == 0; });
+  expect("rank >= 2", [&](NodeIndex node) { return rank[node] >= 2; });
+  const auto is_three_or_four = [&](NodeIndex node) { return tree.birth[node] == 10 || tree.birth[node] == 11; };
+  expect("bud_age >= 3 && bud_age < 5", is_three_or_four);
+  expect("inclination > 30", [&](NodeIndex node) {
+    const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];
+    return static_cast<double>(way.y) > glm::length(way) * std::sin(radians(30));
+  });
+}
+
+TEST(OrganizeComponent, ACutAboveNoLateralIsRefused) {
+  for (const char* const number : {"0", "-2", "0.5", "1 / 0", "0 / 0"}) {
+    EXPECT_EQ(fault(operation({{"above_lateral", number}})).path, "components.tree.operations[0].above_lateral")
+        << number;
+  }
 }
 
 TEST(OrganizeComponent, TakesTenThousandOperations) {

@@ -34,6 +34,18 @@ std::string linked(const std::string& links) {
               R"("tree": {"type": "colonize", "crown": {"profile": [[1, 1], [1, 2]]}}, "leaf": {"type": "leaf"})");
 }
 
+TEST(Document, SupportsOfNoLengthAreFaults) {
+  const auto found = [](const std::string& support) {
+    return faults_of(with("\"scene\": {\"supports\": {\"w\": " + support + "}},"));
+  };
+  for (const char* const support : {"[[0, 1, 0], [0, 1, 0]]", R"({"line": [[0, 1, 0], [0, 1, 0]]})"}) {
+    EXPECT_NE(found(support).find("scene.supports.w.line[1]: the support has no length here"), std::string::npos)
+        << found(support);
+  }
+  EXPECT_NE(found("[[0, 1, 0]]").find("scene.supports.w.line: the line has fewer than two points"), std::string::npos);
+  EXPECT_EQ(found("[[0, 1, 0], [0, 2, 0]]"), "no fault");
+}
+
 TEST(Document, ReadsItsHead) {
   const Document document = read(with(
       R"("name": "Oak", "description": "d", "author": "a", "licence": "l", "seed": 9, "output": {"size": [3, 4], "samples": 5, "lod": 3},)"));

@@ -37,6 +37,22 @@ constexpr const char* kOrganizing = R"j({
   "links": [["tree", "leaf"]]
 })j";
 
+constexpr const char* kTrained = R"j({
+  "meristem": 1, "seed": 3,
+  "components": {
+    "tree": {"type": "organize", "iterations": 18, "length": 0.1, "sag": {}, "resource": {"alpha": 2.3},
+             "training": {"form": "espalier"},
+             "operations": [
+               {"do": "cut", "from": 5, "every": 3, "season": "summer", "shoots": "rank >= 2 && length > 0.15", "above": 1},
+               {"do": "bend", "from": 4, "every": 5, "shoots": "rank == 1 && age < 4", "metamers": 3, "inclination": -10,
+                "iterations": 3},
+               {"do": "tie", "from": 6, "every": 4, "shoots": "rank == 1 && height > 0.5", "anchor": "ground", "length": 0.3,
+                "iterations": 2}]},
+    "leaf": {"type": "leaf", "length": 0.06, "width": 0.03}
+  },
+  "links": [["tree", "leaf"]]
+})j";
+
 constexpr const char* kMarkers = R"j({
   "meristem": 1, "seed": 2,
   "components": {"tree": {"type": "organize", "iterations": 7, "length": 0.1, "light": {"model": "markers"}}}
@@ -72,7 +88,7 @@ std::string hash_of(const GrownDocument& grown) {
 }
 
 TEST(GrowthSteps, AStepEqualsAGrowthWithNoMoreIterations) {
-  for (const char* text : {kColonizing, kOrganizing}) {
+  for (const char* text : {kColonizing, kOrganizing, kTrained}) {
     const Document whole = read(text);
     GrowthCache cache;
     for (const int step : {12, 4, 17}) {
@@ -87,7 +103,7 @@ TEST(GrowthSteps, AStepEqualsAGrowthWithNoMoreIterations) {
 
 TEST(GrowthSteps, RecordingChangesNothing) {
   const GrowthView all{{}, TraceWish::all()};
-  for (const char* text : {kColonizing, kOrganizing, kMarkers}) {
+  for (const char* text : {kColonizing, kOrganizing, kTrained, kMarkers}) {
     const Document document = read(text);
     const GrownDocument plain = grown(document, {});
     const GrownDocument recorded = grown(document, all);

@@ -2,6 +2,7 @@
 #include "meristem/document/tables.h"
 
 #include "meristem/base/seed.h"
+#include "meristem/components/parts/check_line.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/shape/detail.h"
 
@@ -19,15 +20,7 @@ const ParameterTable& ground_table() {
 }
 
 void check_support(const SceneSupport& support, const DocumentPath& path, ParameterReader& reader) {
-  const DocumentPath line(path, "line");
-  if (support.line.size() < 2) {
-    return reader.fault(line, "the line has fewer than two points", "a list of at least two points [x, y, z]");
-  }
-  for (std::size_t k = 1; k < support.line.size(); ++k) {
-    if (support.line[k] != support.line[k - 1]) continue;
-    reader.fault(DocumentPath(line, k), "the support has no length here: the point repeats the one before it",
-                 "another point [x, y, z]");
-  }
+  check_line(support.line, DocumentPath(path, "line"), reader);
 }
 
 const ParameterTable& support_table() {

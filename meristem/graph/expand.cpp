@@ -153,6 +153,8 @@ class Expansion {
     return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second && !view_.step;
   }
 
+  bool shows_outcome() const { return view_.outcome && !view_.step; }
+
   bool watches_growth(const Prototype& prototype) const {
     return !prototype.shown.empty() && prototype.type->watches_growth &&
            prototype.type->watches_growth(prototype.parameters.get());
@@ -162,6 +164,7 @@ class Expansion {
   TraceWish wish_for(const Prototype& prototype) const {
     TraceWish wish = view_.wish;
     if (wish.has(TracePart::markers) || view_.step) wish = wish | TraceWish{TracePart::steps};
+    if (shows_outcome()) wish = wish | TraceWish{TracePart::outcome};
     for (const Prototype& other : graph_.components) {
       if (other.shown == prototype.id && watches_growth(other)) wish = wish | TraceWish{TracePart::points};
     }
@@ -399,6 +402,7 @@ class Expansion {
     }
     if (view_.step && (prototype.type->grows_in_time || watches_growth(prototype)))
       key.add(*view_.step).add_text("step");
+    if (shows_outcome()) key.add_text("outcome");
     return key.add(grown.key.value_or(0)).hash();
   }
 
@@ -488,13 +492,15 @@ class Expansion {
     return result;
   }
 
-  /// What an instance has grown, at the step that is shown.
+  /// What an instance has grown, at the step that is shown, or after what it plans.
   std::vector<Skeleton> skeleton_of(const Grown& grown, std::size_t instance, Progress& progress) const {
     Skeleton& skeleton = grown.batch->skeletons[instance];
-    const GrowthTrace* const trace = view_.step ? grown.batch->traces[instance].get() : nullptr;
+    const GrowthTrace* const trace = grown.batch->traces[instance].get();
     std::vector<Skeleton> one(1);
-    if (trace != nullptr && *view_.step < trace->last_step()) {
+    if (view_.step && trace != nullptr && *view_.step < trace->last_step()) {
       one[0] = trace->standing(*view_.step, scene_, progress);
+    } else if (shows_outcome() && trace != nullptr && trace->outcome() != nullptr) {
+      one[0] = *trace->outcome();
     } else if (grown.key) {
       one[0] = skeleton;
     } else {

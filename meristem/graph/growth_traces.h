@@ -18,6 +18,9 @@ struct GrowthView {
   /// the clock says. The growth is recorded, so that a cache gives all steps of one growth. Unset: after the last one.
   std::optional<int> step;
   TraceWish wish;
+  /// Plants that only plan stand as after what they plan. A view that merely wishes for the outcome to be recorded
+  /// shows them before it; with a cache both views come of one growth. Without meaning where there is a step.
+  bool outcome = false;
 
   bool operator==(const GrowthView&) const = default;
 };

@@ -26,6 +26,7 @@ enum class TracePart : std::uint8_t {
   ways,     ///< the ways to more light, or to more room, that buds found
   losses,   ///< what was shed and cut, and why
   markers,  ///< the markers of room, free and taken; needs `steps`
+  outcome,  ///< how the plant would stand after what it plans
 };
 
 /// What is recorded of a growth: a set of parts.
@@ -35,6 +36,7 @@ class TraceWish {
   constexpr TraceWish(std::initializer_list<TracePart> parts) {
     for (const TracePart part : parts) bits_ |= bit(part);
   }
+  /// All that tells of the growth itself: all parts but the outcome.
   static constexpr TraceWish all() {
     TraceWish wish;
     wish.bits_ = 2 * bit(TracePart::markers) - 1;
@@ -127,6 +129,9 @@ class GrowthTrace {
   virtual ~GrowthTrace() = default;
   /// The last step that growth took, from 1; after it nothing changed.
   virtual int last_step() const = 0;
+  /// The finished skeleton after what the plant plans, as a growth gives it that does so, where nothing else of the
+  /// stand grows on afterwards. Null where it plans nothing, or nobody asked for it.
+  virtual const Skeleton* outcome() const { return nullptr; }
   /// The finished skeleton after `step` steps, or after the last one where that comes before: what a growth gives that
   /// has no more iterations, to the byte. `scene` is the one in which it grew. Only where steps were asked for. Throws
   /// what Grower::take_skeleton() throws.

@@ -43,8 +43,21 @@ void Stand::grow(Progress& progress) {
   }
 }
 
+/// Lets the members that record it do what they plan, all at once, and see what comes of it.
+void Stand::see_outcomes(Progress& progress) {
+  std::vector<Grower*> planners;
+  for (const std::unique_ptr<Grower>& member : members_) {
+    if (member->do_plan(progress)) planners.push_back(member.get());
+  }
+  if (planners.empty()) return;
+  for (Grower* const planner : planners) planner->tell();
+  for (const Shared& shared : commons_) shared.commons->begin_round(progress);
+  for (Grower* const planner : planners) planner->see_outcome(progress);
+}
+
 std::vector<std::unique_ptr<GrowthTrace>> Stand::take_traces(Progress& progress) {
   for (const Shared& shared : commons_) shared.commons->end_record(progress);
+  see_outcomes(progress);
   std::vector<std::unique_ptr<GrowthTrace>> traces;
   traces.reserve(members_.size());
   for (const std::unique_ptr<Grower>& member : members_) {

@@ -30,6 +30,11 @@ class Grower {
   /// Tells the commons what the step has done; called after each one, once all have taken theirs, in the members'
   /// order.
   virtual void tell() {}
+  /// Does what it has only planned, where it was asked to record the outcome; called once, when all have grown, so that
+  /// no growth feels it. Returns whether it did anything. If so, tell() and see_outcome() follow.
+  virtual bool do_plan(Progress&) { return false; }
+  /// Finds what light and room it has after that.
+  virtual void see_outcome(Progress&) {}
   /// What it has recorded where that was asked for, else null; called once, after the last step and before
   /// take_skeleton().
   virtual std::unique_ptr<GrowthTrace> take_trace() { return nullptr; }
@@ -74,6 +79,8 @@ class Stand {
   std::vector<Skeleton> take_skeletons(Progress& progress);
 
  private:
+  void see_outcomes(Progress& progress);
+
   struct Shared {
     std::type_index type;
     std::unique_ptr<Commons> commons;

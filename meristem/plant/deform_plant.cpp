@@ -81,7 +81,9 @@ void bend_records(Skeleton& skeleton, const Stem& stem, std::span<const Deformat
     DVec3 point(record.position);
     DMat3 jacobian(1);
     of_part[record.part]->map(std::span(&point, 1), std::span(&jacobian, 1), stem.parts[record.part].component);
+    const DVec3 to_bud = jacobian * DVec3(record.bud_position - record.position);
     record.position = Vec3(point);
+    record.bud_position = Vec3(point + to_bud);
     record.bud = normalized_or(Vec3(jacobian * DVec3(record.bud)), Vec3(0));
   }
 }

@@ -21,6 +21,8 @@ struct OperationRecord {
   std::uint32_t metamer = 0;  ///< number on that axis of the metamer at whose end it was done; 0 at a shoot's base
   Vec3 position{0};           ///< the end of that metamer, metres
   Vec3 bud{0};                ///< unit vector to the living lateral bud there; 0 where there is none
+  Vec3 bud_position{0};       ///< that bud on the bark, metres; `position` where there is none
+  double diameter = 0;        ///< metres, of the wood that is cut through, or of the shoot where all else is done
   std::uint32_t part = 0;     ///< of the stem that it was done to, where stems are joined: Stem::parts
   // What was taken away; 0 for all else.
   std::uint32_t metamers = 0;

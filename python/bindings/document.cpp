@@ -15,6 +15,7 @@
 #include "meristem/document/grow_moving.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
+#include "meristem/document/plan.h"
 #include "meristem/output/moving_file.h"
 #include "meristem/output/output_files.h"
 #include "meristem/plant/plant_variant.h"
@@ -49,14 +50,21 @@ DocumentPointer read(const py::object& path, const py::object& set, const py::ob
   return std::make_shared<DocumentInPython>(read_text_file(file), file, to_overrides(set), optional_seed(seed));
 }
 
-DocumentPointer with_values(const DocumentPointer& document, const py::object& values, const py::object& seed) {
-  std::vector<Override> overrides = document->overrides;
-  std::optional<std::uint64_t> kept_seed = document->seed;
-  for (Override& more : to_overrides(values)) {
-    if (more.path == "seed") kept_seed.reset();
-    std::erase_if(overrides, [&](const Override& old) { return old.path == more.path; });
-    overrides.push_back(std::move(more));
+/// The overrides of a document with more of them, which replace those of the same paths.
+std::vector<Override> overrides_with(const DocumentInPython& document, std::vector<Override> more) {
+  std::vector<Override> overrides = document.overrides;
+  for (Override& next : more) {
+    std::erase_if(overrides, [&](const Override& old) { return old.path == next.path; });
+    overrides.push_back(std::move(next));
   }
+  return overrides;
+}
+
+DocumentPointer with_values(const DocumentPointer& document, const py::object& values, const py::object& seed) {
+  std::vector<Override> more = to_overrides(values);
+  std::optional<std::uint64_t> kept_seed = document->seed;
+  if (std::ranges::any_of(more, [](const Override& one) { return one.path == "seed"; })) kept_seed.reset();
+  std::vector<Override> overrides = overrides_with(*document, std::move(more));
   const std::optional<std::uint64_t> other = optional_seed(seed);
   auto made = std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
                                                  other ? other : kept_seed, document->shared);
@@ -115,6 +123,35 @@ std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, doubl
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
     const DocumentPointer now = standing_at(document, time);
     return std::make_shared<PlantInPython>(now, grow_document(now->document, inner, options));
+  });
+}
+
+PlanRules plan_rules(const py::object& rules) {
+  PlanRules asked;
+  if (rules.is_none()) return asked;
+  const Value value = to_value(rules);
+  if (value.list() == nullptr) {
+    throw InputError(Diagnostic{.message = fmt::format("rules cannot be {}", value.description()),
+                                .expected = "a list of operations"});
+  }
+  asked.operations = *value.list();
+  return asked;
+}
+
+std::shared_ptr<PlantInPython> plan_plant(const DocumentPointer& document, const py::object& rules, bool done,
+                                          int threads, const py::object& progress) {
+  const PlanRules asked = plan_rules(rules);
+  const auto read_with = [&](std::vector<Override> more) {
+    return std::make_shared<DocumentInPython>(
+        document->text, document->file, overrides_with(*document, std::move(more)), document->seed, document->shared);
+  };
+  const DocumentPointer planned = read_with(only_planned(document->document, asked));
+  const DocumentPointer shown = done ? read_with(with_rules(document->document, asked)) : planned;
+  return run_call(progress, threads, [&](Progress& inner) {
+    GrowthOptions options{.up_to = GrownPart::plant, .view = {{}, {TracePart::outcome}, done}};
+    std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
+    if (growing.try_lock()) options.cache = &document->shared->growth;
+    return std::make_shared<PlantInPython>(shown, grow_document(planned->document, inner, options));
   });
 }
 
@@ -271,6 +308,14 @@ that step of growth. With `trace`, Plant.trace tells all steps of the growth; th
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")
+      .def("plan", &plan_plant, py::arg("rules") = py::none(), py::kw_only(), py::arg("done") = false,
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
+           R"(Finds what the operations of the last iteration would do to the trees now, and gives the Plant before it.
+
+Plant.operations are the plan, and the column `plan_cut` of its skeletons says which operation would cut each
+metamer off. `rules` are more operations, such as [{"do": "cut", "shoots": "inward", "above": 0}]; they act at the last
+iteration unless they say when. With `done`, the Plant after the plan; both come of one growth. Other arguments as in
+grow(). Raises InputError, also where no component has such trees, and Cancelled.)")
       .def("save_animated", &save_animated, py::arg("path"), py::kw_only(), py::arg("keys") = kUsualKeys,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the document's animation into a .glb file, which browsers and engines play.

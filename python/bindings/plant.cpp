@@ -157,6 +157,8 @@ py::dict operations_of(const PlantPointer& plant) {
   numbers("metamer", &OperationRecord::metamer);
   vectors("position", &OperationRecord::position);
   vectors("bud", &OperationRecord::bud);
+  vectors("bud_position", &OperationRecord::bud_position);
+  numbers("diameter", &OperationRecord::diameter);
   numbers("metamers", &OperationRecord::metamers);
   numbers("length", &OperationRecord::length);
   numbers("wood", &OperationRecord::wood);

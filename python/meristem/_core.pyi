@@ -412,6 +412,14 @@ class Document:
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> Plant: ...
+    def plan(
+        self,
+        rules: Sequence[Mapping[str, Any]] | None = None,
+        *,
+        done: bool = False,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> Plant: ...
     def save_animated(
         self,
         path: str | os.PathLike[str],

@@ -38,7 +38,7 @@ def program_of(page: Path) -> str:
     return "\n".join(program) + "\n"
 
 
-@pytest.mark.parametrize("name", ["python", "python-batches", "python-fits", "many-plants"])
+@pytest.mark.parametrize("name", ["python", "python-batches", "python-fits", "many-plants", "pruning"])
 def test_the_examples_of_the_page_run(name: str, tmp_path: Path) -> None:
     program = program_of(MANUAL / f"{name}.md")
     assert "meristem." in program

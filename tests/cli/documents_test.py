@@ -5,6 +5,7 @@
 Usage: documents_test.py PROGRAM [unittest options]
 """
 
+import json
 import os
 import unittest
 
@@ -84,6 +85,18 @@ class Documents(cli_case.Case):
         self.assertIn("components.tree.iterations: the crown is out of reach",
                       self.assert_ends(WRONG_INPUT, "check", "far.json"))
         self.assert_ends(DONE, "check", "far.json", "--quick")
+
+    def test_an_expanded_training_grows_the_same_bytes(self):
+        for form in ("espalier", "cordon", "fan", "spindle", "open_vase", "standard", "half_standard", "hedge"):
+            tree = {"type": "organize", "iterations": 9, "length": 0.1, "resource": {"alpha": 2.3}}
+            trained = {"meristem": 1, "components": {"tree": {**tree, "training": {"form": form}}}}
+            self.write("trained.json", json.dumps(trained))
+            expanded = json.loads(self.run_program("check", "--expand", "-q", "trained.json").stdout)
+            self.assertTrue(expanded["tree"]["operations"], form)
+            self.write("listed.json", json.dumps({"meristem": 1, "components": {"tree": {**tree, **expanded["tree"]}}}))
+            for name in ("trained", "listed"):
+                self.assert_ends(DONE, "grow", f"{name}.json", "-o", f"{name}.csv", "-q")
+            self.assertEqual(self.read("trained.csv"), self.read("listed.csv"), form)
 
     def test_stems_in_obstacles_are_warned_of(self):
         self.write("limb.json", '{"meristem": 1, "scene": {"obstacles": [{"box": [[-1, 1, -1], [1, 2, 1]]}]},\n'

@@ -44,6 +44,16 @@ class Plan(cli_case.Case):
             first = places[cut["shoot"], "1" if is_whole else cut["metamer"]]
             node = nodes[first["parent"]] if is_whole else first
             self.assertAlmostEqual(float(node["x"]), float(cut["x"]), places=5)
+            # The bud is on the bark there, and the wood beyond the cut as thick as the record says.
+            bud = [float(cut[f"bud_{axis}"]) for axis in "xyz"]
+            beyond = first if is_whole else places[cut["shoot"], str(int(cut["metamer"]) + 1)]
+            self.assertAlmostEqual(float(cut["diameter"]), 2 * float(beyond["radius"]), places=6)
+            for axis, way in zip("xyz", bud):
+                self.assertAlmostEqual(float(cut[f"bud_position_{axis}"]),
+                                       float(cut[axis]) + float(node["radius"]) * way, places=5)
+        # The table of the tree says what goes, and the number of the operation.
+        self.assertEqual(sum(row["plan_cut"] == "1" for row in before), sum(int(row["metamers"]) for row in cuts))
+        self.assertEqual(sum(row["plan_cut"] == "0" for row in before), len(after))
         # What is left stands where it stood.
         left = {(row["label"], row["metamer"]): row["y"] for row in after}
         for place, height in left.items():
@@ -55,6 +65,20 @@ class Plan(cli_case.Case):
         self.assert_ends(DONE, "plan", "both.json", "-q", "--before", "b.points.csv", "--after", "a.points.csv")
         self.assertEqual(len(self.rows("b.points.csv")), 30)
         self.assertEqual(self.rows("a.points.csv"), self.rows("b.points.csv"))
+
+    def test_the_tree_after_is_the_tree_that_is_grown_with_the_cuts(self):
+        for model in ("shadow", "markers"):
+            sets = ["--set", f"tree.light={{\"model\": \"{model}\"}}"]
+            for ending in ("csv", "mtg", "ply", "operations.csv"):
+                self.assert_ends(DONE, "plan", "pruned.json", *sets, "-q", "-o", "cuts.csv", "--after", f"after.{ending}")
+                self.assert_ends(DONE, "grow", "pruned.json", *sets, "-q", "-o", f"done.{ending}")
+                self.assertEqual(self.read(f"after.{ending}"), self.read(f"done.{ending}"), f"{model} {ending}")
+
+    def test_reads_standard_input(self):
+        rule = '{"do": "girdle", "shoots": "rank == 1", "share": 0.5}'
+        done = self.run_program("plan", "-", "--rule", rule, "-o", "cuts.csv", input=self.read("pruned.json"))
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertIn("ring", {row["act"] for row in self.rows("cuts.csv")})
 
     def test_takes_a_rule(self):
         rule = '{"do": "girdle", "shoots": "rank == 1", "share": 0.5}'

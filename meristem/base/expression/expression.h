@@ -5,7 +5,8 @@
 //   expression  = condition [ "?" expression ":" expression ]
 //   operators, loosest first:  ||  &&  == !=  < <= > >=  + -  * / %  unary - ! +  ^ (to the right)
 //   numbers 1, .5, 2e-3; names; calls f(a, b); parentheses. Truth is any number but 0; comparisons give 1 or 0 and
-//   cannot be chained (a < b < c is a fault). x % y is mod(x, y), the remainder with the sign of y.
+//   cannot be chained (a < b < c is a fault). x % y is mod(x, y), the remainder with the sign of y. As the answer of a
+//   whole condition, what is no number is no truth: is_true().
 //
 // Functions, angles in degrees: sin cos tan asin acos atan atan2(y, x) sqrt cbrt exp log log2 log10 pow(x, y) abs sign
 // floor ceil round trunc frac mod(x, y) min(...) max(...) clamp(x, low, high) lerp(a, b, t) smoothstep(a, b, x)
@@ -57,6 +58,9 @@ class ExpressionError : public std::runtime_error {
  private:
   ExpressionFault fault_;
 };
+
+/// Whether a condition with this value holds: any number but 0. An infinity and a NaN are no answer, so they do not.
+bool is_true(double condition);
 
 /// True for a letter or '_' followed by letters, digits or '_'.
 bool is_identifier(std::string_view name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <vector>
 
 #include "meristem/base/expression/expression.h"
@@ -97,6 +98,8 @@ const ExpressionFunction* find_expression_function(std::string_view name) {
 const ExpressionConstant* find_expression_constant(std::string_view name) {
   return find_by_name(expression_constants(), name);
 }
+
+bool is_true(double condition) { return condition != 0 && std::isfinite(condition); }
 
 bool is_identifier(std::string_view name) {
   return !name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), is_letter_or_digit);

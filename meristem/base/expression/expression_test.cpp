@@ -218,6 +218,12 @@ TEST(Expression, ResultMayOverwriteAVariable) {
   for (std::size_t k = 0; k < i.size(); ++k) ASSERT_EQ(i[k], double(k * k) - double(k));
 }
 
+TEST(Expression, ConditionsHoldForNumbersButZero) {
+  const auto holds = [](const char* text) { return is_true(Expression::compile(text, {}).evaluate()); };
+  for (const char* const text : {"1", "-0.5", "2 > 1", "1 / 0 > 2"}) EXPECT_TRUE(holds(text)) << text;
+  for (const char* const text : {"0", "1 / 0", "-1 / 0", "0 / 0", "sqrt(-1)"}) EXPECT_FALSE(holds(text)) << text;
+}
+
 TEST(Expression, BuiltinNamesAreIdentifiersAndFound) {
   EXPECT_EQ(builtin_names().size(), 36U);
   for (const std::string& name : builtin_names()) {

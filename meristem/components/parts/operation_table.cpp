@@ -9,6 +9,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
+#include "meristem/components/parts/check_line.h"
 #include "meristem/grow/prune/layers.h"
 #include "meristem/scene/crown/placed_crown.h"
 
@@ -101,6 +102,13 @@ void check_cut(const CutParameters& cut, const DocumentPath& path, ParameterRead
   if (cut.above == 0 && (cut.shoots == "main" || cut.shoots == "leader")) {
     reader.fault(DocumentPath(path, "above"), "nothing would be left of the tree", "a whole number of at least 1");
   }
+  if (cut.above_lateral && cut.above_lateral->expression.is_constant()) {
+    const double number = cut.above_lateral->expression.evaluate();
+    if (!(number >= 1) || !std::isfinite(number)) {
+      reader.fault(DocumentPath(path, "above_lateral"), fmt::format("no lateral shoot has the number {:.6g}", number),
+                   "a number of at least 1");
+    }
+  }
   if (cut.to_bud && cut.to_bud->toward == Cut::Toward::direction && cut.to_bud->direction == Vec3(0)) {
     const DocumentPath bud(path, "to_bud");
     reader.fault(DocumentPath(bud, "direction"), "the direction has no length", "a direction such as [1, 0, 0]");
@@ -185,17 +193,7 @@ const ParameterTable& layers_table() {
 
 void check_support(const SupportParameters& support, const DocumentPath& path, ParameterReader& reader) {
   check_common(support, path, reader);
-  const DocumentPath line(path, "line");
-  if (!support.named.empty()) return;
-  if (support.line.size() < 2) {
-    reader.fault(line, "the line has fewer than two points", "a list of at least two points [x, y, z]");
-    return;
-  }
-  for (std::size_t k = 1; k < support.line.size(); ++k) {
-    if (support.line[k] != support.line[k - 1]) continue;
-    reader.fault(DocumentPath(line, k), "the support has no length here: the point repeats the one before it",
-                 "another point [x, y, z]");
-  }
+  if (support.named.empty()) check_line(support.line, DocumentPath(path, "line"), reader);
 }
 
 const ParameterTable& support_table() {

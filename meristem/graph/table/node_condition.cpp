@@ -97,7 +97,7 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
   }
   condition.expression.evaluate(count, columns, keys, result.data());
   std::vector<std::uint8_t> holds(count);
-  for (std::size_t k = 0; k < count; ++k) holds[k] = result[k] != 0 ? 1 : 0;
+  for (std::size_t k = 0; k < count; ++k) holds[k] = is_true(result[k]) ? 1 : 0;
   return holds;
 }
 

@@ -155,18 +155,23 @@ void ParameterReader::element(const Parameter& row, void* member, std::size_t in
 GivenRows ParameterReader::object(const ParameterTable& table, void* object, const Value& value,
                                   const DocumentPath& path) {
   GivenRows given;
+  const std::size_t faults_before = faults_;
+  const auto finish = [&] {
+    if (table.check && faults_ == faults_before) table.check(object, path, *this);
+    if (table.prepare && faults_ == faults_before) table.prepare(object, path, *this);
+  };
   const Value::Object* members = value.object();
   if (members == nullptr) {
     if (const Parameter* bare = table.shorthand.empty() ? nullptr : table.find(table.shorthand)) {
       given.add(*bare);
       bare->read(object, value, path, *this);
+      finish();
     } else {
       fault(path, fmt::format("{} cannot be {}", table.name, value.description()),
             fmt::format("an object with {}", fmt::join(table.names(), ", ")));
     }
     return given;
   }
-  const std::size_t faults_before = faults_;
 
   // Each member is read by its row; unknown ones are named with the nearest known.
   for (const auto& [name, member] : *members) {
@@ -190,8 +195,7 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
 
   check_given(table, given, path);
   if (faults_ == faults_before) check_meanings(table, object, value, path, *this);
-  if (table.check && faults_ == faults_before) table.check(object, path, *this);
-  if (table.prepare && faults_ == faults_before) table.prepare(object, path, *this);
+  finish();
   return given;
 }
 

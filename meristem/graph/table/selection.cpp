@@ -13,7 +13,7 @@ bool Selection::contains(const Site& site, double time) const {
   std::vector<double> variables(std::max(names, site_variables().size()));
   for (std::size_t k = 0; k < variables.size(); ++k) variables[k] = site_variable(k, site, site.i, time);
   return std::any_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
-    return condition.expression.evaluate(variables, site.key.child(condition.text)) != 0;
+    return is_true(condition.expression.evaluate(variables, site.key.child(condition.text)));
   });
 }
 

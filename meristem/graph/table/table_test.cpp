@@ -277,6 +277,9 @@ TEST(Table, SelectionsHoldNumbersRangesAndConditions) {
     if (selection.contains(site, 0)) chosen.push_back(i);
   }
   EXPECT_EQ(chosen, (std::vector<std::uint32_t>{0, 3, 4, 5, 9, 19}));
+  for (const char* const no_answer : {"1 / (0*i)", "0 / (0*i)"}) {
+    EXPECT_FALSE(good("omit", Value::List{no_answer}).omit->contains(Site(), 0)) << no_answer;
+  }
   fault("omit", Value::List{-1}, "flower.omit[0]");
   fault("omit", Value::List{1, 2.5}, "flower.omit[1]");
   fault("omit", Value::List{Value(Value::List{1, 2, 3})}, "flower.omit[0]");

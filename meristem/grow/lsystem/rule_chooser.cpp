@@ -91,7 +91,7 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
     const std::span<const double> values = batch_.values(*plan.condition);
     // What is kept never overtakes what is read.
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
-      if (std::isnan(values[lane])) {
+      if (!std::isfinite(values[lane])) {
         throw_rule_fault(*plan.rule, fmt::format("the condition of {} has no value", in_quotes(plan.rule->text)),
                          "a condition that does not divide by zero or the like");
       }

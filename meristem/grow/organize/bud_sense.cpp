@@ -108,7 +108,8 @@ class RoomSense : public BudSense, public RoomSeeker {
     volume_ = field_->add_volume(seed.room, root_);
   }
 
-  bool begin_round() override { return species_.looks(round_++); }
+  bool begin_round() override { return species_.looks(round_++) || looks_again_; }
+  void look_again() override { looks_again_ = true; }
 
   void list_seekers(std::vector<Seeker>& seekers) const override {
     const BudLightModel& model = species_.parameters.light;
@@ -163,6 +164,7 @@ class RoomSense : public BudSense, public RoomSeeker {
   MarkerField* field_ = nullptr;
   std::uint32_t volume_ = 0;
   int round_ = 0;
+  bool looks_again_ = false;
   std::vector<Room> rooms_;                // of the buds that compete, in order
   std::vector<std::uint32_t> first_room_;  // of each metamer
 };

@@ -47,6 +47,8 @@ class BudSense {
   virtual Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent& recent) const = 0;
   /// Whether buds at a position in world space can perceive anything; if not, it is too far from the world's origin.
   virtual bool reaches(Vec3 position) const = 0;
+  /// Has the buds look in the stand's next round, whichever one that is.
+  virtual void look_again() {}
   /// The room that buds look for: a volume of a field of markers; null where they look for something else.
   struct OwnRoom {
     const MarkerField* field = nullptr;

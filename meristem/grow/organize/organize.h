@@ -127,7 +127,7 @@ struct OrganizeSeed {
 /// (see leads.h), `cut_at` (the last iteration in which something was cut off at its tip, 0 for never), what has been
 /// cut off there in all, `cut_metamers`, `cut_length` (metres), `cut_wood` (cubic metres) and `cut_light`, `marked`, 1
 /// on shoots with any mark, and the same for each word, as `mark_dead`. Skeleton::operations tells what each operation
-/// has done.
+/// has done. Trees that only plan have `plan_cut` as well: Operation::number of what would cut the metamer off, or 0.
 ///
 /// Where an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
 /// `summer` of its metamers before it and the rest after it; what has been cut grows no further, but buds of the shoots

@@ -135,6 +135,41 @@ TEST(OrganizeCut, ALateralThatTakesOverTurnsToWhereTheTerminalWent) {
   EXPECT_LT(angle_to_stem(100), 2);
 }
 
+/// Inclinations of what leads above a cut of the stem at iteration 8 or, where nothing was cut, of the stem there; of
+/// 20 seeds. Only what grew after iteration 10 counts: until then a successor still turns.
+double mean_inclination(OrganizeParameters parameters, bool cuts) {
+  if (cuts) parameters = with_cuts(parameters, {{.at = 8, .shoot = "main", .above = 6}});
+  double sum = 0;
+  double count = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Skeleton tree = grow_organized(parameters, seed);
+    const std::vector<AxisIndex>& axis = tree.axis;
+    const auto rank = tree.extra.find("rank");
+    for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+      const bool leads = cuts ? rank->second[node] == 0 && axis[node] != 0 : axis[node] == 0;
+      if (!leads || tree.birth[node] <= 10) continue;
+      const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];
+      sum += degrees(std::asin(std::clamp(way.y / glm::length(way), -1.0F, 1.0F)));
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 60);
+  return sum / count;
+}
+
+TEST(OrganizeCut, ASuccessorGrowsAsTheLeaderDid) {
+  OrganizeParameters parameters = full(14);
+  parameters.takeover = 0;  // so that it begins as any lateral does
+  parameters.direction = {.persistence = 1, .light = 0};
+  const double without = mean_inclination(parameters, true);
+  parameters.stem = DirectionWeights{.light = 0, .up = 0.6, .up_later = 0.6};
+  const double leader = mean_inclination(parameters, false);
+  const double successor = mean_inclination(parameters, true);
+  EXPECT_GT(leader, 80);
+  EXPECT_NEAR(successor, leader, 3);
+  EXPECT_LT(without, successor - 20) << "without weights of its own it leans as its branching angle says";
+}
+
 TEST(OrganizeCut, WhatIsPassedBackMakesLateralsGrow) {
   // Means over seeds, as whole metamers make single trees jump.
   const auto regrown = [](double pass_back) {

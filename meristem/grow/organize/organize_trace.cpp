@@ -135,6 +135,7 @@ std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton, const 
 
 std::uint64_t OrganizeTrace::bytes() const {
   std::uint64_t sum = steps_.capacity() * sizeof(Step) + losses_.capacity() * sizeof(TracedLoss);
+  if (outcome_) sum += outcome_->bytes();
   for (const Step& step : steps_) sum += step.skeleton.bytes() + step.ways.capacity() * sizeof(TracedWay);
   for (const TracedLoss& loss : losses_) sum += loss.segments.capacity() * sizeof(TracedWay) + loss.why.path.capacity();
   return sum;

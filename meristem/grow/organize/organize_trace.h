@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meristem/base/limits.h"
@@ -41,7 +43,11 @@ class OrganizeTrace : public GrowthTrace {
   /// Shows the markers of the trees' room.
   void show_room(TracedRoom room) { room_ = std::move(room); }
 
+  /// Takes how all trees stand after what they plan.
+  void plan(Skeleton outcome) { outcome_ = std::move(outcome); }
+
   int last_step() const override { return static_cast<int>(steps_.size()) - 1; }
+  const Skeleton* outcome() const override { return outcome_ ? &*outcome_ : nullptr; }
   std::uint64_t bytes() const override;
 
  private:
@@ -55,6 +61,7 @@ class OrganizeTrace : public GrowthTrace {
   std::vector<Step> steps_;
   std::vector<TracedLoss> losses_;  // by rising step
   std::optional<TracedRoom> room_;  // none: no markers are shown
+  std::optional<Skeleton> outcome_;
 };
 
 }  // namespace meristem

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seasons, plans, records and supports of the scene, on whole trees.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -198,6 +200,157 @@ TEST(OrganizePlan, KeepsWhatWasDoneBeforeAndBendsNothing) {
   EXPECT_EQ(planned.extra.find("cut_at")->second, before.extra.find("cut_at")->second);
 }
 
+/// The trees of a stand before what they plan and, from the same growth, after it.
+std::pair<Skeleton, Skeleton> planned_and_done(OrganizeParameters parameters, const std::vector<Vec3>& roots) {
+  parameters.plans = true;
+  parameters.wish = {TracePart::outcome};
+  std::vector<OrganizeSeed> seeds(roots.size());
+  for (std::size_t k = 0; k < roots.size(); ++k) seeds[k].frame.origin = roots[k];
+  const Scene scene;
+  Stand stand;
+  stand.add(make_organizer(stand, seeds, parameters, RandomKey(1), scene, {}, "tree"));
+  Progress progress;
+  stand.grow(progress);
+  const auto traces = stand.take_traces(progress);
+  EXPECT_NE(traces[0]->outcome(), nullptr);
+  return {std::move(stand.take_skeletons(progress)[0]), *traces[0]->outcome()};
+}
+
+Skeleton grow_all(const OrganizeParameters& parameters, const std::vector<Vec3>& roots) {
+  std::vector<OrganizeSeed> seeds(roots.size());
+  for (std::size_t k = 0; k < roots.size(); ++k) seeds[k].frame.origin = roots[k];
+  const Scene scene;
+  Stand stand;
+  stand.add(make_organizer(stand, seeds, parameters, RandomKey(1), scene, {}, "tree"));
+  Progress progress;
+  stand.grow(progress);
+  return std::move(stand.take_skeletons(progress)[0]);
+}
+
+TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
+  const std::vector<Vec3> roots{Vec3(0), Vec3(4, 0, 0)};
+  for (const auto kind : {BudLightModel::Kind::shadow, BudLightModel::Kind::markers}) {
+    for (const int every : {1, 3}) {
+      OrganizeParameters parameters = with(full(9), shorten_branches(6, false));
+      parameters.light.kind = kind;
+      parameters.every = every;
+      parameters.sag.emplace();
+      parameters.shedding.below = 0.05;
+      parameters.callus = 0.2;
+      Operation bend = shorten_branches(9, false);
+      bend.what = Bend{.metamers = 2, .inclination = -0.5};
+      parameters = with(with(parameters, bend), shorten_branches(9, false));
+      const auto [planned, outcome] = planned_and_done(parameters, roots);
+      const Skeleton done = grow_all(parameters, roots);
+      EXPECT_EQ(skeleton_hash(outcome), skeleton_hash(done)) << every;
+      EXPECT_EQ(outcome.extra, done.extra) << every;
+      EXPECT_EQ(outcome.operations, done.operations);
+      EXPECT_GT(planned.node_count(), outcome.node_count());
+      // To be asked for it changes no plan.
+      parameters.plans = true;
+      const Skeleton only_planned = grow_all(parameters, roots);
+      EXPECT_EQ(skeleton_hash(planned), skeleton_hash(only_planned));
+      EXPECT_EQ(planned.extra, only_planned.extra);
+      EXPECT_EQ(planned.operations, only_planned.operations);
+    }
+  }
+}
+
+TEST(OrganizePlan, NobodyElseFeelsItsOutcome) {
+  // A tree beside it grows on when the other has done what it planned.
+  const auto neighbour = [](bool wishes) {
+    OrganizeParameters parameters = with(full(9), cut_above(9, "main", 2));
+    parameters.plans = true;
+    if (wishes) parameters.wish = {TracePart::outcome};
+    const Scene scene;
+    Stand stand;
+    add_organizer(stand, parameters, 1, scene);
+    add_organizer(stand, full(14), 2, scene, Frame{.origin = Vec3(2, 0, 0)});
+    Progress progress;
+    stand.grow(progress);
+    stand.take_traces(progress);
+    return skeleton_hash(stand.take_skeletons(progress)[1]);
+  };
+  EXPECT_EQ(neighbour(true), neighbour(false));
+}
+
+TEST(OrganizePlan, ItsSkeletonSaysWhatEachOperationWouldCut) {
+  OrganizeParameters parameters = with(full(10), shorten_branches(10, false));
+  parameters = with(parameters, cut_above(10, "main", 9));
+  parameters.operations[0].number = 4;  // of a list that has others, which are off
+  parameters.operations[1].number = 7;
+  parameters.plans = true;
+  const Skeleton tree = grow_organized(parameters);
+  const std::vector<float>& plan_cut = tree.extra.at("plan_cut");
+  const auto count_of = [&](float number) { return std::ranges::count(plan_cut, number); };
+  double metamers = 0;
+  for (const OperationRecord& record : tree.operations) metamers += record.metamers;
+  EXPECT_GT(count_of(4), 0);
+  EXPECT_GT(count_of(7), 0);
+  EXPECT_EQ(count_of(0) + metamers, tree.node_count());
+  parameters.plans = false;
+  const Skeleton done = grow_organized(parameters);
+  EXPECT_EQ(done.node_count(), static_cast<std::size_t>(count_of(0)));
+  EXPECT_EQ(done.extra.count("plan_cut"), 0U);
+}
+
+TEST(OrganizeRecords, TellTheDiameterAtTheCutAndTheBudOnTheBark) {
+  OrganizeParameters parameters = with(full(10), shorten_branches(10, false));
+  parameters.plans = true;
+  const Frame away{.origin = Vec3(5, 1, -3)};
+  const Skeleton tree = grow_organized(parameters, 1, {}, away);
+  const std::vector<std::string> labels = axis_labels(tree);
+  const std::vector<float>& number = tree.extra.at("metamer");
+  std::size_t found = 0;
+  for (const OperationRecord& record : tree.operations) {
+    for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+      if (labels[tree.axis[node]] != record.shoot) continue;
+      if (number[node] == static_cast<float>(record.metamer)) {
+        EXPECT_EQ(tree.position[node], record.position);
+        const float bark = glm::distance(record.position, record.bud_position);
+        EXPECT_NEAR(bark, record.bud == Vec3(0) ? 0 : tree.radius[node], 1e-5);
+        EXPECT_GE(glm::dot(record.bud_position - record.position, record.bud), 0.999F * bark);
+      }
+      if (number[node] != static_cast<float>(record.metamer + 1)) continue;
+      EXPECT_NEAR(record.diameter, 2 * tree.radius[node], 1e-6);
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, tree.operations.size());
+  EXPECT_GT(found, 0U);
+}
+
+TEST(OrganizeSupports, EaseJitter) {
+  // Nothing but jitter turns the stem: without weight by all of it, in a support of weight 4 by a fifth.
+  const auto turn = [](double weight) {
+    OrganizeParameters parameters = full(16);
+    parameters.direction = {.light = 0, .up = 0};
+    parameters.phyllotaxis.jitter = radians(10);
+    Operation operation;
+    operation.shoots = ShootChoice::leader();
+    operation.what = Support{.line = {Vec3(0), Vec3(0, 100, 0)}, .weight = weight};
+    parameters = with(parameters, operation);
+    double squares = 0;
+    int count = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Skeleton tree = grow_organized(parameters, seed);
+      for (NodeIndex node = 2; node < tree.node_count(); ++node) {
+        const NodeIndex parent = tree.parent[node];
+        if (tree.axis[node] != 0 || parent == 0) continue;
+        const Vec3 way = glm::normalize(tree.position[node] - tree.position[parent]);
+        const Vec3 before = glm::normalize(tree.position[parent] - tree.position[tree.parent[parent]]);
+        const double angle = degrees(std::acos(std::min(1.0F, glm::dot(way, weight > 0 ? kUp : before))));
+        squares += angle * angle;
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 100);
+    return std::sqrt(squares / count);
+  };
+  EXPECT_NEAR(turn(0), 10, 1);
+  EXPECT_NEAR(turn(4), 2, 0.6);
+}
+
 TEST(OrganizeSupports, OfTheSceneAreTheirsWhereverTheRootIs) {
   Operation operation;
   operation.shoots = ShootChoice::leader();
@@ -240,6 +393,31 @@ TEST(OrganizeTie, DrawsABranchTowardTheGround) {
     EXPECT_EQ(tied.position[node], free.position[node]);
   }
   EXPECT_GT(lower, 1);
+}
+
+TEST(OrganizeTie, TiesAndMarksAreTheSameOnAnyNumberOfThreads) {
+  Operation tie = shorten_branches(6, false);
+  tie.when = {.from = 6, .every = 2};
+  tie.what = Tie{.length = 1, .iterations = 2};
+  Operation mark = shorten_branches(5, false);
+  mark.when = {.from = 5};
+  mark.what = Mark{.chance = 0.5};
+  OrganizeParameters parameters = with(with(full(12), tie), mark);
+  parameters.radii.tip_radius = 0.01;
+  parameters.marks = {"dead"};
+  const std::vector<Vec3> roots{Vec3(0), Vec3(3, 0, 0), Vec3(0, 0, 3)};
+  Skeleton first;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    const Skeleton tree = grow_all(parameters, roots);
+    if (threads == 1) first = tree;
+    EXPECT_EQ(skeleton_hash(tree), skeleton_hash(first)) << threads;
+    EXPECT_EQ(tree.extra, first.extra) << threads;
+    EXPECT_EQ(tree.operations, first.operations) << threads;
+  }
+  const auto acts = [&](const char* act) { return std::ranges::count(first.operations, act, &OperationRecord::act); };
+  EXPECT_GT(acts("tie"), 0);
+  EXPECT_GT(acts("mark"), 0);
 }
 
 }  // namespace meristem::organize_upkeep_test

@@ -409,11 +409,19 @@ Skeleton OrganizedTree::skeleton_of(Metamers metamers, std::vector<OperationReco
   if (is_pruned()) {
     upkeep_.wounds.write(skeleton);
     write_marks(metamers.axes, species_->parameters.marks, skeleton);
-    for (OperationRecord& record : records) record.position += root_;
+    for (OperationRecord& record : records) {
+      record.position += root_;
+      record.bud_position += root_;
+    }
     skeleton.operations = std::move(records);
     std::vector<float>& rank = skeleton.extra["rank"];
     rank.resize(count);
     for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);
+    if (species_->parameters.plans && !is_outcome_) {
+      std::vector<float>& plan_cut = skeleton.extra["plan_cut"];
+      plan_cut.assign(plan_cuts_.begin(), plan_cuts_.end());
+      plan_cut.resize(count, 0);
+    }
   }
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);

@@ -21,6 +21,7 @@
 #include "meristem/grow/organize/standing_wood.h"
 #include "meristem/grow/organize/tree_bows.h"
 #include "meristem/grow/organize/tree_ties.h"
+#include "meristem/grow/organize/wood_girth.h"
 #include "meristem/grow/prune/leads.h"
 #include "meristem/grow/prune/work.h"
 #include "meristem/grow/stand_space.h"
@@ -71,6 +72,10 @@ class OrganizedTree {
   /// The ways that its buds found in the last iterate(), and all that it has lost so far, where they are recorded.
   const std::vector<TracedWay>& ways() const { return ways_; }
   const std::vector<TracedLoss>& losses() const { return losses_; }
+  /// Whether do_plan() makes a tree of what the last winter's operations would leave: it was asked to record that.
+  bool has_outcome() const { return outcome_ != nullptr; }
+  /// Does what was planned, after take_skeleton(); sense() and take_skeleton() may follow once more.
+  void do_plan();
   /// The room that its buds look for; null where they look for light.
   BudSense::OwnRoom room() const { return senses_->room(); }
 
@@ -83,6 +88,17 @@ class OrganizedTree {
     TreeBows bows;
     std::vector<float> ringed;                // share that a ring at its base keeps, by metamer; empty: no rings
     std::vector<std::uint16_t> ringed_until;  // iteration
+  };
+
+  /// All of the tree that operations change.
+  struct State {
+    StandingTree::State tree;
+    ResourceFlow flow;
+    Upkeep upkeep;
+    StandingWood wood;
+    FallenShoots fallen;
+    std::vector<TracedLoss> losses;
+    std::vector<OperationRecord> records;
   };
 
   /// A bud that grows in this iteration.
@@ -130,11 +146,15 @@ class OrganizedTree {
   void tie_shoots(int iteration);
   void operate(int iteration, bool in_summer, const Progress& progress);
   void perform(int iteration, bool in_summer, const Progress& progress);
+  State state() const { return {tree_.state(), flow_, upkeep_, wood_, fallen_, losses_, records_}; }
+  void restore(State state);
   std::uint64_t name_of_bud(MetamerIndex metamer) const;
   void apply(const Work& work, int iteration, std::size_t operation, bool in_summer);
   /// Notes the shoots whose buds may answer to what is about to be cut.
   void note_answering(const Work& work);
   void record(const Work& work, int iteration, const Operation& operation);
+  /// Notes for the plan that an operation would take a metamer and all that it bears.
+  void note_planned(MetamerIndex first, int operation);
   void ring(const Ring& ring, int iteration);
   void bend(const Bow& bow, std::size_t operation);
   /// What rings keep in an iteration, by metamer; empty where there is none.
@@ -160,6 +180,10 @@ class OrganizedTree {
   std::unordered_set<std::uint64_t> answering_;   // shoots that this summer's operations have cut, by their keys
   std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
+  std::optional<WoodGirth> girth_;        // before this winter's or summer's operations; made when it is asked for
+  std::vector<std::uint16_t> plan_cuts_;  // number of the operation that would cut a metamer; empty: not planned yet
+  std::unique_ptr<State> outcome_;        // of the plan, where it is recorded
+  bool is_outcome_ = false;
   // Where they are recorded.
   std::vector<TracedWay> ways_;
   std::vector<TracedLoss> losses_;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -116,19 +117,27 @@ class Organizer : public Grower {
     for (OrganizedTree& tree : trees_) tree.tell();
   }
 
+  bool do_plan(Progress& progress) override {
+    if (trees_.empty() || !trees_.front().has_outcome()) return false;
+    end_record();
+    planned_ = skeleton_of_trees(progress);
+    for (OrganizedTree& tree : trees_) tree.do_plan();
+    return true;
+  }
+
+  void see_outcome(Progress& progress) override {
+    for_each_tree([&](std::size_t k) { trees_[k].sense(species_.parameters.iterations + 1, progress); });
+    trace_->plan(skeleton_of_trees(progress));
+  }
+
   std::unique_ptr<GrowthTrace> take_trace() override {
     if (!species_.parameters.wish.any()) return nullptr;
-    std::vector<TracedLoss> losses;
-    for (const OrganizedTree& tree : trees_) losses.insert(losses.end(), tree.losses().begin(), tree.losses().end());
-    trace_->lose(std::move(losses));
-    if (species_.parameters.wish.has(TracePart::markers)) show_room();
+    if (!planned_) end_record();
     return std::move(trace_);
   }
 
   Skeleton take_skeleton(Progress& progress) override {
-    std::vector<Skeleton> skeletons(trees_.size());
-    for_each_tree([&](std::size_t k) { skeletons[k] = trees_[k].take_skeleton(progress); });
-    return join_skeletons(std::move(skeletons));
+    return planned_ ? std::move(*planned_) : skeleton_of_trees(progress);
   }
 
  private:
@@ -138,6 +147,20 @@ class Organizer : public Grower {
     parallel_for(trees_.size(), 1 + trees_.size() / kMostTreeBlocks, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) visit(k);
     });
+  }
+
+  Skeleton skeleton_of_trees(Progress& progress) {
+    std::vector<Skeleton> skeletons(trees_.size());
+    for_each_tree([&](std::size_t k) { skeletons[k] = trees_[k].take_skeleton(progress); });
+    return join_skeletons(std::move(skeletons));
+  }
+
+  /// Records what the trees tell of all of their growth.
+  void end_record() {
+    std::vector<TracedLoss> losses;
+    for (const OrganizedTree& tree : trees_) losses.insert(losses.end(), tree.losses().begin(), tree.losses().end());
+    trace_->lose(std::move(losses));
+    if (species_.parameters.wish.has(TracePart::markers)) show_room();
   }
 
   /// How the trees stand after the iteration before this one, by the light of which they grow in this one.
@@ -241,6 +264,7 @@ class Organizer : public Grower {
   int round_ = 0;
   std::unique_ptr<OrganizeTrace> trace_;  // what is recorded
   std::uint64_t recorded_bytes_ = 0;
+  std::optional<Skeleton> planned_;  // how the trees stand before what they plan, where they have done it
 };
 
 }  // namespace

@@ -72,6 +72,8 @@ class StandingTree {
   State state() const { return {changes_, metamers_, scene_light_, load_}; }
   /// Makes it what it was.
   void restore(State state);
+  /// What the stand's space has not been told yet; then nothing is left of it to tell.
+  ShootChanges take_changes() { return std::exchange(changes_, {}); }
   /// What has grown; then nothing is left.
   Metamers take_metamers() { return std::move(metamers_); }
 

@@ -155,17 +155,21 @@ void StandingWood::remove(const std::vector<std::uint8_t>& gone) {
   erase_marked(tips_, gone);
 }
 
+double StandingWood::radius(MetamerIndex metamer, double tips, const PipeModel& model) const {
+  const auto stood = static_cast<double>(radius_[metamer]);
+  const double gained = tips - static_cast<double>(tips_[metamer]);
+  if (!(gained > 0)) return stood;
+  const double of_tip = math::pow(model.tip_radius, model.exponent);
+  return math::pow(math::pow(stood, model.exponent) + gained * of_tip, 1 / model.exponent);
+}
+
 void StandingWood::thicken(Skeleton& skeleton, const PipeModel& model) const {
   if (radius_.empty()) return;
   const auto lost = skeleton.extra.find(kShedColumn);
   const std::span<const float> lost_tips = lost == skeleton.extra.end() ? std::span<const float>() : lost->second;
   const std::vector<double> tips = count_tips(skeleton.parent, lost_tips, model.memory);
-  const double of_tip = math::pow(model.tip_radius, model.exponent);
-  for (std::size_t node = 0; node < radius_.size(); ++node) {
-    const double gained = std::max(0.0, tips[node] - static_cast<double>(tips_[node]));
-    const double stood = math::pow(static_cast<double>(radius_[node]), model.exponent);
-    skeleton.radius[node] =
-        gained > 0 ? static_cast<float>(math::pow(stood + gained * of_tip, 1 / model.exponent)) : radius_[node];
+  for (MetamerIndex node = 0; node < radius_.size(); ++node) {
+    skeleton.radius[node] = static_cast<float>(radius(node, tips[node], model));
   }
   // Wood is not thinner than what it bears, unless it was measured so.
   for (std::size_t node = skeleton.node_count(); node-- > 1;) {

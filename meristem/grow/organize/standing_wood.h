@@ -37,6 +37,10 @@ class StandingWood {
   /// Remembers the radii and tips of `metamers`, which are the seed and `wood` and no more.
   void stand(const Metamers& metamers, float seed_radius, const std::vector<WoodMetamer>& wood);
   void remove(const std::vector<std::uint8_t>& gone);
+  /// Whether a metamer stood already.
+  bool stands(MetamerIndex metamer) const { return metamer < radius_.size(); }
+  /// The radius of one that did, now that it bears this number of tips.
+  double radius(MetamerIndex metamer, double tips, const PipeModel& model) const;
   /// Gives wood that stood already its own radii, which grow by the tips that it has gained since; all other radii
   /// stay.
   void thicken(Skeleton& skeleton, const PipeModel& model) const;

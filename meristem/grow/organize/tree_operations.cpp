@@ -3,6 +3,7 @@
 // Supports are set before the growth of an iteration, so that the new metamers follow them; all other operations act
 // after the growth, in the document's order.
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "meristem/grow/organize/organized_tree.h"
@@ -63,25 +64,51 @@ void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progr
     return perform(iteration, in_summer, progress);
   }
   // Each operation finds what those before it leave, so all are done, and then undone.
-  StandingTree::State tree = tree_.state();
-  ResourceFlow flow = flow_;
-  Upkeep upkeep = upkeep_;
-  StandingWood wood = wood_;
-  FallenShoots fallen = fallen_;
-  std::vector<TracedLoss> losses = losses_;
-  records_.clear();
+  State before = state();
+  tree_.take_changes();  // the stand hears of the growth from the tree that stays, and of the plan from its outcome
+  std::vector<OperationRecord> all = std::exchange(records_, {});
+  plan_cuts_.assign(metamers_.count(), 0);
   perform(iteration, in_summer, progress);
-  tree_.restore(std::move(tree));
-  flow_ = std::move(flow);
-  upkeep_ = std::move(upkeep);
-  wood_ = std::move(wood);
-  fallen_ = std::move(fallen);
-  losses_ = std::move(losses);
+  before.records = records_;
+  if (species_->parameters.wish.has(TracePart::outcome)) {
+    all.insert(all.end(), records_.begin(), records_.end());
+    records_ = std::move(all);
+    outcome_ = std::make_unique<State>(state());
+  }
+  restore(std::move(before));
+}
+
+void OrganizedTree::restore(State state) {
+  tree_.restore(std::move(state.tree));
+  flow_ = std::move(state.flow);
+  upkeep_ = std::move(state.upkeep);
+  wood_ = std::move(state.wood);
+  fallen_ = std::move(state.fallen);
+  losses_ = std::move(state.losses);
+  records_ = std::move(state.records);
+}
+
+void OrganizedTree::do_plan() {
+  restore(std::move(*outcome_));
+  outcome_.reset();
+  is_outcome_ = true;
+  senses_->look_again();
+}
+
+void OrganizedTree::note_planned(MetamerIndex first, int operation) {
+  std::vector<MetamerIndex> beyond{first};
+  for (std::size_t k = 0; k < beyond.size(); ++k) {
+    plan_cuts_[beyond[k]] = static_cast<std::uint16_t>(operation);
+    for (const Bud bud : {metamers_.terminal[beyond[k]], metamers_.lateral[beyond[k]]}) {
+      if (bud.is_grown()) beyond.push_back(bud.metamer());
+    }
+  }
 }
 
 void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progress) {
   const std::vector<Operation>& operations = species_->parameters.operations;
   upkeep_.leads = find_leads(metamers_);
+  girth_.reset();
   for (std::size_t k = 0; k < operations.size(); ++k) {
     const Operation& operation = operations[k];
     if (!operation.when.is_in_turn(iteration) || operation.when.in_summer != in_summer) continue;
@@ -97,6 +124,7 @@ void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progr
       misses_.push_back({k, error});
     }
   }
+  girth_.reset();
   // Once for all operations, so that each costs what it takes away and not the tree.
   if (clear_away()) upkeep_.leads = find_leads(metamers_);
   if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
@@ -134,13 +162,18 @@ void OrganizedTree::bend(const Bow& bow, std::size_t operation) {
 
 /// Notes what is about to be done.
 void OrganizedTree::record(const Work& work, int iteration, const Operation& operation) {
+  // Nothing has been cut when it is asked for first.
+  const auto radius_of = [&](MetamerIndex metamer) {
+    if (!girth_) girth_.emplace(metamers_, wood_, species_->parameters.radii);
+    return girth_->radius(metamer);
+  };
   const WorkRecorder recorder({.metamers = metamers_,
                                .leads = upkeep_.leads,
                                .flow = flow_,
                                .radii = species_->parameters.radii,
                                .iteration = iteration,
                                .key = RandomKey()},
-                              operation, static_cast<std::uint32_t>(number_));
+                              operation, static_cast<std::uint32_t>(number_), radius_of);
   for (WorkRecorder::Noted& noted : recorder.note(work)) {
     if (noted.record.act == "cut") upkeep_.wounds.add(metamers_.count(), noted.at, noted.record, noted.section);
     records_.push_back(std::move(noted.record));
@@ -173,7 +206,9 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
   const Bud after = damages ? Bud::damaged() : Bud();
   const LossReason why{LossCause::cut, species_->parameters.operations[operation].path};
   for (const MetamerIndex metamer : gone) {
-    if (!metamers_.is_loose(metamer)) cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
+    if (metamers_.is_loose(metamer)) continue;
+    if (!plan_cuts_.empty()) note_planned(metamer, species_->parameters.operations[operation].number);
+    cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

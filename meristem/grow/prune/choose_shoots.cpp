@@ -240,7 +240,7 @@ std::vector<Shoot> choose_shoots(const TreeState& tree, const Operation& operati
   choice.condition.evaluate(shoots.size(), pointers, keys, found.data());
   std::vector<Shoot> chosen;
   for (std::size_t k = 0; k < shoots.size(); ++k) {
-    if (found[k] == 0 || std::isnan(found[k])) continue;
+    if (!is_true(found[k])) continue;
     chosen.push_back({shoots[k].axis, lead_path(tree.metamers, tree.leads, shoots[k].axis)});
   }
   return chosen;
@@ -269,8 +269,7 @@ bool holds(const TreeState& tree, const Schedule& when) {
                            static_cast<double>(count - 1),
                            static_cast<double>(laterals),
                            path_length(metamers, leader)};
-  const double found = when.when->evaluate(values, tree.key.child("when"));
-  return found != 0 && !std::isnan(found);
+  return is_true(when.when->evaluate(values, tree.key.child("when")));
 }
 
 }  // namespace meristem

@@ -142,6 +142,7 @@ struct Operation {
   ShootChoice shoots;
   std::optional<int> tree;  ///< the number of the one root that it is for, from 0; else all
   std::string path;         ///< in the document, for errors: "components.apple.operations[3]"
+  int number = 0;           ///< in the component's list, from 1; by it a plan's skeleton tells what it would cut
   std::variant<Cut, Spur, Limit, Layers, Support, Mark, Girdle, Bend, Tie> what;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each operation does to small trees that are made by hand.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -54,7 +55,9 @@ class HandMade {
     const Leads found = leads();
     std::vector<OperationRecord> told;
     const TreeState state{metamers, found, flow, radii, 5, RandomKey(7)};
-    for (WorkRecorder::Noted& noted : WorkRecorder(state, operation, 3).note(work(operation))) {
+    const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, radii);
+    const auto radius_of = [&](MetamerIndex metamer) { return static_cast<double>(radius[metamer]); };
+    for (WorkRecorder::Noted& noted : WorkRecorder(state, operation, 3, radius_of).note(work(operation))) {
       told.push_back(std::move(noted.record));
     }
     return told;
@@ -460,10 +463,14 @@ TEST(WorkRecorder, TellsWhereACutIsAndWhatItTakes) {
   EXPECT_EQ(cut.metamer, 2U);
   EXPECT_EQ(cut.position, Vec3(2, 3, 0));
   EXPECT_EQ(cut.bud, Vec3(0, 1, 0));
+  // The bud sits on the bark of the second metamer, and the third is cut through: both bear two tips.
+  const double radius = 0.1 * std::sqrt(2);
+  EXPECT_NEAR(cut.bud_position.y, 3 + radius, 1e-6);
+  EXPECT_NEAR(cut.diameter, 2 * radius, 1e-6);
   EXPECT_EQ(cut.metamers, 4U) << "two of the branch and the two that stand on it";
   EXPECT_DOUBLE_EQ(cut.length, 4);
   // By da Vinci's rule the third metamer is as thick as the two tips beyond it.
-  EXPECT_NEAR(cut.wood, kPi * 0.01 * (2 + 1 + 1 + 1), 1e-9);
+  EXPECT_NEAR(cut.wood, kPi * 0.01 * (2 + 1 + 1 + 1), 1e-7);
   EXPECT_EQ(cut.light, 2.5);
 }
 
@@ -476,6 +483,7 @@ TEST(WorkRecorder, TellsAWholeShootByItsOwnName) {
   EXPECT_EQ(records[0].metamer, 0U);
   EXPECT_EQ(records[0].position, Vec3(0, 3, 0));
   EXPECT_EQ(records[0].bud, Vec3(0));
+  EXPECT_EQ(records[0].bud_position, records[0].position);
 }
 
 TEST(WorkRecorder, TellsNothingTwice) {
@@ -517,6 +525,7 @@ TEST(Prune, ASchedulesConditionSeesTheTree) {
   EXPECT_TRUE(met("iteration == 5 && height == 6 && width == 3 && metamers == 9 && laterals == 1"));
   EXPECT_TRUE(met("leader_length == 6"));
   EXPECT_FALSE(met("height > 6"));
+  for (const char* const no_answer : {"1 / 0", "-1 / 0", "0 / 0"}) EXPECT_FALSE(met(no_answer)) << no_answer;
   EXPECT_TRUE((Schedule{3, 4, 12}.is_in_turn(11)));
   EXPECT_FALSE((Schedule{3, 4, 12}.is_in_turn(12)));
   EXPECT_FALSE((Schedule{3, 4, 10}.is_in_turn(11)));

@@ -41,7 +41,8 @@ WorkRecorder::Noted WorkRecorder::at_end(MetamerIndex metamer, const char* act) 
   const Metamers& metamers = tree_.metamers;
   const AxisIndex axis = metamers.axis[metamer];
   const Bud lateral = metamers.lateral[metamer];
-  const bool is_alive = lateral.is_open() || lateral.is_grown();
+  const Vec3 bud = lateral.is_open() || lateral.is_grown() ? metamers.side[metamer] : Vec3(0);
+  const double radius = radius_of_(metamer);
   return {metamer,
           {.operation = operation_.path,
            .act = act,
@@ -51,7 +52,9 @@ WorkRecorder::Noted WorkRecorder::at_end(MetamerIndex metamer, const char* act) 
            .rank = tree_.leads.rank[axis],
            .metamer = metamers.number[metamer],
            .position = metamers.tip[metamer],
-           .bud = is_alive ? metamers.side[metamer] : Vec3(0)}};
+           .bud = bud,
+           .bud_position = metamers.tip[metamer] + static_cast<float>(radius) * bud,
+           .diameter = 2 * radius}};
 }
 
 /// At the base of a metamer: where a shoot begins, it is that shoot's.
@@ -59,11 +62,13 @@ WorkRecorder::Noted WorkRecorder::at_base(MetamerIndex first, const char* act) c
   const Metamers& metamers = tree_.metamers;
   if (first == 0) return at_end(0, act);  // where the stem begins
   Noted noted = at_end(metamers.parent[first], act);
+  noted.record.diameter = 2 * radius_of_(first);
   if (!metamers.begins_shoot(first)) return noted;
   noted.record.shoot = metamers.name_of(metamers.axis[first]);
   noted.record.rank = tree_.leads.rank[metamers.axis[first]];
   noted.record.metamer = 0;
   noted.record.bud = Vec3(0);
+  noted.record.bud_position = noted.record.position;
   return noted;
 }
 
@@ -77,23 +82,16 @@ WorkRecorder::Noted WorkRecorder::cut(MetamerIndex first, std::vector<MetamerInd
       if (bud.is_grown()) beyond.push_back(bud.metamer());
     }
   }
-  // Tips first, so that each metamer finds the tips that it bears.
+  // In the order in which they have come, so that sums do not know how they were found.
   std::ranges::sort(beyond);
-  std::vector<double> tips(beyond.size(), 0);
   OperationRecord& record = noted.record;
   record.metamers = static_cast<std::uint32_t>(beyond.size());
   for (std::size_t k = beyond.size(); k-- > 0;) {
-    const MetamerIndex metamer = beyond[k];
-    tips[k] += tree_.radii.memory * metamers.lost_tips[metamer];
-    if (tips[k] == 0) tips[k] = 1;
-    const double length = metamers.length(metamer);
-    const double radius = tree_.radii.tip_radius * math::pow(tips[k], 1 / tree_.radii.exponent);
+    const double length = metamers.length(beyond[k]);
+    const double radius = radius_of_(beyond[k]);
     record.length += length;
     noted.section = kPi * radius * radius;
     record.wood += noted.section * length;
-    if (k == 0) break;
-    const auto parent = std::ranges::lower_bound(beyond, metamers.parent[metamer]);
-    tips[static_cast<std::size_t>(parent - beyond.begin())] += tips[k];
   }
   if (first < tree_.flow.light.size()) record.light = tree_.flow.light[first];
   return noted;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "meristem/grow/prune/tree_state.h"
@@ -13,8 +15,12 @@ namespace meristem {
 /// Tells what an operation is about to do to a tree, in metres from its root.
 class WorkRecorder {
  public:
-  WorkRecorder(const TreeState& tree, const Operation& operation, std::uint32_t number)
-      : tree_(tree), operation_(operation), number_(number) {}
+  /// The radius at a metamer's end, metres.
+  using RadiusOf = std::function<double(MetamerIndex)>;
+
+  /// `number` is that of the tree's root. `radius_of` is asked for few metamers.
+  WorkRecorder(const TreeState& tree, const Operation& operation, std::uint32_t number, RadiusOf radius_of)
+      : tree_(tree), operation_(operation), number_(number), radius_of_(std::move(radius_of)) {}
 
   struct Noted {
     MetamerIndex at = 0;  ///< the metamer at whose end it is done
@@ -32,6 +38,7 @@ class WorkRecorder {
   TreeState tree_;
   const Operation& operation_;
   std::uint32_t number_;
+  RadiusOf radius_of_;
 };
 
 }  // namespace meristem

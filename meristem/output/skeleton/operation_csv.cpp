@@ -14,8 +14,9 @@ namespace meristem {
 namespace {
 
 constexpr std::string_view kOperationHeader =
-    "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,metamers,length,wood,light\n";
-constexpr std::size_t kOperationNumbers = 14;  // of a row
+    "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,bud_position_x,bud_position_y,"
+    "bud_position_z,diameter,metamers,length,wood,light\n";
+constexpr std::size_t kOperationNumbers = 18;  // of a row
 
 void append_operation_row(const OperationRecord& record, std::string& out) {
   const auto number = [&](auto value) {
@@ -28,9 +29,10 @@ void append_operation_row(const OperationRecord& record, std::string& out) {
   out += ',' + record.shoot;
   number(record.rank);
   number(record.metamer);
-  for (const Vec3 vector : {record.position, record.bud}) {
+  for (const Vec3 vector : {record.position, record.bud, record.bud_position}) {
     for (int k = 0; k < 3; ++k) number(vector[k]);
   }
+  number(static_cast<float>(record.diameter));
   number(record.metamers);
   for (const double value : {record.length, record.wood, record.light}) number(static_cast<float>(value));
   out += '\n';

@@ -14,8 +14,9 @@ namespace meristem {
 std::vector<OperationRecord> operation_records(const Plant& plant);
 
 /// Writes them as a table in CSV as write_skeleton_csv does, a row for each: `operation`, `act`, `iteration`, `tree`,
-/// `shoot`, `rank`, `metamer`, `x`, `y`, `z`, `bud_x`, `bud_y`, `bud_z`, `metamers`, `length`, `wood`, `light`, as
-/// OperationRecord tells. Throws MachineError (path, disk), Cancelled.
+/// `shoot`, `rank`, `metamer`, `x`, `y`, `z`, `bud_x`, `bud_y`, `bud_z`, `bud_position_x`, `bud_position_y`,
+/// `bud_position_z`, `diameter`, `metamers`, `length`, `wood`, `light`, as OperationRecord tells. Throws MachineError
+/// (path, disk), Cancelled.
 void write_operation_csv(const Plant& plant, const std::string& path, Progress& progress);
 
 }  // namespace meristem

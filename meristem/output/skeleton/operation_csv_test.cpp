@@ -21,6 +21,8 @@ Plant pruned() {
                                       .metamer = 3,
                                       .position = {1, 2.5F, 0},
                                       .bud = {0, -1, 0},
+                                      .bud_position = {1, 2.25F, 0},
+                                      .diameter = 0.125,
                                       .metamers = 12,
                                       .length = 0.5,
                                       .wood = 0.25,
@@ -33,8 +35,9 @@ TEST(OperationCsv, HasARowForEachThingDone) {
   Progress progress;
   write_operation_csv(pruned(), path, progress);
   EXPECT_EQ(read_file(path, 1000),
-            "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,metamers,length,wood,light\n"
-            "components.apple.operations[3],cut,8,2,main.4,1,3,1,2.5,0,0,-1,0,12,0.5,0.25,7\n");
+            "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,bud_position_x,bud_position_y,"
+            "bud_position_z,diameter,metamers,length,wood,light\n"
+            "components.apple.operations[3],cut,8,2,main.4,1,3,1,2.5,0,0,-1,0,1,2.25,0,0.125,12,0.5,0.25,7\n");
 }
 
 TEST(OperationCsv, OfAPlantThatNobodyPrunedHasItsHeadAlone) {

@@ -124,6 +124,30 @@ TEST(SkeletonMtg, HeadsAreThoseOfFormA) {
             "component\tALPHA\ninstance\tINT\n\n");
 }
 
+TEST(SkeletonMtg, TellsWhatWasCutAndWhatIsPlanned) {
+  const auto skeleton_that = [](bool plans) {
+    const std::string text =
+        R"({"meristem": 1, "seed": 1, "components": {"tree": {"type": "organize", "iterations": 9, "length": 0.1,
+            "operations": [{"do": "cut", "from": 6, "every": 3, "shoots": "rank == 1 && length > 0.2", "above": 1}],
+            "plan": )" +
+        std::string(plans ? "true" : "false") + "}}}";
+    Progress progress;
+    const Document document = read_document(text, "pruned.json", builtin_components());
+    const Plant plant = grow_document(document, progress, {.up_to = GrownPart::plant}).plant;
+    const Skeleton again = read(written(plant));
+    const Skeleton& grown = plant.stems.at(0).skeleton;
+    for (const char* const column : {"cut_at", "cut_metamers", "cut_length", "cut_wood", "cut_light", "rank"}) {
+      EXPECT_EQ(again.extra.at(column), grown.extra.at(column)) << column;
+    }
+    EXPECT_GT(*std::ranges::max_element(again.extra.at("cut_metamers")), 0);
+    return again;
+  };
+  EXPECT_EQ(skeleton_that(false).extra.count("plan_cut"), 0U);
+  const std::vector<float> plan = skeleton_that(true).extra.at("plan_cut");
+  EXPECT_GT(std::ranges::count(plan, 1.0F), 0);
+  EXPECT_GT(std::ranges::count(plan, 0.0F), 0);
+}
+
 TEST(SkeletonMtg, SegmentsHaveTheNumbersOfTheirMetamersAndAxesTheirLabels) {
   Plant plant = two_stems();
   plant.stems.resize(1);

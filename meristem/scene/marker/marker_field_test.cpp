@@ -288,6 +288,29 @@ TEST(MarkerField, EachMarkerGoesToOneBud) {
   EXPECT_EQ(total(share_out(field, crowded)), alone[0].count);
 }
 
+TEST(MarkerField, WhoYieldsGetsWhatNobodyElseSees) {
+  MarkerField field(kForm, RandomKey(2));
+  field.add_volume(nullptr, Vec3(0));
+  const std::vector<Seeker> living = buds_at(crowd(12, kUp, 0.5F), 1);
+  std::vector<Seeker> all = buds_at(crowd(8, kUp, 0.7F, 5), 1, 5);  // nearer to some markers, and first in the list
+  const std::size_t yielding = all.size();
+  all.insert(all.end(), living.begin(), living.end());
+  const std::uint32_t seen = total(share_out(field, all));
+  for (std::size_t k = 0; k < yielding; ++k) all[k].yields = true;
+  const std::vector<Room> rooms = share_out(field, all);
+  const std::vector<Room> left(rooms.begin(), rooms.begin() + static_cast<std::ptrdiff_t>(yielding));
+  // To those that do not yield it is as if the others were not there, and nothing that anybody sees is lost.
+  expect_same({rooms.begin() + static_cast<std::ptrdiff_t>(yielding), rooms.end()}, share_out(field, living));
+  EXPECT_GT(total(left), 100U);
+  EXPECT_EQ(total(rooms), seen);
+  // At one position, who yields gets nothing of what a bud there sees, wherever it stands in the list.
+  Seeker stump{Vec3(0.2F), kUp, 0, 0.4F, -1, true};
+  Seeker bud = stump;
+  bud.yields = false;
+  EXPECT_EQ(share_out(field, {stump, bud})[0].count, 0U);
+  EXPECT_EQ(share_out(field, {stump})[0].count, share_out(field, {bud})[0].count);
+}
+
 TEST(MarkerField, NoBudSeesMarkersInObstaclesOrOutsideItsVolume) {
   MarkerField field(kForm, RandomKey(2), wall());
   const std::uint32_t volume = field.add_volume(ball(0.6F), {0.2F, 0, 0});

@@ -3,7 +3,6 @@
 #include "meristem/document/plan.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -71,23 +70,20 @@ void plan(const PlanOptions& options) {
     Progress& progress = terminal.progress();
     FileSet files;
     GrowthCache cache;
-    const auto options_for = [&](const Format* const& format, TraceWish wish, bool outcome) {
-      const std::span<const Format* const> formats(&format, format != nullptr ? 1 : 0);
-      return GrowthOptions{
-          .up_to = needed_part(formats), .cache = &cache, .view = {{}, wish | needed_wish(formats), outcome}};
-    };
     // One growth is shown before and after what it plans, and records what either file tells of it.
-    const std::array both{before, after};
     TraceWish wish = after != nullptr ? TraceWish{TracePart::outcome} : TraceWish{};
-    for (const Format* format : both) {
-      if (format != nullptr) wish = wish | needed_wish(std::span(&format, 1));
-    }
-    GrownDocument grown = grow_document(planned, progress, options_for(before, wish, false));
+    for (const Format* format : {before, after}) wish = wish | (format != nullptr ? format->wish : TraceWish{});
+    const auto grow = [&](const Format* const& format, bool outcome) {
+      const std::span<const Format* const> formats(&format, format != nullptr ? 1 : 0);
+      return grow_document(planned, progress,
+                           {.up_to = needed_part(formats), .cache = &cache, .view = {{}, wish, outcome}});
+    };
+    GrownDocument grown = grow(before, false);
     records = operation_records(*ExpandedPlant(grown.plant, progress));
     if (!options.output.empty()) write_operation_csv(grown.plant, options.output, progress);
     if (before != nullptr) before->write(planned, grown, options.before, {}, progress);
     if (after != nullptr) {
-      grown = grow_document(planned, progress, options_for(after, wish, true));
+      grown = grow(after, true);
       after->write(done, grown, options.after, {}, progress);
     }
     files.commit();

@@ -218,7 +218,7 @@ async function scrub_time(page) {
 async function overlay_time(page) {
   const times = await page.evaluate(async (count) => {
     const { studio } = window;
-    const { growth } = studio.bench;
+    const { growth_look: growth } = studio.bench;
     const taken = [];
     for (let k = 0; k < count; k += 1) {
       const begin = performance.now();

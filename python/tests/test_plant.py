@@ -169,7 +169,7 @@ def test_levels_of_detail_are_smaller_files(tmp_path: Path) -> None:
         plant.save(tmp_path / "tree.csv", lod=1)
 
 
-@pytest.mark.parametrize("model", ["low-poly-poplar", "low-poly-oak", "low-poly-palm", "tulip"])
+@pytest.mark.parametrize("model", ["low-poly-poplar", "low-poly-palm"])
 def test_a_level_is_written_where_the_command_line_would_write_it(model: str, tmp_path: Path) -> None:
     """That is as long as each level before it is worth a file, beside the one before that."""
     plant = meristem.read(model).grow()

@@ -19,6 +19,7 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
       {"an operation.shoots",
        {R"("leader")", R"("rank == 2")", R"("main.2")", R"("main.3")", R"("main.4")", R"("main.5")", R"("main.7")"}},
       {"an operation.do", {}},
+      {"an operation.above_lateral", {"1", "3"}},
       {"an operation.anchor", {R"("leader")", R"("rank == 0")"}},
       {"an operation.named", {R"("other")"}},
       {"an operation.state", {R"("spare")"}},

@@ -34,12 +34,12 @@ function(meristem_compile_options target)
   endif()
 endfunction()
 
-# Leaves in the list `files` those that have a test whose name or suite matches.
+# Leaves in the list `files` those that have a test whose name or suite matches, and those that only help tests.
 function(meristem_tests_named name files)
   set(matching "")
   foreach(file IN LISTS ${files})
     file(STRINGS ${file} found REGEX "^[A-Z_]*(TEST|GTEST)[A-Z_]*\\(.*(${name})" LIMIT_COUNT 1)
-    if(found)
+    if(found OR NOT file MATCHES "_test\\.cpp$")
       list(APPEND matching ${file})
     endif()
   endforeach()

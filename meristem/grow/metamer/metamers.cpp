@@ -137,14 +137,19 @@ std::vector<std::string> Metamers::shoots_on(AxisIndex on) const {
   }
 }
 
-void Metamers::cut_off(MetamerIndex first, const BudsLeft& after) {
-  loose_.resize(count(), 0);
-  std::vector<MetamerIndex> beyond{first};
-  for (std::size_t k = 0; k < beyond.size(); ++k) {
-    for (const Bud bud : {terminal[beyond[k]], lateral[beyond[k]]}) {
-      if (bud.is_grown()) beyond.push_back(bud.metamer());
+std::vector<MetamerIndex> Metamers::with_borne(MetamerIndex first) const {
+  std::vector<MetamerIndex> all{first};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (const Bud bud : {terminal[all[k]], lateral[all[k]]}) {
+      if (bud.is_grown()) all.push_back(bud.metamer());
     }
   }
+  return all;
+}
+
+void Metamers::cut_off(MetamerIndex first, const BudsLeft& after) {
+  loose_.resize(count(), 0);
+  std::vector<MetamerIndex> beyond = with_borne(first);
   // What goes leaves its tips as lost ones where it stood. Tips first, so that each metamer finds those that it bears.
   std::ranges::sort(beyond);
   std::vector<double> tips(beyond.size(), 0);

@@ -126,6 +126,8 @@ struct Metamers {
   std::string name_of(AxisIndex of) const;
   /// The names of the shoots on an axis, from its base on.
   std::vector<std::string> shoots_on(AxisIndex on) const;
+  /// A metamer and all that it bears, nearer ones first. Cost goes with what it bears.
+  std::vector<MetamerIndex> with_borne(MetamerIndex first) const;
 
   /// Cuts a metamer, which is not the seed, off with all that it bears. The bud that had grown it becomes what `after`
   /// says, and the metamer that bore it is told how many tips it has lost. What was cut off keeps its place in all

@@ -134,6 +134,13 @@ TEST(Metamers, NamesStayWhenOtherShootsGo) {
   EXPECT_EQ(metamers.shoots_on(0), (std::vector<std::string>{"main.5", "main.7"}));
 }
 
+TEST(Metamers, OneIsGivenWithAllThatItBearsNearerOnesFirst) {
+  const Metamers metamers = two_shoots();
+  EXPECT_EQ(metamers.with_borne(6), (std::vector<MetamerIndex>{6}));
+  EXPECT_EQ(metamers.with_borne(7), (std::vector<MetamerIndex>{7, 8, 10, 9, 11}));
+  EXPECT_EQ(metamers.with_borne(2), (std::vector<MetamerIndex>{2, 3, 7, 4, 8, 10, 5, 9, 11, 6}));
+}
+
 TEST(Metamers, RemovedOnesTakeWhatTheyBearAndLeaveABud) {
   Metamers metamers = two_shoots();
   auto gone = marks(metamers, {7});  // the shoot main.2

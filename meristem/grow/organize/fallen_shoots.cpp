@@ -30,9 +30,7 @@ void FallenShoots::number_all(std::size_t count) {
 
 void FallenShoots::note(const Metamers& metamers, MetamerIndex first, int iteration) {
   number_all(metamers.count());
-  std::vector<MetamerIndex> beyond{first};
-  for (std::size_t k = 0; k < beyond.size(); ++k) {
-    const MetamerIndex metamer = beyond[k];
+  for (const MetamerIndex metamer : metamers.with_borne(first)) {
     const MetamerIndex parent = metamers.parent[metamer];
     fallen_.push_back({.number = numbers_[metamer],
                        .parent = numbers_[parent],
@@ -43,9 +41,6 @@ void FallenShoots::note(const Metamers& metamers, MetamerIndex first, int iterat
                        .bud_angle = angle_of_bud(metamers, metamer),
                        .order = metamers.order[metamer],
                        .begins_axis = metamers.begins_shoot(metamer)});
-    for (const Bud bud : {metamers.terminal[metamer], metamers.lateral[metamer]}) {
-      if (bud.is_grown()) beyond.push_back(bud.metamer());
-    }
   }
 }
 

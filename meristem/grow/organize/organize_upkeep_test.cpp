@@ -2,6 +2,7 @@
 // Seasons, plans, records and supports of the scene, on whole trees.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -200,10 +201,9 @@ TEST(OrganizePlan, KeepsWhatWasDoneBeforeAndBendsNothing) {
   EXPECT_EQ(planned.extra.find("cut_at")->second, before.extra.find("cut_at")->second);
 }
 
-/// The trees of a stand before what they plan and, from the same growth, after it.
-std::pair<Skeleton, Skeleton> planned_and_done(OrganizeParameters parameters, const std::vector<Vec3>& roots) {
-  parameters.plans = true;
-  parameters.wish = {TracePart::outcome};
+/// The trees of a stand after their growth, and after what they plan where that was recorded.
+std::pair<Skeleton, std::optional<Skeleton>> grow_all(const OrganizeParameters& parameters,
+                                                      const std::vector<Vec3>& roots) {
   std::vector<OrganizeSeed> seeds(roots.size());
   for (std::size_t k = 0; k < roots.size(); ++k) seeds[k].frame.origin = roots[k];
   const Scene scene;
@@ -212,19 +212,18 @@ std::pair<Skeleton, Skeleton> planned_and_done(OrganizeParameters parameters, co
   Progress progress;
   stand.grow(progress);
   const auto traces = stand.take_traces(progress);
-  EXPECT_NE(traces[0]->outcome(), nullptr);
-  return {std::move(stand.take_skeletons(progress)[0]), *traces[0]->outcome()};
+  std::optional<Skeleton> outcome;
+  if (traces[0] != nullptr && traces[0]->outcome() != nullptr) outcome = *traces[0]->outcome();
+  return {std::move(stand.take_skeletons(progress)[0]), std::move(outcome)};
 }
 
-Skeleton grow_all(const OrganizeParameters& parameters, const std::vector<Vec3>& roots) {
-  std::vector<OrganizeSeed> seeds(roots.size());
-  for (std::size_t k = 0; k < roots.size(); ++k) seeds[k].frame.origin = roots[k];
-  const Scene scene;
-  Stand stand;
-  stand.add(make_organizer(stand, seeds, parameters, RandomKey(1), scene, {}, "tree"));
-  Progress progress;
-  stand.grow(progress);
-  return std::move(stand.take_skeletons(progress)[0]);
+/// The trees of a stand before what they plan and, from the same growth, after it.
+std::pair<Skeleton, Skeleton> planned_and_done(OrganizeParameters parameters, const std::vector<Vec3>& roots) {
+  parameters.plans = true;
+  parameters.wish = {TracePart::outcome};
+  auto [before, outcome] = grow_all(parameters, roots);
+  EXPECT_TRUE(outcome);
+  return {std::move(before), outcome.value()};
 }
 
 TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
@@ -241,14 +240,14 @@ TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
       bend.what = Bend{.metamers = 2, .inclination = -0.5};
       parameters = with(with(parameters, bend), shorten_branches(9, false));
       const auto [planned, outcome] = planned_and_done(parameters, roots);
-      const Skeleton done = grow_all(parameters, roots);
+      const Skeleton done = grow_all(parameters, roots).first;
       EXPECT_EQ(skeleton_hash(outcome), skeleton_hash(done)) << every;
       EXPECT_EQ(outcome.extra, done.extra) << every;
       EXPECT_EQ(outcome.operations, done.operations);
       EXPECT_GT(planned.node_count(), outcome.node_count());
       // To be asked for it changes no plan.
       parameters.plans = true;
-      const Skeleton only_planned = grow_all(parameters, roots);
+      const Skeleton only_planned = grow_all(parameters, roots).first;
       EXPECT_EQ(skeleton_hash(planned), skeleton_hash(only_planned));
       EXPECT_EQ(planned.extra, only_planned.extra);
       EXPECT_EQ(planned.operations, only_planned.operations);
@@ -409,7 +408,7 @@ TEST(OrganizeTie, TiesAndMarksAreTheSameOnAnyNumberOfThreads) {
   Skeleton first;
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
-    const Skeleton tree = grow_all(parameters, roots);
+    const Skeleton tree = grow_all(parameters, roots).first;
     if (threads == 1) first = tree;
     EXPECT_EQ(skeleton_hash(tree), skeleton_hash(first)) << threads;
     EXPECT_EQ(tree.extra, first.extra) << threads;

@@ -297,14 +297,9 @@ void OrganizedTree::record_loss(MetamerIndex first, int iteration, const LossRea
   loss.step = iteration;
   loss.why = why;
   loss.position = root_ + metamers_.tip[metamers_.parent[first]];
-  std::vector<MetamerIndex> beyond{first};
-  for (std::size_t k = 0; k < beyond.size(); ++k) {
-    const MetamerIndex metamer = beyond[k];
+  for (const MetamerIndex metamer : metamers_.with_borne(first)) {
     loss.segments.push_back({root_ + metamers_.tip[metamers_.parent[metamer]], root_ + metamers_.tip[metamer]});
     loss.length += metamers_.length(metamer);
-    for (const Bud bud : {metamers_.terminal[metamer], metamers_.lateral[metamer]}) {
-      if (bud.is_grown()) beyond.push_back(bud.metamer());
-    }
   }
 }
 

@@ -134,7 +134,6 @@ class OrganizedTree {
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
-  /// `why` is the path in the document of what does it.
   void cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const LossReason& why);
   void record_loss(MetamerIndex first, int iteration, const LossReason& why);
   void record_ways(const std::vector<Sprout>& sprouts, Flush flush);

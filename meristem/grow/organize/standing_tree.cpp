@@ -57,12 +57,8 @@ void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
 
 void StandingTree::cut_off(MetamerIndex first, const BudsLeft& after) {
   if (space_.is_felt()) {
-    std::vector<MetamerIndex> beyond{first};
-    for (std::size_t k = 0; k < beyond.size(); ++k) {
-      changes_.lose(world(beyond[k]), metamers_.length(beyond[k]));
-      for (const Bud bud : {metamers_.terminal[beyond[k]], metamers_.lateral[beyond[k]]}) {
-        if (bud.is_grown()) beyond.push_back(bud.metamer());
-      }
+    for (const MetamerIndex metamer : metamers_.with_borne(first)) {
+      changes_.lose(world(metamer), metamers_.length(metamer));
     }
   }
   metamers_.cut_off(first, after);

@@ -96,12 +96,8 @@ void OrganizedTree::do_plan() {
 }
 
 void OrganizedTree::note_planned(MetamerIndex first, int operation) {
-  std::vector<MetamerIndex> beyond{first};
-  for (std::size_t k = 0; k < beyond.size(); ++k) {
-    plan_cuts_[beyond[k]] = static_cast<std::uint16_t>(operation);
-    for (const Bud bud : {metamers_.terminal[beyond[k]], metamers_.lateral[beyond[k]]}) {
-      if (bud.is_grown()) beyond.push_back(bud.metamer());
-    }
+  for (const MetamerIndex metamer : metamers_.with_borne(first)) {
+    plan_cuts_[metamer] = static_cast<std::uint16_t>(operation);
   }
 }
 

@@ -76,12 +76,7 @@ WorkRecorder::Noted WorkRecorder::at_base(MetamerIndex first, const char* act) c
 WorkRecorder::Noted WorkRecorder::cut(MetamerIndex first, std::vector<MetamerIndex>& beyond) const {
   const Metamers& metamers = tree_.metamers;
   Noted noted = at_base(first, "cut");
-  beyond.assign(1, first);
-  for (std::size_t k = 0; k < beyond.size(); ++k) {
-    for (const Bud bud : {metamers.terminal[beyond[k]], metamers.lateral[beyond[k]]}) {
-      if (bud.is_grown()) beyond.push_back(bud.metamer());
-    }
-  }
+  beyond = metamers.with_borne(first);
   // In the order in which they have come, so that sums do not know how they were found.
   std::ranges::sort(beyond);
   OperationRecord& record = noted.record;

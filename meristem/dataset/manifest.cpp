@@ -80,9 +80,12 @@ std::vector<std::string> manifest_columns(const DatasetPlan& plan) {
 
 std::string manifest_header(const DatasetPlan& plan) {
   std::string line;
-  for (const std::string& column : manifest_columns(plan))
-    line += (line.empty() ? "" : ",") + csv_field(one_line(column));
-  return line + "\n";
+  for (const std::string& column : manifest_columns(plan)) {
+    if (!line.empty()) line += ',';
+    line += csv_field(one_line(column));
+  }
+  line += '\n';
+  return line;
 }
 
 std::string manifest_row(const DatasetPlan& plan, const MadePlant& made) {

@@ -232,12 +232,11 @@ Value shade_value(const ShadePlan& plan, const ShadeOfSurface& shade) {
                        {"clock_time", plan.is_clock_time},
                        {"moments", std::move(moments)}};
   if (plan.surface.columns > 0) {
-    Value::Object grid;
-    grid.emplace_back("columns", static_cast<double>(plan.surface.columns));
-    grid.emplace_back("rows", static_cast<double>(plan.surface.rows));
-    grid.emplace_back("shade", rows_of(cells_of_grid(plan.surface, shade.of_point)));
-    grid.emplace_back("shade_without_plants", rows_of(cells_of_grid(plan.surface, shade.of_point_without_plants)));
-    object.emplace_back("grid", std::move(grid));
+    object.emplace_back("grid", Value::Object{{"columns", static_cast<double>(plan.surface.columns)},
+                                              {"rows", static_cast<double>(plan.surface.rows)},
+                                              {"shade", rows_of(cells_of_grid(plan.surface, shade.of_point))},
+                                              {"shade_without_plants",
+                                               rows_of(cells_of_grid(plan.surface, shade.of_point_without_plants))}});
   }
   return object;
 }

@@ -303,6 +303,8 @@ TEST(OrganizeComponent, CutsAShoot) {
 
 TEST(OrganizeComponent, OperationsAreChecked) {
   EXPECT_EQ(fault(operation({{"shoots", "mian"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
+  EXPECT_EQ(fault(operation({{"shoots", "mian"}, {"above", 2}})).nearest, "main");
+  EXPECT_EQ(fault(operation({{"shoots", "leder"}, {"above", 2}})).nearest, "leader");
   EXPECT_EQ(fault(operation({{"shoots", "main.4.x"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
   EXPECT_EQ(fault(operation({{"above", 0}})).path, "components.tree.operations[0].above");
   EXPECT_EQ(fault(operation({{"at", 0}, {"above", 4}})).path, "components.tree.operations[0].at");

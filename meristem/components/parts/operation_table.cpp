@@ -62,8 +62,13 @@ ShootChoice choice_of(const std::string& text, const std::vector<std::string>& n
                       ParameterReader& reader) {
   if (text == "leader") return ShootChoice::leader();
   if (is_shoot_name(text)) return ShootChoice::label(text);
-  if (text.empty() || text.starts_with("main")) {
-    reader.fault(place, fmt::format("'{}' names no shoot", text), kShootForms);
+  const bool is_known =
+      std::ranges::find(names, text) != names.end() ||
+      std::ranges::find(reader.constants(), text, &ExpressionNames::Constant::name) != reader.constants().end();
+  static const std::vector<std::string> words{"leader", "main"};
+  const std::string nearest = is_identifier(text) && !is_known ? reader.nearest(text, words) : "";
+  if (text.empty() || text.starts_with("main") || !nearest.empty()) {
+    reader.fault(place, fmt::format("'{}' names no shoot", text), kShootForms, nearest);
   } else if (auto condition = reader.expression(text, place, names)) {
     return {ShootChoice::Kind::condition, text, std::move(*condition)};
   }

@@ -72,13 +72,17 @@ def test_what_a_callback_raises_stops_the_call_and_comes_out() -> None:
         long_growth().grow(progress=fail)
 
 
-def test_keyboard_interrupts_stop_growth() -> None:
-    document = long_growth()
+def press_ctrl_c_during(call: Callable[[], object]) -> None:
+    """Calls with a signal on its way, which may arrive as soon as the timer's thread runs."""
     timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
     with pytest.raises(KeyboardInterrupt):
-        document.grow()
+        timer.start()
+        call()
     timer.join()
+
+
+def test_keyboard_interrupts_stop_growth() -> None:
+    press_ctrl_c_during(long_growth().grow)
     assert grown_small_tree().node_count > 0  # and growth works after it
 
 
@@ -117,12 +121,7 @@ def long_calls() -> dict[str, Callable[[], Callable[[], object]]]:
 
 @pytest.mark.parametrize("name", long_calls())
 def test_ctrl_c_stops_every_long_call(name: str) -> None:
-    call = long_calls()[name]()
-    timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        call()
-    timer.join()
+    press_ctrl_c_during(long_calls()[name]())
 
 
 @pytest.mark.parametrize("callback", ["None", "print_nothing"])

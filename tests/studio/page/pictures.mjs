@@ -13,9 +13,9 @@ import { kSource, open_page, start_browser, start_server, temporary_folder } fro
 export const kMostBytes = 250_000;
 export const kFolder = path.join(kSource, 'docs/manual/studio');
 
-/// What each picture shows, and how a hand comes there.
+/// What each picture shows, and how a hand comes there: from the oak that is open at first, or from a small plant.
 export const kPictures = [
-  { name: 'oak', theme: 'light', act: (page) => choose(page, 'tree') },
+  { name: 'oak', on_oak: true, theme: 'light', act: (page) => choose(page, 'tree') },
   {
     name: 'inspector',
     theme: 'dark',
@@ -82,6 +82,7 @@ export const kPictures = [
   },
   {
     name: 'strip',
+    on_oak: true,
     theme: 'light',
     act: async (page) => {
       const handle = page.locator('.handle').first();
@@ -92,6 +93,7 @@ export const kPictures = [
   },
   {
     name: 'chance',
+    on_oak: true,
     theme: 'dark',
     act: async (page) => {
       // The same chance each time.
@@ -122,6 +124,7 @@ export const kPictures = [
   },
   {
     name: 'measures',
+    on_oak: true,
     theme: 'dark',
     act: async (page) => {
       await page.getByRole('button', { name: 'Measures', exact: true }).click();
@@ -133,6 +136,7 @@ export const kPictures = [
   },
   {
     name: 'models',
+    on_oak: true,
     theme: 'light',
     act: async (page) => {
       await page.keyboard.press('Control+m');
@@ -304,12 +308,13 @@ export async function draw_all(browser, out, tell = () => undefined) {
   for (const [name, document] of Object.entries(kOwn)) await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));
   for (const file of ['grass-measured.json', 'grass-midribs.csv', 'grass-widths.csv']) await cp(path.join(kSource, 'docs/manual/figures', file), path.join(place.folder, file));
   for (const name of ['sunflower-head', 'sunflower-stem', 'film-primrose']) await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
-  const server = await start_server(place.folder);
+  const on_oak = await start_server(place.folder);
+  const on_small = await start_server(place.folder, 'young-pear.json');
   await mkdir(out, { recursive: true });
   try {
-    for (const picture of kPictures) tell(await draw(browser, server.address, out, picture));
+    for (const picture of kPictures) tell(await draw(browser, (picture.on_oak ? on_oak : on_small).address, out, picture));
   } finally {
-    await server.stop();
+    await Promise.all([on_oak.stop(), on_small.stop()]);
     await place.remove();
   }
 }

@@ -13,7 +13,7 @@ import { kSource, start_browser, temporary_folder } from './support.mjs';
 /// 0.3, because times are other ones; a strip of small plants over the view makes 4.
 const kNear = 2;
 
-let place, browser, out;
+let place, browser, out, page;
 
 before(async () => {
   place = await temporary_folder();
@@ -21,6 +21,7 @@ before(async () => {
   await mkdir(out, { recursive: true });
   browser = await start_browser();
   await draw_all(browser, out);
+  page = await browser.newPage();
 });
 
 after(async () => {
@@ -30,9 +31,8 @@ after(async () => {
 
 /// Mean difference of two pictures, both made small.
 async function difference(first, second) {
-  const page = await browser.newPage();
   const address = async (file) => `data:image/jpeg;base64,${(await readFile(file)).toString('base64')}`;
-  const found = await page.evaluate(async (files) => {
+  return page.evaluate(async (files) => {
     const [a, b] = await Promise.all(
       files.map(async (file) => {
         const image = await createImageBitmap(await (await fetch(file)).blob(), { resizeWidth: 80, resizeHeight: 48, resizeQuality: 'high' });
@@ -44,8 +44,6 @@ async function difference(first, second) {
     );
     return a.reduce((sum, one, k) => sum + Math.abs(one - b[k]), 0) / (0.75 * a.length);
   }, [await address(first), await address(second)]);
-  await page.close();
-  return found;
 }
 
 for (const { name } of kPictures) {

@@ -27,7 +27,7 @@ Documents = Union[None, str, Document, Iterable[Union[str, Document]], Mapping[s
 Plan = Union[str, "os.PathLike[str]", Mapping[str, Any], DatasetPlan]
 
 #: Columns of the manifest that tell where things are, and are no numbers of plants.
-_OF_FILES = frozenset({"files", "bytes", "hashes", "version"})
+_OF_FILES = ("files", "bytes", "hashes", "version")
 
 
 @dataclass(frozen=True)
@@ -258,6 +258,7 @@ def _write_parquet(made: Dataset, path: Path) -> None:
 
     table = made.table()
     columns = {name: table[name] for name in table.dtype.names or ()}
-    for name in ("files", "bytes", "hashes", "version"):
-        columns[name] = [row[name] for row in made.rows()]
+    of_files: list[dict[str, str]] = [{name: row[name] for name in _OF_FILES} for row in made.rows()]
+    for name in _OF_FILES:
+        columns[name] = [row[name] for row in of_files]
     parquet.write_table(pyarrow.table(columns), path)

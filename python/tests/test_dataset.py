@@ -5,7 +5,10 @@ from __future__ import annotations
 
 import json
 import pickle
+import sys
+import types
 from pathlib import Path
+from typing import Any
 
 import meristem
 import numpy as np
@@ -126,6 +129,31 @@ def test_tables_are_arrays(tmp_path: Path) -> None:
     assert again.plants == 4 and (again.table() == table).all()
     with pytest.raises(meristem.InputError, match="no data set"):
         meristem.open_dataset(tmp_path)
+
+
+def test_a_library_for_parquet_gets_all_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Debian has no pyarrow: what it would be given is looked at in its place."""
+    made = meristem.dataset(rod(), plan(2), tmp_path / "rods", processes=1)
+    library, writer = types.ModuleType("pyarrow"), types.ModuleType("pyarrow.parquet")
+
+    def write_table(columns: dict[str, Any], path: Path) -> None:
+        path.write_text(json.dumps({name: list(column) for name, column in columns.items()}))
+
+    setattr(library, "table", dict)
+    setattr(writer, "write_table", write_table)
+    with monkeypatch.context() as context:
+        context.setitem(sys.modules, "pyarrow", None)
+        with pytest.raises(ImportError):
+            made.save_parquet(tmp_path / "rods.parquet")
+        context.setitem(sys.modules, "pyarrow", library)
+        context.setitem(sys.modules, "pyarrow.parquet", writer)
+        made.save_parquet(tmp_path / "rods.parquet")
+    columns = json.loads((tmp_path / "rods.parquet").read_text())
+    rows = list(made.rows())
+    assert set(columns) == set(rows[0])
+    assert columns["height"] == [float(row["height"]) for row in rows]
+    assert columns["files"] == [row["files"] for row in rows]
+    assert not list(tmp_path.glob("*.partial"))
 
 
 def test_faults_of_a_plan_have_their_places(tmp_path: Path) -> None:

@@ -39,6 +39,7 @@ def pictures():
 
 @functools.cache
 def measured_document(document, *options):
+    """All measures of what a document grows: a path, or the name of a shipped model, which is measured once so."""
     done = subprocess.run([PROGRAM, "measure", document, "--json", "--quiet", *options], check=True, stdout=subprocess.PIPE,
                           timeout=300)
     return json.loads(done.stdout)
@@ -322,7 +323,7 @@ class LowPolyTrees(Page):
 
     def test_triangles(self):
         for model in sorted((ROOT / "models").glob("low-poly-*.json")):
-            triangles = measured_document(str(model))["triangles"]
+            triangles = measured_document(model.stem)["triangles"]
             [cell] = re.findall(rf"\(\.\./\.\./models/{model.name}\) \| ([\d,]+) \|", self.text)
             self.assertEqual(cell, f"{triangles:,}", model.name)
 
@@ -331,7 +332,7 @@ class ForGameMakers(Page):
     PAGE = "for-game-makers.md"
 
     def test_triangles_of_low_poly_trees(self):
-        counts = [measured_document(str(model))["triangles"] for model in sorted((ROOT / "models").glob("low-poly-*.json"))]
+        counts = [measured_document(model.stem)["triangles"] for model in sorted((ROOT / "models").glob("low-poly-*.json"))]
         self.assertEqual(len(counts), 8)
         self.says(f"Eight low-poly trees with flat shading are shipped, with {round(min(counts) / 50) * 50} to "
                   f"{round(max(counts) / 50) * 50:,} triangles each")
@@ -357,7 +358,7 @@ class ShippedTreesOfTheFitStudy(Page):
         self.assertEqual(len(rows), 11)
         for model, height, diameter, crown, slenderness, spread in rows:
             with self.subTest(model=model):
-                measures = measured_document(str(ROOT / "models" / f"{model}.json"))
+                measures = measured_document(model)
                 self.assertEqual(height, f"{measures['height']:.1f}")
                 self.assertAlmostEqual(float(diameter) / 100, measures["stem_diameter"], delta=0.05 * measures["stem_diameter"])
                 self.assertAlmostEqual(float(slenderness), measures["height"] / (float(diameter) / 100), delta=1.5)

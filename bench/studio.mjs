@@ -291,7 +291,7 @@ async function strip_time(page) {
 }
 
 const place = await temporary_folder();
-const browser = await start_browser();
+const browser = await start_browser({ measures: true });
 const load = os.loadavg()[0];
 try {
   const model = async (name) => readFile(path.join(kSource, 'models', `${name}.json`), 'utf8');

@@ -35,6 +35,7 @@ export interface PlaneCanvasProps {
 }
 
 const kReach = 9; // pixels about a point that take hold of it
+const kBelowName = 24; // pixels from the top that the name of the upward way takes
 const kGridPixels = { plain: 40, numbered: 56 };
 
 /// Gives the keyboard to a point of the editor that holds `root`.
@@ -200,8 +201,8 @@ function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElem
               {one}
             </text>
           ))}
-          {up.map((one) => (
-            <text key={`y${one}`} x={3} y={scale.place([0, one])[1] - 3}>
+          {up.map((one) => [one, scale.place([0, one])[1] - 3] as const).filter(([, at]) => at > kBelowName).map(([one, at]) => (
+            <text key={`y${one}`} x={3} y={at}>
               {one}
             </text>
           ))}

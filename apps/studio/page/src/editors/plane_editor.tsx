@@ -115,12 +115,13 @@ interface PointFieldsProps extends PlaneEditorProps {
 function PointFields({ label, shape, index, frame, digits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
   const point = shape.points[index];
   if (!point) return null;
+  const names = shape.form === 'profile' ? names_of(shape) : ['x', 'y'];
   const field = (axis: 0 | 1): ReactElement => {
     const at = (value: number): Shape => with_point_at(shape, index, axis === 0 ? [value, point[1]] : [point[0], value], frame, 1e-6);
     return (
       <label className="curve-field">
-        <span className="quiet">{axis === 0 ? 'x' : 'y'}</span>
-        <NumberField label={`${label}, ${axis === 0 ? 'x' : 'y'} of point ${index + 1}`} value={point[axis]} step={digits} limit={(one) => one} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
+        <span className="quiet">{names[axis]}</span>
+        <NumberField label={`${label}, ${names[axis]} of point ${index + 1}`} value={point[axis]} step={digits} limit={(one) => one} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
       </label>
     );
   };

@@ -47,8 +47,9 @@ GrownDocument grown_for(const ExportSource& source, const ExportOptions& options
   const bool is_there =
       source.grown != nullptr && (source.grown->traces.recorded | wish) == source.grown->traces.recorded;
   if (!is_there) {
-    const std::optional<int> step = source.grown != nullptr ? source.grown->view.step : std::nullopt;
-    return grow_document(*source.document, progress, {.time = options.time, .up_to = part, .view = {step, wish}});
+    GrowthView view = source.grown != nullptr ? source.grown->view : GrowthView();
+    view.wish = wish;
+    return grow_document(*source.document, progress, {.time = options.time, .up_to = part, .view = view});
   }
   GrownDocument grown{.plant = source.grown->plant};
   grown.traces = source.grown->traces;

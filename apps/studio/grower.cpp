@@ -103,7 +103,7 @@ Value component_counts(const MeshScene& scene) {
 
 GrowthView ShownParts::view() const {
   if (!is_recorded && !step) return {};
-  return {step, TraceWish::all()};
+  return {.step = step, .wish = TraceWish::all(), .of = of};
 }
 
 void Grower::leave() {
@@ -386,6 +386,9 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
   counts.emplace_back("step", grown.traces.shown_step());
   counts.emplace_back("steps", grown.view.wish.any() ? Value(grown.traces.last_step) : Value());
+  Value::Object growing;
+  for (const ComponentSteps& one : grown.traces.steps) growing.emplace_back(one.component, one.last_step);
+  counts.emplace_back("growing", grown.view.wish.any() ? Value(std::move(growing)) : Value());
   return counts;
 }
 

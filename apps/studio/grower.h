@@ -59,6 +59,7 @@ struct ShownParts {
   bool skeleton = false;
   double time = 0;           ///< seconds, of the document
   std::optional<int> step;   ///< of growth; unset: the last
+  std::string of{};          ///< id of the component whose plants the step is for; empty: all
   bool is_recorded = false;  ///< growth is recorded, with all that overlays show of it
 
   /// What grows for these parts.

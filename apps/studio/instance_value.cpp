@@ -76,8 +76,8 @@ Value::Object shoot_value(const StemPlace& place) {
   Value::List course;
   Value::List metamers;
   for (const NodeIndex node : shoot_nodes(skeleton, place.axis)) {
-    for (int axis = 0; axis < 3; ++axis) course.push_back(static_cast<double>(skeleton.position[node][axis]));
-    metamers.push_back(skeleton.axis[node] == place.axis ? static_cast<double>(numbers[node]) : 0.0);
+    for (int axis = 0; axis < 3; ++axis) course.emplace_back(static_cast<double>(skeleton.position[node][axis]));
+    metamers.emplace_back(skeleton.axis[node] == place.axis ? static_cast<double>(numbers[node]) : 0.0);
   }
   const bool is_below = skeleton.axis[place.node] != place.axis;
   return {{"shoot", name.label},

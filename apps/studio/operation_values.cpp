@@ -90,6 +90,7 @@ Value operations_value(const GrownWish& grown, const OperationsRequest& request,
     acts.push_back(Value::List{std::get<0>(what), std::get<1>(what), std::get<2>(what), count});
   const auto left = static_cast<double>(chosen - places.size());
   return Value::Object{{"iteration", last ? Value(*last) : Value()},
+                       {"training", expanded_training(*prototype)},
                        {"acts", std::move(acts)},
                        {"places", std::move(places)},
                        {"left", left}};

@@ -216,6 +216,7 @@ ViewRequest view_request(const Members& members) {
     request.growth.emplace();
     if (growth.has("step")) request.growth->step = static_cast<int>(growth.whole("step", 0, kMostGrowthSteps));
     request.growth->is_recorded = growth.flag("recorded");
+    request.growth->of = growth.optional_text("of").value_or("");
   }
   return request;
 }
@@ -389,6 +390,7 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "instance") return instance_request(members);
   if (what == "stand") return StandRequest{members.text("component")};
   if (what == "curves") return curves_request(members);
+  if (what == "cloud") return CloudRequest{members.text("component")};
   if (what == "operations") return operations_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};
   if (what == "part") return part_request(members);

@@ -41,6 +41,7 @@ struct DragRequest {
 struct ShownGrowth {
   std::optional<int> step;
   bool is_recorded = false;
+  std::string of{};  ///< id of the component whose plants the step is for; empty: all
 };
 struct ViewRequest {
   std::optional<std::uint64_t> drag_triangles;
@@ -100,6 +101,10 @@ struct CurvesRequest {
   std::string component;
   std::optional<int> rank;  ///< of the leaf that is asked for; unset: any
   std::optional<int> leaf;  ///< its number within the rank
+};
+/// The attraction points of a component's crown.
+struct CloudRequest {
+  std::string component;
 };
 /// What operations have done to the trees of a component.
 struct OperationsRequest {
@@ -178,9 +183,9 @@ struct PictureRequest {
 using Request =
     std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
                  AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
-                 MeasureRowsRequest, SweepRequest, InstanceRequest, StandRequest, CurvesRequest, OperationsRequest,
-                 PartsRequest, PartRequest, ExportRequest, CommandRequest, StillsRequest, GrammarRequest, ClocksRequest,
-                 PictureRequest, OverlaysRequest>;
+                 MeasureRowsRequest, SweepRequest, InstanceRequest, StandRequest, CurvesRequest, CloudRequest,
+                 OperationsRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest, StillsRequest,
+                 GrammarRequest, ClocksRequest, PictureRequest, OverlaysRequest>;
 
 struct NumberedRequest {
   double id = 0;

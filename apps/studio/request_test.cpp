@@ -68,6 +68,12 @@ TEST(Request, ReadsEachKind) {
   EXPECT_EQ(grammar.first + grammar.count, 30U);
   EXPECT_EQ(read<PictureRequest>(R"({"do": "picture", "id": 1, "file": "bark.png"})").size, 96);
   EXPECT_EQ(read<StandRequest>(R"({"do": "stand", "id": 1, "component": "oak"})").component, "oak");
+  EXPECT_EQ(read<CloudRequest>(R"({"do": "cloud", "id": 1, "component": "oak"})").component, "oak");
+  const auto looked =
+      read<ViewRequest>(R"({"do": "view", "id": 1, "growth": {"step": 4, "recorded": true, "of": "oak"}})");
+  EXPECT_EQ(looked.growth->step, 4);
+  EXPECT_EQ(looked.growth->of, "oak");
+  EXPECT_EQ(read<ViewRequest>(R"({"do": "view", "id": 1, "growth": {"recorded": true, "of": null}})").growth->of, "");
   const auto curves = read<CurvesRequest>(R"({"do": "curves", "id": 1, "component": "leaf", "rank": -3})");
   EXPECT_EQ(curves.rank, -3);
   EXPECT_EQ(curves.leaf, std::nullopt);

@@ -238,6 +238,26 @@ TEST(StudioSession, ShootsOfSeveralInstancesAreThoseOfTheirOwnTrees) {
   EXPECT_NE(numbers_of(*places[0].find("position")), numbers_of(*places[1].find("position")));
 }
 
+TEST(StudioSession, TellsThePointsOfACrownAsAHandMovesIt) {
+  Studio studio;
+  const Value opened = studio.ask("open", kColonizedTree);
+  studio.show(Studio::text_of(opened, "hash"));
+  const auto told = [&] { return *studio.ask("cloud", R"("component": "tree")").find("cloud"); };
+  const Value before = told();
+  EXPECT_EQ(*before.find("count"), Value(60));
+  EXPECT_EQ(Studio::text_of(before, "positions").size(), 60U * 12 * 4 / 3) << "in base 64";
+  EXPECT_EQ(told(), before);
+  studio.ask("drag", R"("values": {"components.tree.points": 9000})");
+  studio.mailbox().wait_for([](const Value& message) {
+    const Value* dragged = message.find("dragged");
+    return dragged != nullptr && *dragged == Value(true);
+  });
+  const Value dragged = told();
+  EXPECT_EQ(*dragged.find("count"), Value(9000));
+  EXPECT_EQ(Studio::text_of(dragged, "positions").size(), 4000U * 12 * 4 / 3) << "evenly some of them";
+  EXPECT_TRUE(studio.ask("cloud", R"("component": "nobody")").find("cloud")->is_null());
+}
+
 TEST(StudioSession, OverlaysAreThoseOfPictures) {
   const std::string plant = R"json({"meristem": 1, "scene": {"sun": {"azimuth": 90, "altitude": 45}}, "components":
     {"stem": {"type": "tree", "length": 0.2, "radius": 0.01}, "leaf": {"type": "leaf", "length": 0.4, "width": 0.1}},

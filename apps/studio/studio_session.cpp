@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "clock_values.h"
+#include "cloud_value.h"
 #include "curve_values.h"
 #include "export_job.h"
 #include "film_job.h"
@@ -333,6 +334,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const ViewReques
   if (request.growth) {
     parts.step = request.growth->step;
     parts.is_recorded = request.growth->is_recorded;
+    parts.of = request.growth->of;
   }
   grower_->set_parts(parts);
   return Answer{};
@@ -501,6 +503,13 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRe
 std::optional<StudioSession::Answer> StudioSession::act(double id, const CurvesRequest& request) {
   ask_grown(id, [request](const LastGrown& last, Progress&) -> Value::Member {
     return {"curves", curves_value(last.grown, request)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const CloudRequest& request) {
+  ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"cloud", cloud_value(last, component, progress)};
   });
   return std::nullopt;
 }

@@ -73,6 +73,7 @@ class StudioSession {
   std::optional<Answer> act(double id, const InstanceRequest& request);
   std::optional<Answer> act(double id, const StandRequest& request);
   std::optional<Answer> act(double id, const CurvesRequest& request);
+  std::optional<Answer> act(double id, const CloudRequest& request);
   std::optional<Answer> act(double id, const OperationsRequest& request);
   std::optional<Answer> act(double id, const PartsRequest& request);
   std::optional<Answer> act(double id, const PartRequest& request);

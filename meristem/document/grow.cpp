@@ -78,11 +78,10 @@ void paint_variants(const Document& document, GrownDocument& grown, Progress& pr
 }  // namespace
 
 std::vector<ReuseCount> reuse_of(const GrowthCache& cache) {
-  std::vector<ReuseCount> counts{{"grown skeletons", cache.reuse<GrownBatch>()},
-                                 {"instances", cache.reuse<BatchResult>()},
-                                 {"clothed stems", cache.reuse<StemTubes>()},
-                                 {"closed bodies", cache.reuse<BodyMesh>()},
-                                 {"painted textures", cache.reuse<Texture>()}};
+  std::vector<ReuseCount> counts{
+      {"grown skeletons", cache.reuse<GrownBatch>()}, {"placed plants", cache.reuse<PlantVariant>()},
+      {"instances", cache.reuse<BatchResult>()},      {"clothed stems", cache.reuse<StemTubes>()},
+      {"closed bodies", cache.reuse<BodyMesh>()},     {"painted textures", cache.reuse<Texture>()}};
   std::erase_if(counts, [](const ReuseCount& one) { return one.count.made + one.count.reused == 0; });
   return counts;
 }

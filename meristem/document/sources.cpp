@@ -19,6 +19,7 @@
 #include "meristem/document/models.h"
 #include "meristem/document/override.h"
 #include "meristem/graph/expand.h"
+#include "meristem/graph/growth_traces.h"
 #include "meristem/graph/looks.h"
 #include "meristem/graph/table/file_access.h"
 #include "meristem/graph/table/fingerprint.h"
@@ -70,6 +71,51 @@ void paint(const Graph& graph, PaintedTextures& painted, std::vector<Material>& 
     materials[numbers[k]].texture = fresh[k].texture;
   }
 }
+
+/// The plant of one document, whose growth is kept where somebody looks at its steps.
+class DocumentGrowth : public PlacedGrowth {
+ public:
+  DocumentGrowth(std::shared_ptr<const Document> document, double time, std::shared_ptr<PaintedTextures> painted)
+      : document_(std::move(document)), time_(time), painted_(std::move(painted)) {}
+
+  ShownPlant show(const GrowthView& view, const Progress& progress) override {
+    if (shown_.plant != nullptr && view == view_) return shown_;
+    const bool is_kept = view.step || view.wish.any();
+    auto traces = std::make_shared<GrowthTraces>();
+    auto variant = std::make_shared<PlantVariant>();
+    Progress part(&progress);
+    try {
+      const ExpandOptions options{is_kept ? &cache_ : nullptr, view, traces.get()};
+      variant->plant = std::make_shared<const Plant>(expand(document_->graph, document_->scene, time_, part, options));
+    } catch (const InputError& error) {
+      std::vector<Diagnostic> faults = error.diagnostics();
+      document_->source.place(faults);
+      throw InputError(std::move(faults));
+    }
+    variant->paint = [document = document_, painted = painted_](std::vector<Material>& materials, Progress& painting,
+                                                                Cache*) {
+      meristem::paint(document->graph, *painted, materials, painting);
+    };
+    const ShownPlant shown{std::move(variant), std::move(traces)};
+    if (is_kept) {
+      view_ = view;
+      shown_ = shown;
+    }
+    return shown;
+  }
+
+  std::uint64_t bytes() const override {
+    return cache_.bytes() + (shown_.plant != nullptr ? shown_.plant->bytes() + shown_.traces->bytes() : 0);
+  }
+
+ private:
+  const std::shared_ptr<const Document> document_;
+  const double time_;  // seconds
+  const std::shared_ptr<PaintedTextures> painted_;
+  Cache cache_;       // of the growth, where it is kept
+  GrowthView view_;   // that was shown last
+  ShownPlant shown_;  // nothing where it is not kept
+};
 
 class DocumentSource : public PlantSource {
  public:
@@ -126,7 +172,7 @@ class DocumentSource : public PlantSource {
     return handle;
   }
 
-  std::shared_ptr<const PlantVariant> grow(const PlantRequest& request, const Progress& progress) const override {
+  std::shared_ptr<PlacedGrowth> plant(const PlantRequest& request) const override {
     ReadOptions options{.seed = request.seed,
                         .time = request.time,
                         .root = root_,
@@ -134,21 +180,8 @@ class DocumentSource : public PlantSource {
                         .chain = &chain_.back(),
                         .within = within_};
     for (const auto& [name, value] : request.values) options.overrides.push_back({name, Value(value), "set " + name});
-    const auto document = std::make_shared<const Document>(read_document(text_, file_, registry_, options));
-    Progress part(&progress);
-    auto variant = std::make_shared<PlantVariant>();
-    try {
-      variant->plant =
-          std::make_shared<const Plant>(expand(document->graph, document->scene, request.time, part, nullptr));
-    } catch (const InputError& error) {
-      std::vector<Diagnostic> faults = error.diagnostics();
-      document->source.place(faults);
-      throw InputError(std::move(faults));
-    }
-    variant->paint = [document, painted = painted_](std::vector<Material>& materials, Progress& painting, Cache*) {
-      meristem::paint(document->graph, *painted, materials, painting);
-    };
-    return variant;
+    return std::make_shared<DocumentGrowth>(
+        std::make_shared<const Document>(read_document(text_, file_, registry_, options)), request.time, painted_);
   }
 
  private:

@@ -65,18 +65,19 @@ class Expansion {
         assembly_(graph),
         view_(options.view),
         traces_(options.traces),
-        results_(options.cache,
-                 {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes), typeid(PlantVariant)}),
+        results_(options.cache, {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes),
+                                 typeid(PlantVariant), typeid(PlacedGrowth)}),
         meshes_(graph.components.size()) {}
 
   Plant run() {
     if (traces_ != nullptr) {
       traces_->step = view_.step;
+      traces_->of = view_.of;
       traces_->recorded = view_.wish;
     }
     walk();
     Plant plant = assembly_.run(mesh_bytes(), progress_);
-    plant.plantings = grow_plantings(graph_, std::move(planting_), results_, progress_);
+    plant.plantings = grow_plantings(graph_, std::move(planting_), view_, traces_, results_, progress_);
     results_.end();
     return plant;
   }
@@ -150,7 +151,13 @@ class Expansion {
 
   /// Whether the plants of a component stand as their growth has come to be at a time.
   bool unrolls(const Prototype& prototype) const {
-    return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second && !view_.step;
+    return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second &&
+           !step_of(prototype);
+  }
+
+  /// The step of its growth that a component is shown at; what shows the growth of another one goes with it.
+  std::optional<int> step_of(const Prototype& prototype) const {
+    return is_looked_at(view_, prototype.id) || is_looked_at(view_, prototype.shown) ? view_.step : std::nullopt;
   }
 
   bool shows_outcome() const { return view_.outcome && !view_.step; }
@@ -163,7 +170,7 @@ class Expansion {
   /// What is recorded of a component's growth: what the view wishes, and what others show of it.
   TraceWish wish_for(const Prototype& prototype) const {
     TraceWish wish = view_.wish;
-    if (wish.has(TracePart::markers) || view_.step) wish = wish | TraceWish{TracePart::steps};
+    if (wish.has(TracePart::markers) || step_of(prototype)) wish = wish | TraceWish{TracePart::steps};
     if (shows_outcome()) wish = wish | TraceWish{TracePart::outcome};
     for (const Prototype& other : graph_.components) {
       if (other.shown == prototype.id && watches_growth(other)) wish = wish | TraceWish{TracePart::points};
@@ -374,14 +381,14 @@ class Expansion {
 
   /// Hands out what was recorded of a batch's growth.
   void take_traces(const Batch& batch, const Grown& grown, const BatchResult& result) {
-    traces_->last_step = std::max(traces_->last_step, result.growth_steps);
-    if (grown.batch == nullptr) return;
     const std::string& id = graph_.components[batch.component].id;
+    traces_->add_steps(id, result.growth_steps, view_);
+    if (grown.batch == nullptr) return;
     for (const std::shared_ptr<const GrowthTrace>& trace : grown.batch->traces) {
       const std::uint32_t instance = grown_instances_[batch.component]++;
       if (trace == nullptr) continue;
       traces_->growths.push_back({id, instance, trace});
-      traces_->last_step = std::max(traces_->last_step, trace->last_step());
+      traces_->add_steps(id, trace->last_step(), view_);
     }
   }
 
@@ -400,8 +407,8 @@ class Expansion {
       const Animation& animation = *graph_.animation;
       key.add(*animation.steps_per_second).add(animation.unfold).add(animation.hold);
     }
-    if (view_.step && (prototype.type->grows_in_time || watches_growth(prototype)))
-      key.add(*view_.step).add_text("step");
+    const std::optional<int> step = step_of(prototype);
+    if (step && (prototype.type->grows_in_time || watches_growth(prototype))) key.add(*step).add_text("step");
     if (shows_outcome()) key.add_text("outcome");
     return key.add(grown.key.value_or(0)).hash();
   }
@@ -452,7 +459,7 @@ class Expansion {
             .together = batch.sites().size(),
             .time = time_,
             .animation = graph_.animation ? &*graph_.animation : nullptr,
-            .growth_step = view_.step,
+            .growth_step = step_of(prototype),
             .key = RandomKey(graph_.seed).child("component").child(prototype.id),
             .wants_child_sites = wants(links, false),
             .wants_branch_sites = wants(links, true),
@@ -478,7 +485,7 @@ class Expansion {
     progress_.begin("expanding", sites.size());
     parallel_for(sites.size(), block, [&](std::size_t begin, std::size_t end) {
       Emitter emitter(context);
-      if (grown.batch != nullptr) emitter.set_grown(skeleton_of(grown, begin, *context.progress));
+      if (grown.batch != nullptr) emitter.set_grown(skeleton_of(grown, begin, step_of(prototype), *context.progress));
       if (!grown.watched.empty()) emitter.set_watched(grown.watched[begin]);
       prototype.type->expand(prototype, std::span(sites).subspan(begin, end - begin), emitter);
       result->blocks[begin / block] = emitter.take();
@@ -493,12 +500,13 @@ class Expansion {
   }
 
   /// What an instance has grown, at the step that is shown, or after what it plans.
-  std::vector<Skeleton> skeleton_of(const Grown& grown, std::size_t instance, Progress& progress) const {
+  std::vector<Skeleton> skeleton_of(const Grown& grown, std::size_t instance, std::optional<int> step,
+                                    Progress& progress) const {
     Skeleton& skeleton = grown.batch->skeletons[instance];
     const GrowthTrace* const trace = grown.batch->traces[instance].get();
     std::vector<Skeleton> one(1);
-    if (view_.step && trace != nullptr && *view_.step < trace->last_step()) {
-      one[0] = trace->standing(*view_.step, scene_, progress);
+    if (step && trace != nullptr && *step < trace->last_step()) {
+      one[0] = trace->standing(*step, scene_, progress);
     } else if (shows_outcome() && trace != nullptr && trace->outcome() != nullptr) {
       one[0] = *trace->outcome();
     } else if (grown.key) {

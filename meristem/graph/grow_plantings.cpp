@@ -24,10 +24,11 @@ constexpr std::size_t kMostVariants = 1000;
 constexpr std::uint64_t kMostPlants =
     10'000;  // with those that stand in others; each takes some tens of kilobytes at least
 
-std::uint64_t key_of(const Emitted::PlacedPlant& plant) {
+std::uint64_t key_of(const Emitted::PlacedPlant& plant, const std::optional<int>& step) {
   Fingerprint key;
   key.add(plant.source->fingerprint()).add(plant.request.seed).add(plant.request.time);
   for (const auto& [name, value] : plant.request.values) key.add_text(name).add(value);
+  if (step) key.add(*step).add_text("step");
   return key.hash();
 }
 
@@ -35,8 +36,11 @@ std::uint64_t key_of(const Emitted::PlacedPlant& plant) {
 struct Wanted {
   const Emitted::PlacedPlant* plant = nullptr;
   ComponentIndex component = 0;
-  std::uint64_t key = 0;
-  std::shared_ptr<const PlantVariant> grown;
+  std::uint64_t key = 0;                   // of the plant as it is shown
+  std::uint64_t growth_key = 0;            // of all that its steps have in common
+  std::shared_ptr<PlacedGrowth> growth{};  // where it is kept
+  std::shared_ptr<const PlantVariant> grown{};
+  std::shared_ptr<const GrowthTraces> traces{};
 };
 
 /// What a plant holds in memory, with the plants that stand in it, each once.
@@ -68,30 +72,56 @@ std::string told(const Wanted& wanted) {
 
 class PlantingGrower {
  public:
-  PlantingGrower(const Graph& graph, CacheRun& results, Progress& progress)
-      : graph_(graph), results_(results), progress_(progress) {}
+  PlantingGrower(const Graph& graph, const GrowthView& view, CacheRun& results, Progress& progress)
+      : graph_(graph),
+        view_(view),
+        wish_(view.wish.without(TracePart::outcome)),
+        results_(results),
+        progress_(progress) {}
 
-  std::vector<Planting> run(const std::vector<PlantingBatch>& batches) {
+  std::vector<Planting> run(const std::vector<PlantingBatch>& batches, GrowthTraces* traces) {
     for (const PlantingBatch& batch : batches) {
       for (const Emitted& block : batch.result->blocks) {
         for (const Emitted::PlacedPlant& plant : block.plants) add(plant, batch.component);
       }
     }
     grow_all();
-    for (std::size_t k = 0; k < plantings_.size(); ++k) plantings_[k].variant = wanted_[variant_of_[k]].grown;
+    for (std::size_t k = 0; k < plantings_.size(); ++k) {
+      plantings_[k].variant = wanted_[variant_of_[k]].grown;
+      if (traces != nullptr) take_traces(plantings_[k], wanted_[variant_of_[k]].traces, *traces);
+    }
     return std::move(plantings_);
   }
 
  private:
   const std::string& id(ComponentIndex component) const { return graph_.components[component].id; }
 
+  /// Hands out what was recorded of a plant.
+  void take_traces(const Planting& planting, const std::shared_ptr<const GrowthTraces>& of_plant,
+                   GrowthTraces& traces) const {
+    if (of_plant == nullptr) return;
+    PlacedTraces placed{planting.component, {}, of_plant};
+    for (const Planting::Place& place : planting.places) placed.frames.push_back(place.frame);
+    traces.placed.push_back(std::move(placed));
+    traces.add_steps(planting.component, of_plant->last_step, view_);
+  }
+
+  /// How the plants that a component places are shown.
+  GrowthView view_for(ComponentIndex component) const {
+    return {is_looked_at(view_, id(component)) ? view_.step : std::nullopt, wish_};
+  }
+
   void add(const Emitted::PlacedPlant& plant, ComponentIndex component) {
     const std::uint32_t instance = instances_[component]++;
     if (!plant.is_visible || has_vanished(plant.frame)) return;
-    const std::uint64_t key = key_of(plant);
+    const std::optional<int> step = view_for(component).step;
+    const std::uint64_t key = key_of(plant, step);
     const auto [known, is_new] = wanted_by_key_.try_emplace(key, wanted_.size());
     if (is_new) {
-      wanted_.push_back({&plant, component, key, nullptr});
+      // One plant may stand at a step for one component, and as it is at last for another one.
+      const std::uint64_t growth_key =
+          Fingerprint().add(key_of(plant, {})).add(wish_.bits()).add_text(id(component)).hash();
+      wanted_.push_back({&plant, component, key, growth_key});
       if (wanted_.size() > kMostVariants) throw_too_many(component);
     }
     const auto [place, is_first] =
@@ -118,16 +148,13 @@ class PlantingGrower {
     std::vector<std::exception_ptr> faults(wanted_.size());
     std::atomic<std::uint64_t> plants{0}, nodes{0}, organs{0};
     std::atomic<std::size_t> first_fault{wanted_.size()};
-    for (Wanted& wanted : wanted_) {
-      wanted.grown = results_.find<const PlantVariant>(wanted.key);
-      results_.count<PlantVariant>(wanted.grown != nullptr);
-    }
+    for (Wanted& wanted : wanted_) find(wanted);
     parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         if (k > first_fault) return;
         if (plants > kMostPlants || nodes > graph_.limits.nodes || organs > graph_.limits.instances) return;
         try {
-          if (wanted_[k].grown == nullptr) wanted_[k].grown = grow(wanted_[k]);
+          if (wanted_[k].grown == nullptr) grow(wanted_[k]);
           const Held held = held_by(*wanted_[k].grown->plant);
           plants += held.plants;
           nodes += held.nodes;
@@ -146,8 +173,23 @@ class PlantingGrower {
     require_at_most(plants, "plants in them", kMostPlants, "");
     require_at_most(nodes, "nodes", graph_.limits.nodes, " (limits.nodes)");
     require_at_most(organs, "leaves and other organs", graph_.limits.instances, " (limits.instances)");
-    for (Wanted& wanted : wanted_) results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
+    for (Wanted& wanted : wanted_) {
+      if (wanted.growth != nullptr) results_.store(wanted.growth_key, wanted.growth);
+      results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
+    }
   }
+
+  /// What there is of a plant from the run before. Where its growth is kept, that gives the plant at any step.
+  void find(Wanted& wanted) {
+    if (is_kept(wanted)) {
+      wanted.growth = results_.find<PlacedGrowth>(wanted.growth_key);
+    } else {
+      wanted.grown = results_.find<const PlantVariant>(wanted.key);
+    }
+    results_.count<PlantVariant>(wanted.growth != nullptr || wanted.grown != nullptr);
+  }
+
+  bool is_kept(const Wanted& wanted) const { return wish_.any() || view_for(wanted.component).step; }
 
   void require_at_most(std::uint64_t count, const char* what, std::uint64_t limit, const char* limit_name) const {
     if (count <= limit) return;
@@ -157,12 +199,18 @@ class PlantingGrower {
                    .path = "components." + id(wanted_.front().component)});
   }
 
-  std::shared_ptr<const PlantVariant> grow(const Wanted& wanted) const {
+  void grow(Wanted& wanted) const {
     const Progress part(&progress_);
     try {
-      auto variant = std::make_shared<PlantVariant>(*wanted.plant->source->grow(wanted.plant->request, part));
+      const std::shared_ptr<PlacedGrowth> growth =
+          wanted.growth != nullptr ? wanted.growth : wanted.plant->source->plant(wanted.plant->request);
+      const ShownPlant shown = growth->show(view_for(wanted.component), part);
+      auto variant = std::make_shared<PlantVariant>(*shown.plant);
       variant->key = wanted.key;
-      return variant;
+      wanted.grown = std::move(variant);
+      if (!is_kept(wanted)) return;
+      wanted.growth = growth;
+      wanted.traces = shown.traces;
     } catch (const InputError& error) {
       // Its own place lies in the other document; here it is the component that asks for it.
       std::vector<Diagnostic> faults;
@@ -176,6 +224,8 @@ class PlantingGrower {
   }
 
   const Graph& graph_;
+  const GrowthView& view_;
+  const TraceWish wish_;  // what is recorded of each plant
   CacheRun& results_;
   Progress& progress_;
   std::vector<Wanted> wanted_;
@@ -188,12 +238,12 @@ class PlantingGrower {
 
 }  // namespace
 
-std::vector<Planting> grow_plantings(const Graph& graph, std::vector<PlantingBatch> batches, CacheRun& results,
-                                     Progress& progress) {
+std::vector<Planting> grow_plantings(const Graph& graph, std::vector<PlantingBatch> batches, const GrowthView& view,
+                                     GrowthTraces* traces, CacheRun& results, Progress& progress) {
   if (batches.empty()) return {};
   std::stable_sort(batches.begin(), batches.end(),
                    [](const PlantingBatch& a, const PlantingBatch& b) { return a.component < b.component; });
-  return PlantingGrower(graph, results, progress).run(batches);
+  return PlantingGrower(graph, view, results, progress).run(batches, traces);
 }
 
 }  // namespace meristem

@@ -8,6 +8,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/graph.h"
+#include "meristem/graph/growth_traces.h"
 #include "meristem/plant/planting.h"
 
 namespace meristem {
@@ -19,9 +20,10 @@ struct PlantingBatch {
 };
 
 /// Grows what the batches ask for, equal requests once and different ones side by side, and says where it stands: in
-/// the order of the components and batches. Throws InputError where there are too many variants or their nodes, and
-/// where one cannot grow; Cancelled.
-std::vector<Planting> grow_plantings(const Graph& graph, std::vector<PlantingBatch> batches, CacheRun& results,
-                                     Progress& progress);
+/// the order of the components and batches. The plants stand as `view` says, and what it wishes to be recorded goes to
+/// `traces`, unless that is null. Throws InputError where there are too many variants or their nodes, and where one
+/// cannot grow; Cancelled.
+std::vector<Planting> grow_plantings(const Graph& graph, std::vector<PlantingBatch> batches, const GrowthView& view,
+                                     GrowthTraces* traces, CacheRun& results, Progress& progress);
 
 }  // namespace meristem

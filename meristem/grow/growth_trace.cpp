@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace meristem {
 
 namespace {
@@ -23,6 +25,33 @@ void StepMarks::append(StepMarks more) {
   append_all(room_ways, std::move(more.room_ways));
   append_all(markers, std::move(more.markers));
   append_all(losses, std::move(more.losses));
+}
+
+void StepMarks::move(const Frame& frame) {
+  for (std::vector<TracedPlace>* places : {&points, &markers}) {
+    for (TracedPlace& place : *places) place.position = frame.point(place.position);
+  }
+  for (TracedWay& pull : pulls) pull = {frame.point(pull.from), frame.point(pull.to)};
+  for (std::vector<TracedWay>* metres : {&ways, &room_ways}) {
+    for (TracedWay& way : *metres) {
+      const Vec3 from = frame.point(way.from);
+      way = {from, from + glm::normalize(frame.axes * (way.to - way.from))};
+    }
+  }
+  for (TracedLoss& loss : losses) {
+    loss.position = frame.point(loss.position);
+    loss.length = 0;
+    for (TracedWay& segment : loss.segments) {
+      segment = {frame.point(segment.from), frame.point(segment.to)};
+      loss.length += glm::distance(segment.from, segment.to);
+    }
+  }
+}
+
+std::size_t StepMarks::count() const {
+  std::size_t count = points.size() + pulls.size() + ways.size() + room_ways.size() + markers.size();
+  for (const TracedLoss& loss : losses) count += loss.segments.size();
+  return count;
 }
 
 Skeleton GrowthTrace::standing(int step, const Scene& scene, Progress& progress) const {

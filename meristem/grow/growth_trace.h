@@ -4,6 +4,7 @@
 // than ever, and with one the plant has the same bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -46,6 +47,12 @@ class TraceWish {
   constexpr bool has(TracePart part) const { return (bits_ & bit(part)) != 0; }
   constexpr bool any() const { return bits_ != 0; }
   constexpr std::uint64_t bits() const { return bits_; }  ///< equal for equal wishes; 0 for none
+  /// The wish without one part.
+  constexpr TraceWish without(TracePart part) const {
+    TraceWish rest = *this;
+    rest.bits_ &= ~bit(part);
+    return rest;
+  }
   /// Both wishes together.
   constexpr TraceWish operator|(TraceWish other) const {
     other.bits_ |= bits_;
@@ -119,6 +126,9 @@ struct StepMarks {
 
   /// Appends another plant's.
   void append(StepMarks more);
+  /// Puts all of it where `frame` takes it; ways stay one metre long.
+  void move(const Frame& frame);
+  std::size_t count() const;  ///< of places, ways and segments that were lost
 };
 
 /// What one member of a stand was, step by step. Many threads may ask it.

@@ -33,43 +33,39 @@ int checked(const Trace& trace, const std::optional<int>& step) {
   return asked;
 }
 
-/// The marks of each growth, with the ids of their components, one for each row that `count` tells.
+/// The ids of the components that grew, one for each row that `count` tells of their marks.
 template <class Count>
-py::object components_of_rows(const GrowthTraces& traces, const std::vector<StepMarks>& marks, Count count) {
+py::object components_of_rows(const std::vector<GrowthMarks>& growths, Count count) {
   py::list names;
   std::vector<std::int64_t> numbers;
-  for (std::size_t k = 0; k < marks.size(); ++k) {
-    names.append(traces.growths[k].component);
-    numbers.insert(numbers.end(), count(marks[k]), static_cast<std::int64_t>(k));
+  for (std::size_t k = 0; k < growths.size(); ++k) {
+    names.append(growths[k].component);
+    numbers.insert(numbers.end(), count(growths[k].marks), static_cast<std::int64_t>(k));
   }
-  if (marks.empty()) names.append("");
+  if (growths.empty()) names.append("");
   const py::object array = py::module_::import("numpy").attr("array")(names, "str");
   return array.attr("take")(array_of(std::move(numbers)));
 }
 
-std::vector<StepMarks> marks_of(const Trace& trace, const std::optional<int>& step, TracePart part) {
+std::vector<GrowthMarks> marks_of(const Trace& trace, const std::optional<int>& step, TracePart part) {
   const int asked = checked(trace, step);
-  return run_call(py::none(), 0, [&](Progress& inner) {
-    std::vector<StepMarks> marks;
-    for (const TracedGrowth& growth : trace.all().growths) marks.push_back(growth.trace->marks(asked, {part}, inner));
-    return marks;
-  });
+  return run_call(py::none(), 0, [&](Progress& inner) { return trace.all().marks_of_growths(asked, {part}, inner); });
 }
 
 /// Ways toward more light and toward more room; a growth has only one of them.
-std::vector<StepMarks> ways_of(const Trace& trace, const std::optional<int>& step) {
-  std::vector<StepMarks> marks = marks_of(trace, step, TracePart::ways);
-  for (StepMarks& one : marks) one.ways.insert(one.ways.end(), one.room_ways.begin(), one.room_ways.end());
-  return marks;
+std::vector<GrowthMarks> ways_of(const Trace& trace, const std::optional<int>& step) {
+  std::vector<GrowthMarks> growths = marks_of(trace, step, TracePart::ways);
+  for (auto& [component, instance, marks] : growths)
+    marks.ways.insert(marks.ways.end(), marks.room_ways.begin(), marks.room_ways.end());
+  return growths;
 }
 
-py::dict places_in_python(const Trace& trace, const std::vector<StepMarks>& marks,
-                          std::vector<TracedPlace> StepMarks::*member) {
+py::dict places_in_python(const std::vector<GrowthMarks>& growths, std::vector<TracedPlace> StepMarks::*member) {
   static constexpr std::array<const char*, 3> kStates{"free", "used", "removed"};
   std::vector<Vec3> positions;
   std::vector<std::int64_t> states, used_in;
-  for (const StepMarks& one : marks) {
-    for (const TracedPlace& place : one.*member) {
+  for (const GrowthMarks& growth : growths) {
+    for (const TracedPlace& place : growth.marks.*member) {
       positions.push_back(place.position);
       states.push_back(static_cast<std::int64_t>(place.state));
       used_in.push_back(place.used_in);
@@ -78,8 +74,7 @@ py::dict places_in_python(const Trace& trace, const std::vector<StepMarks>& mark
   py::list names;
   for (const char* name : kStates) names.append(name);
   py::dict columns;
-  columns["component"] =
-      components_of_rows(trace.all(), marks, [&](const StepMarks& one) { return (one.*member).size(); });
+  columns["component"] = components_of_rows(growths, [&](const StepMarks& one) { return (one.*member).size(); });
   const auto owner = std::make_shared<const std::vector<Vec3>>(std::move(positions));
   columns["position"] = rows_view<float>(owner, *owner);
   columns["state"] = py::module_::import("numpy").attr("array")(names, "str").attr("take")(array_of(std::move(states)));
@@ -87,28 +82,26 @@ py::dict places_in_python(const Trace& trace, const std::vector<StepMarks>& mark
   return columns;
 }
 
-py::dict ways_in_python(const Trace& trace, const std::vector<StepMarks>& marks,
-                        std::vector<TracedWay> StepMarks::*member) {
+py::dict ways_in_python(const std::vector<GrowthMarks>& growths, std::vector<TracedWay> StepMarks::*member) {
   auto begins = std::make_shared<std::vector<Vec3>>();
   auto ends = std::make_shared<std::vector<Vec3>>();
-  for (const StepMarks& one : marks) {
-    for (const TracedWay& way : one.*member) {
+  for (const GrowthMarks& growth : growths) {
+    for (const TracedWay& way : growth.marks.*member) {
       begins->push_back(way.from);
       ends->push_back(way.to);
     }
   }
   py::dict columns;
-  columns["component"] =
-      components_of_rows(trace.all(), marks, [&](const StepMarks& one) { return (one.*member).size(); });
+  columns["component"] = components_of_rows(growths, [&](const StepMarks& one) { return (one.*member).size(); });
   columns["begin"] = rows_view<float>(begins, *begins);
   columns["end"] = rows_view<float>(ends, *ends);
   return columns;
 }
 
-py::list losses_in_python(const std::vector<StepMarks>& marks) {
+py::list losses_in_python(const std::vector<GrowthMarks>& growths) {
   py::list list;
-  for (const StepMarks& one : marks) {
-    for (const TracedLoss& loss : one.losses) {
+  for (const GrowthMarks& growth : growths) {
+    for (const TracedLoss& loss : growth.marks.losses) {
       auto segments = std::make_shared<std::vector<TracedWay>>(loss.segments);
       static_assert(sizeof(TracedWay) == 6 * sizeof(float));
       py::dict told;
@@ -143,14 +136,15 @@ py::list skeletons_in_python(const Trace& trace, const std::optional<int>& step)
 }  // namespace
 
 py::object trace_of(const PlantPointer& plant) {
-  return plant->traces().growths.empty() ? py::object(py::none()) : py::cast(Trace{plant});
+  return plant->traces().has_growths() ? py::cast(Trace{plant}) : py::object(py::none());
 }
 
 void bind_trace(py::module_& module) {
   py::class_<Trace>(module, "Trace", R"(The growth of a plant step by step, where grow() has recorded it.
 
 Steps count from 1; step 0 is before growth. `step` is by default the one that the plant stands at. Columns are read-only
-arrays, one row per point, way or marker, with the id of the `component` that grew by it.)")
+arrays, one row per point, way or marker, with the id of the `component` that grew by it; plants of other documents have
+theirs at each of their places, with ids such as "oak.tree".)")
       .def_property_readonly(
           "steps", [](const Trace& trace) { return trace.all().last_step; }, "Steps that growth took.")
       .def_property_readonly(
@@ -159,11 +153,11 @@ arrays, one row per point, way or marker, with the id of the `component` that gr
           "bytes", [](const Trace& trace) { return trace.all().bytes(); }, "Bytes of memory that it takes.")
       .def("skeletons", &skeletons_in_python, py::arg("step") = py::none(),
            "Skeletons of what grew, one for each instance of a component that grows, after a step: those of a growth "
-           "with no more iterations.")
+           "with no more iterations. Plants of other documents are not among them.")
       .def(
           "points",
           [](const Trace& trace, const std::optional<int>& step) {
-            return places_in_python(trace, marks_of(trace, step, TracePart::points), &StepMarks::points);
+            return places_in_python(marks_of(trace, step, TracePart::points), &StepMarks::points);
           },
           py::arg("step") = py::none(),
           "Attraction points: component, position (n, 3), state (free, used or removed), used_in (step; 0 where it was "
@@ -171,21 +165,21 @@ arrays, one row per point, way or marker, with the id of the `component` that gr
       .def(
           "pulls",
           [](const Trace& trace, const std::optional<int>& step) {
-            return ways_in_python(trace, marks_of(trace, step, TracePart::pulls), &StepMarks::pulls);
+            return ways_in_python(marks_of(trace, step, TracePart::pulls), &StepMarks::pulls);
           },
           py::arg("step") = py::none(),
           "From nodes to the attraction points that pull them in the next step: component, begin (n, 3), end (n, 3).")
       .def(
           "ways",
           [](const Trace& trace, const std::optional<int>& step) {
-            return ways_in_python(trace, ways_of(trace, step), &StepMarks::ways);
+            return ways_in_python(ways_of(trace, step), &StepMarks::ways);
           },
           py::arg("step") = py::none(),
           "From buds that grew in the step one metre toward more light or room: component, begin (n, 3), end (n, 3).")
       .def(
           "markers",
           [](const Trace& trace, const std::optional<int>& step) {
-            return places_in_python(trace, marks_of(trace, step, TracePart::markers), &StepMarks::markers);
+            return places_in_python(marks_of(trace, step, TracePart::markers), &StepMarks::markers);
           },
           py::arg("step") = py::none(), "Markers of room around self-organizing plants, with the columns of points().")
       .def(

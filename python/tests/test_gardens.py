@@ -77,3 +77,26 @@ def test_a_table_that_names_no_component_is_a_fault(garden: Path) -> None:
     (garden.parent / "trees.csv").write_text("x,y,kind,years\n0,0,oak,2\n5,1,oka,4\n")
     with pytest.raises(meristem.InputError, match="did you mean 'oak'"):
         meristem.read(garden)
+
+
+def test_steps_and_traces_are_those_of_the_placed_plants(tmp_path: Path) -> None:
+    tree = {"type": "colonize", "crown": {"sphere": {"centre": [0, 1, 0], "radius": 0.5}}, "points": 60,
+            "step": 0.06, "influence": 0.8, "kill": 0.16, "iterations": 18}  # fmt: skip
+    (tmp_path / "tree.json").write_text(json.dumps({"meristem": 1, "components": {"stem": tree}}))
+    row = {"type": "places", "line": {"points": [[0, 0], [4, 0]], "spacing": 4}}
+    garden = {
+        "meristem": 1,
+        "components": {"row": row, "oak": {"type": "document", "file": "tree.json", "seed": 3}},
+        "links": [["row", "oak"]],
+    }
+    (tmp_path / "row.json").write_text(json.dumps(garden))
+    document = meristem.read(tmp_path / "row.json")
+    alone = meristem.read(tmp_path / "tree.json", seed=3).grow(step=7)
+    at_7 = document.grow(step=7, trace=True)
+    assert [len(stem.skeleton.position) for stem in at_7.stems] == [len(alone.stems[0].skeleton.position)] * 2
+    assert at_7.trace is not None and at_7.trace.steps == 18
+    points = at_7.trace.points()
+    assert set(points["component"]) == {"oak.stem"}
+    assert len(points["position"]) == 120
+    np.testing.assert_allclose(points["position"][60:] - points["position"][:60], [[4, 0, 0]] * 60, atol=1e-6)
+    assert at_7.trace.skeletons() == []

@@ -14,6 +14,8 @@
 namespace meristem {
 
 struct FileAccess;
+struct GrowthTraces;
+struct GrowthView;
 struct PlantVariant;
 
 /// With what a plant is grown.
@@ -23,6 +25,23 @@ struct PlantRequest {
   double time = 0;  ///< seconds
 
   bool operator==(const PlantRequest&) const = default;
+};
+
+/// A plant of another document as a view shows it, and what was recorded of its growth.
+struct ShownPlant {
+  std::shared_ptr<const PlantVariant> plant;
+  std::shared_ptr<const GrowthTraces> traces;
+};
+
+/// One plant of another document.
+class PlacedGrowth {
+ public:
+  virtual ~PlacedGrowth() = default;
+  /// The plant at the step of the view, all of whose components are looked at. A view with a step, or with wishes, has
+  /// the growth kept: then other steps do not grow anew. One call at a time. Throws InputError, placed in the text of
+  /// its own document, and Cancelled.
+  virtual ShownPlant show(const GrowthView& view, const Progress& progress) = 0;
+  virtual std::uint64_t bytes() const = 0;  ///< of memory that is kept
 };
 
 /// A document that was read and found good.
@@ -39,8 +58,8 @@ class PlantSource {
   virtual const std::string& file() const = 0;               ///< as messages name it
   virtual std::uint64_t fingerprint() const = 0;             ///< hash of everything that the source was read from
   virtual Handle handle(const std::string& name) const = 0;  ///< handle of a variable, or of a parameter by its path
-  /// Grows it. May be called from many threads. Throws InputError, placed in its own text, and Cancelled.
-  virtual std::shared_ptr<const PlantVariant> grow(const PlantRequest& request, const Progress& progress) const = 0;
+  /// Reads it with what is requested. May be called from many threads. Throws InputError, placed in its own text.
+  virtual std::shared_ptr<PlacedGrowth> plant(const PlantRequest& request) const = 0;
 };
 
 /// Opens documents for one that names them.

@@ -101,8 +101,8 @@ struct OverlaySource {
   Vec3 right{1, 0, 0};  ///< unit vector on the ground along which the scale lies
 };
 
-/// The layers of the parts, in their order, at the step of growth that the plant stands at. What was recorded of growth
-/// is that of the document's own plants. Equal on any number of threads. Throws InputError past limits, Cancelled.
+/// The layers of the parts, in their order, at the step of growth that the plant stands at. Plants of other documents
+/// have theirs at each of their places. Equal on any number of threads. Throws InputError past limits, Cancelled.
 std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
                                          const Progress& progress);
 

@@ -38,23 +38,20 @@ void write_points_csv(const GrowthTraces& traces, const std::string& path, Progr
     throw InputError(Diagnostic{.message = "the growth of the plants was not recorded, so their points are not known",
                                 .expected = "a growth that records points: in Python, document.grow(trace=True)"});
   }
-  std::vector<std::vector<TracedPlace>> points;
+  const std::vector<GrowthMarks> growths = traces.marks_of_growths(traces.shown_step(), {TracePart::points}, progress);
   std::uint64_t count = 0;
-  for (const TracedGrowth& growth : traces.growths) {
-    points.push_back(growth.trace->marks(traces.shown_step(), {TracePart::points}, progress).points);
-    count += points.back().size();
-  }
+  for (const GrowthMarks& growth : growths) count += growth.marks.points.size();
   progress.begin("writing CSV", count);
   AtomicFile file(path);
   file.write("component,instance,number,x,y,z,state,used_in\n");
   BlockWriter writer(file, progress);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const TracedGrowth& growth = traces.growths[k];
+  for (const GrowthMarks& growth : growths) {
+    const std::vector<TracedPlace>& points = growth.marks.points;
     const std::string of = csv_field(growth.component) + "," + std::to_string(growth.instance) + ",";
-    writer.write(points[k].size(), of.size() + kRowBytes, [&](std::size_t begin, std::size_t end, std::string& out) {
+    writer.write(points.size(), of.size() + kRowBytes, [&](std::size_t begin, std::size_t end, std::string& out) {
       for (std::size_t point = begin; point < end; ++point) {
         out += of;
-        append_point(points[k][point], point, out);
+        append_point(points[point], point, out);
       }
     });
   }

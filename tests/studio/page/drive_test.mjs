@@ -5,6 +5,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { box_faults, faint_texts } from './boxes.mjs';
 import { choose, drag, field, leave_fields, open_file, pick, point_at, retype, row, slider, step, type_into, undo_all } from './hands.mjs';
 import { kAxe, open_page, ready, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
 
@@ -424,6 +425,32 @@ test('texts of a document are shown as texts', async () => {
   assert.equal(await page.evaluate(() => window.harm), undefined);
 });
 
+test('all has room on small and large screens, and can be read in both themes', async () => {
+  const axe = await readFile(kAxe, 'utf8');
+  await open_file(page, 'small.json');
+  await choose(page, 'leaf');
+  const panels = [['growth', 's'], ['timeline', 'k'], ['board', 'b']]; // what a key opens over or beside the view, and closes
+  for (const [width, height] of [[2560, 1440], [1280, 720]]) {
+    await page.setViewportSize({ width, height });
+    for (const colorScheme of ['dark', 'light']) {
+      await page.emulateMedia({ colorScheme });
+      for (const [name, key] of panels) {
+        await leave_fields(page);
+        await page.keyboard.press(key);
+        await page.evaluate(() => window.studio.view.drawn());
+        assert.deepEqual(await box_faults(page), [], `${name}, ${width}, ${colorScheme}`);
+        if (height < 800 && colorScheme === 'dark') assert.deepEqual(await faint_texts(page, axe), [], name);
+        await page.keyboard.press(key);
+      }
+    }
+  }
+  const wrong = await page.addStyleTag({ content: '.view-axes { right: auto; left: 12px; } .top-bar h1 { font-size: 9px; }' });
+  const faults = (await box_faults(page)).join('\n');
+  assert.match(faults, /one over the other: div\.view-tools.*view-axes/);
+  assert.match(faults, /tiny: h1/);
+  await wrong.evaluate((element) => element.remove());
+});
+
 test('nothing was complained about on the way', () => {
   assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver|CONTEXT_LOST|Failed to load resource|Refused to/i.test(fault)), []);
 });
@@ -434,6 +461,7 @@ test('first visit: the oak is there with three hints', async () => {
   const first = await open_page(fresh, lone.address);
   assert.equal(await first.getByRole('heading', { level: 1 }).innerText(), 'Oak');
   assert.equal(await first.locator('.hints li').count(), 3);
+  assert.deepEqual(await box_faults(first), []);
   await fresh.close();
   await lone.stop();
 });

@@ -5,6 +5,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { open_file } from './hands.mjs';
 import { kAxe, open_page, settled, start_browser, start_server, temporary_folder, text_of, write_document } from './support.mjs';
 
 const kTree = `{
@@ -16,11 +17,25 @@ const kTree = `{
 }
 `;
 
+// Two such trees of another document beside a herb of its own.
+const kGarden = `{
+  "meristem": 1,
+  "components": {
+    "view": {"type": "camera"},
+    "row": {"type": "places", "line": {"points": [[0, 0], [3, 0]], "spacing": 3}},
+    "fruit": {"type": "document", "file": "tree.json", "seed": 4},
+    "herb": {"type": "lsystem", "steps": 3, "grammar": ["axiom: A", "A -> F[+A][-A]"]}
+  },
+  "links": [["view", "row"], ["row", "fruit"], ["view", "herb"]]
+}
+`;
+
 let place, server, browser, page;
 
 before(async () => {
   place = await temporary_folder();
   await write_document(place.folder, 'tree.json', kTree);
+  await write_document(place.folder, 'garden.json', kGarden);
   server = await start_server(place.folder, path.join(place.folder, 'tree.json'));
   browser = await start_browser();
   page = await open_page(await browser.newContext({ viewport: { width: 1280, height: 800 } }), server.address);
@@ -95,6 +110,33 @@ test('step 12 of 18 equals a document with 12 iterations', async () => {
   assert.equal((await grown()).nodes, of_step);
   const again = await page.evaluate(() => [window.studio.view.box_.min.toArray(), window.studio.view.box_.max.toArray()]);
   assert.deepEqual(again, bounds);
+});
+
+test('the plants of a garden go through their steps side by side, or those of one component alone', async () => {
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  await open_file(page, 'garden.json');
+  await page.keyboard.press('s');
+  await shown(18);
+  const whole = (await grown()).nodes;
+  const of = page.getByRole('combobox', { name: 'Steps of' });
+  assert.deepEqual(await of.locator('option').allInnerTexts(), ['all plants, side by side (18)', 'fruit (18)', 'herb (3)']);
+  await page.getByRole('button', { name: 'A step back' }).click();
+  await shown(17);
+  const reuse = (await grown()).reuse.find(({ what }) => what === 'placed plants');
+  assert.deepEqual([reuse.made, reuse.reused], [0, 1], 'one growth gives all steps');
+  await page.getByRole('button', { name: 'Attraction points' }).click();
+  await page.waitForFunction(() => window.studio.view.counts.overlays.points === 180);
+  await of.selectOption('herb');
+  await shown(3);
+  await page.getByRole('button', { name: 'Before growth' }).click();
+  await shown(0);
+  const without_herb = (await grown()).nodes;
+  await of.selectOption('');
+  await shown(18);
+  assert.equal((await grown()).nodes, whole);
+  assert.ok(without_herb < whole, `${without_herb} of ${whole}`);
+  await page.keyboard.press('s');
 });
 
 test('closing takes all away; axe finds nothing serious in the open panel', async () => {

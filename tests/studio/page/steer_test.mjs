@@ -317,6 +317,28 @@ test('the profile of a crown is dragged in the view', async () => {
   assert.equal(await text_of(page), kYard);
 });
 
+test('the outline of a crown is drawn over its attraction points, which follow a hand', async () => {
+  await page.locator('[data-path="components.tree.crown"] > .fold-head > .fold-title').click();
+  const profile = row(page, 'components.tree.crown.profile');
+  const cloud = profile.locator('.curve-cloud');
+  await cloud.waitFor({ state: 'attached' });
+  assert.equal(await cloud.getAttribute('data-points'), '60');
+  const points = await cloud.getAttribute('d');
+  // They lie on one side of the axis and within the outline.
+  const places = [...points.matchAll(/M(\S+) (\S+)h0/g)].map(([, radius, height]) => [Number(radius), Number(height)]);
+  assert.ok(places.every(([radius, height]) => radius >= 0 && radius < 0.95 && height >= 0.6 && height <= 2), points);
+  await profile.scrollIntoViewIfNeeded();
+  await drag_by(await middle_of(profile.locator('.curve-point').nth(1)), [14, 0], { lets_go: false });
+  const follows = (wants_same) =>
+    page.waitForFunction(([known, same]) => (document.querySelector('.curve-cloud').getAttribute('d') === known) === same, [points, wants_same], { timeout: 20000 });
+  await follows(false);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await follows(true);
+  await settled(page);
+  assert.equal(await text_of(page), kYard);
+});
+
 test('a measured leaf is shown over its points, and drawn by hand', async () => {
   await open_file(page, 'grass.json');
   await choose(page, 'leaf');

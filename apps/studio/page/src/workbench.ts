@@ -2,6 +2,7 @@
 // What is laid out beside the document while somebody works on it: an editor that is had large, a strip of plants,
 // pinned states, a derivation, a growth.
 import { Store } from './base/store.ts';
+import { CrownCloud } from './crown/crown_cloud.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
 import { LeafCurvesModel } from './grass/leaf_curves.ts';
@@ -21,6 +22,7 @@ export class Workbench {
   readonly pruning: Pruning;
   readonly gizmo: Gizmo;
   readonly leaf_curves: LeafCurvesModel;
+  readonly crown_cloud: CrownCloud;
 
   readonly time: TimeModel;
   readonly measures: MeasureModel;
@@ -33,6 +35,7 @@ export class Workbench {
     this.pruning = new Pruning(studio);
     this.gizmo = new Gizmo(studio);
     this.leaf_curves = new LeafCurvesModel(studio);
+    this.crown_cloud = new CrownCloud(studio);
     this.time = new TimeModel(studio);
     this.measures = new MeasureModel(studio);
     this.record = new Recording(studio, true);
@@ -49,6 +52,7 @@ export class Workbench {
     this.pruning.forget();
     this.gizmo.forget();
     this.leaf_curves.forget();
+    this.crown_cloud.forget();
     this.growth_look.clear();
     this.measures.forget();
     this.still.made.set(null);

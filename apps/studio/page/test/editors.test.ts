@@ -3,10 +3,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { azimuths_of, turned_points } from '../src/crown/crown_cloud.ts';
 import { colour_of, colours_in, full_colour, hsv_of } from '../src/editors/colour.ts';
 import { grid_lines, levels_of, Scale, snapped } from '../src/editors/plane.ts';
 import { count_named, entries_of, named_numbers } from '../src/editors/selection_set.ts';
 import { frame_from, kSides, moved_in, names_of, places_of, seen_from } from '../src/editors/space.ts';
+import type { Shape } from '../src/editors/shape.ts';
+import { frame_of, line_of, with_point, with_point_after, with_point_at } from '../src/editors/shape.ts';
 import { values_by_chance, values_over, strip_states } from '../src/find/strip_states.ts';
 import { PinList } from '../src/find/pins.ts';
 import { excluded_by } from '../src/rows/exclusion.ts';
@@ -44,6 +47,40 @@ test('planes: points are drawn to the grid and to each other, and else keep few 
   assert.equal(snapped([0.204, 0.5], levels, scale, 0.01).point[0], 0.2);
   const free = snapped([0.2349, 0.5], { x: [], y: [] }, scale, 0.01);
   assert.deepEqual(free, { point: [0.23, 0.5], guides: { x: null, y: null } });
+});
+
+test('profiles: a spline of radius over height, whose points stay in order', () => {
+  const profile: Shape = { points: [[0.2, 1], [1, 2], [0, 3]], joining: 'linear', form: 'profile' };
+  const line = line_of(profile);
+  assert.equal(line.length, 25);
+  assert.deepEqual([line[0], line[12], line[24]], profile.points);
+  assert.ok(line.every(([radius]) => radius >= 0));
+  const frame = frame_of(profile);
+  assert.ok(Math.abs(frame.x.low + frame.x.high) < 1e-9, 'both sides are shown');
+  // Neither beyond its neighbours nor to the other side.
+  const [radius, height] = with_point_at(profile, 1, [-4, 9], frame, 0.01).points[1] ?? [1, 0];
+  assert.ok(radius === 0 && height > 2.9 && height < 3);
+  assert.deepEqual(with_point(profile, [0.5, 2.5], 0.01)?.index, 2);
+  assert.equal(with_point(profile, [0.5, 2], 0.01), null);
+  const between = with_point_after(profile, 0, 0.01)?.shape.points[1] ?? [0, 0];
+  assert.ok(between[0] > 0.6 && between[1] === 1.5, 'on the spline, which swings out');
+  // What is written wrong is shown as it is.
+  assert.deepEqual(line_of({ ...profile, points: [[0, 2], [1, 2]] }), [[0, 2], [1, 2]]);
+});
+
+test('curves: a point between two is in their middle', () => {
+  const made = with_point_after({ points: [[0, 1], [1, 0]], joining: 'spline', form: 'function' }, 0, 0.01);
+  assert.deepEqual(made?.shape.points[1], [0.5, 0.5]);
+});
+
+test('clouds: points are turned into the plane of their outline', () => {
+  const around = [0, 1, -2, 3, 2, 0, 0, 3, 4, -5, 4, 0]; // north, east, south, west
+  assert.deepEqual(turned_points(around, null, []), [[2, 1], [3, 2], [4, 3], [5, 4]]);
+  const azimuths = azimuths_of({ 0: [], 90: [], 225: [] });
+  assert.deepEqual(azimuths, [0, 90, 225]);
+  assert.deepEqual(turned_points(around, 0, azimuths), [[2, 1]]);
+  assert.deepEqual(turned_points(around, 225, azimuths), [[4, 3], [5, 4]]);
+  assert.deepEqual(turned_points([-0.1, 1, -2], 355, [10, 355]).length, 1);
 });
 
 test('space: what one picture moves stays where the other shows it', () => {

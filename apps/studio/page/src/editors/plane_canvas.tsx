@@ -7,13 +7,10 @@ import { useEffect, useRef, useState } from 'react';
 
 import type { PictureSize, Snapped } from './plane.ts';
 import { grid_lines, levels_of, Scale, snapped } from './plane.ts';
+import type { PlaneLine } from './plane_lines.tsx';
+import { DrawnLine } from './plane_lines.tsx';
 import type { Frame, Point } from './shape.ts';
 import { use_held } from './use_held.ts';
-
-export interface PlaneLine {
-  points: readonly Point[];
-  kind: 'line' | 'filled' | 'mirror' | 'behind' | 'dots'; // behind: of what the points were made; dots: not joined
-}
 
 export interface PlaneCanvasProps {
   label: string;
@@ -38,6 +35,7 @@ export interface PlaneCanvasProps {
 }
 
 const kReach = 9; // pixels about a point that take hold of it
+const kBelowName = 24; // pixels from the top that the name of the upward way takes
 const kGridPixels = { plain: 40, numbered: 56 };
 
 /// Gives the keyboard to a point of the editor that holds `root`.
@@ -136,8 +134,8 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
     >
       <Grid scale={scale} size={size} pixels={grid_pixels} is_numbered={props.is_numbered} names={props.names} />
       {held.shown && <Guides scale={scale} size={size} guides={held.shown.guides} />}
-      {props.lines.map((line, k) => line.kind === 'dots' ? <Dots key={k} scale={scale} points={line.points} /> : (
-        <polyline key={k} className={`curve-line ${line.kind}`} points={line.points.map((point) => scale.place(point).map((one) => one.toFixed(1)).join(',')).join(' ')} />
+      {props.lines.map((line, k) => (
+        <DrawnLine key={k} scale={scale} line={line} />
       ))}
       {points.map((point, k) => {
         const [left, top] = scale.place(point);
@@ -174,17 +172,6 @@ function use_size(picture: RefObject<SVGSVGElement | null>, { size, is_numbered 
   return room && room.wide > 0 && room.high > 0 ? { ...size, ...room } : size;
 }
 
-/// Points that hands do not move.
-function Dots({ scale, points }: { scale: Scale; points: readonly Point[] }): ReactElement {
-  return (
-    <g className="curve-dots" aria-hidden="true">
-      {points.map((point, k) => (
-        <circle key={k} cx={scale.place(point)[0].toFixed(1)} cy={scale.place(point)[1].toFixed(1)} r="2.5" />
-      ))}
-    </g>
-  );
-}
-
 interface GridProps {
   scale: Scale;
   size: PictureSize;
@@ -214,8 +201,8 @@ function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElem
               {one}
             </text>
           ))}
-          {up.map((one) => (
-            <text key={`y${one}`} x={3} y={scale.place([0, one])[1] - 3}>
+          {up.map((one) => [one, scale.place([0, one])[1] - 3] as const).filter(([, at]) => at > kBelowName).map(([one, at]) => (
+            <text key={`y${one}`} x={3} y={at}>
               {one}
             </text>
           ))}

@@ -6,11 +6,11 @@ import { useRef, useState } from 'react';
 import { IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { fitting_step } from '../document/arithmetic.ts';
-import type { PlaneLine } from './plane_canvas.tsx';
+import type { PlaneLine } from './plane_lines.tsx';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import { use_snapping } from './snapping.ts';
 import type { Frame, Point, Shape } from './shape.ts';
-import { frame_of, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, with_room_for, without_point } from './shape.ts';
+import { frame_of, is_two_sided, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, with_room_for, without_point } from './shape.ts';
 import type { EditorSize } from './sizes.ts';
 import { kPlaneSizes } from './sizes.ts';
 
@@ -50,7 +50,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
     focus(Math.max(0, which - 1));
   };
   const moved = (which: number, point: Point, step: number): Shape => with_point_at(shape, which, point, frame, step);
-  const kind = { function: 'Curve', line: 'Line', polygon: 'Polygon', silhouette: 'Silhouette' }[shape.form];
+  const kind = { function: 'Curve', line: 'Line', polygon: 'Polygon', silhouette: 'Silhouette', profile: 'Profile' }[shape.form];
   return (
     <div ref={root} className={`curve-editor of-${size}${props.is_dim ? ' dim' : ''}`}>
       <PlaneCanvas
@@ -95,12 +95,13 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
 }
 
 function names_of({ form }: Shape): readonly [string, string] {
+  if (form === 'profile') return ['radius', 'height'];
   return form === 'silhouette' ? ['distance', 'along'] : ['x', 'y'];
 }
 
 function lines_of(shape: Shape): PlaneLine[] {
   const line = line_of(shape);
-  if (shape.form !== 'silhouette') return [{ points: line, kind: shape.form === 'polygon' ? 'filled' : 'line' }];
+  if (!is_two_sided(shape)) return [{ points: line, kind: shape.form === 'polygon' ? 'filled' : 'line' }];
   return [{ points: [...line, ...mirrored(line).reverse()], kind: 'filled' }, { points: mirrored(line), kind: 'mirror' }, { points: line, kind: 'line' }];
 }
 
@@ -114,12 +115,13 @@ interface PointFieldsProps extends PlaneEditorProps {
 function PointFields({ label, shape, index, frame, digits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
   const point = shape.points[index];
   if (!point) return null;
+  const names = shape.form === 'profile' ? names_of(shape) : ['x', 'y'];
   const field = (axis: 0 | 1): ReactElement => {
     const at = (value: number): Shape => with_point_at(shape, index, axis === 0 ? [value, point[1]] : [point[0], value], frame, 1e-6);
     return (
       <label className="curve-field">
-        <span className="quiet">{axis === 0 ? 'x' : 'y'}</span>
-        <NumberField label={`${label}, ${axis === 0 ? 'x' : 'y'} of point ${index + 1}`} value={point[axis]} step={digits} limit={(one) => one} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
+        <span className="quiet">{names[axis]}</span>
+        <NumberField label={`${label}, ${names[axis]} of point ${index + 1}`} value={point[axis]} step={digits} limit={(one) => one} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
       </label>
     );
   };

@@ -13,8 +13,9 @@ export interface Range {
 }
 
 /// What points are together: a function of x, whose points rise in it; a line; a ring, whose last point is joined to the
-/// first; or one side of something that is alike on both sides of x = 0.
-export type Form = 'function' | 'line' | 'polygon' | 'silhouette';
+/// first; one side of something that is alike on both sides of x = 0; or the profile of what is turned about x = 0, a
+/// spline of radius over height, whose points rise.
+export type Form = 'function' | 'line' | 'polygon' | 'silhouette' | 'profile';
 
 export interface Shape {
   points: Point[];
@@ -33,7 +34,7 @@ export function shape_of(value: Json | undefined, together: Form = 'line'): Shap
 
 /// The fewest points that a shape may have.
 export function least_points({ form }: Shape): number {
-  return { function: 1, line: 2, polygon: 3, silhouette: 2 }[form];
+  return { function: 1, line: 2, polygon: 3, silhouette: 2, profile: 2 }[form];
 }
 
 function points_of(list: Json | undefined): Point[] | null {
@@ -72,6 +73,7 @@ function bends_of(points: readonly Point[]): number[] {
 /// The points of a line that shows the shape.
 export function line_of(shape: Shape, steps = 12): Point[] {
   const { points, joining, form } = shape;
+  if (form === 'profile' && rises(points)) return line_of(over_height(shape), steps).map(([height, radius]) => [Math.max(0, radius), height]);
   if (form === 'polygon' && points[0]) return [...points, points[0]];
   if (form !== 'function' || joining === 'linear' || points.length < 3) return points;
   const bends = bends_of(points);
@@ -88,6 +90,21 @@ export function line_of(shape: Shape, steps = 12): Point[] {
   }
   line.push(points[points.length - 1] ?? [0, 0]);
   return line;
+}
+
+/// A profile as the function that it is.
+function over_height({ points }: Shape): Shape {
+  return { points: points.map(([radius, height]) => [height, radius]), joining: 'spline', form: 'function' };
+}
+
+/// Whether heights rise, as those of a profile that is no fault do.
+function rises(points: readonly Point[]): boolean {
+  return points.every(([, height], k) => k === 0 || height > (points[k - 1]?.[1] ?? height));
+}
+
+/// Whether both sides of it are shown.
+export function is_two_sided({ form }: Shape): boolean {
+  return form === 'silhouette' || form === 'profile';
 }
 
 /// On the other side of x = 0.
@@ -116,7 +133,7 @@ export function frame_of(shape: Shape): Frame {
     const room = 0.15 * (y.high - y.low);
     return { x: range_of(xs, [0, 1]), y: { low: y.low < 0 ? y.low - room : 0, high: y.high > 0 ? y.high + room : 0 } };
   }
-  const both = shape.form === 'silhouette' ? [0, ...xs.map((one) => -one)] : [];
+  const both = is_two_sided(shape) ? [0, ...xs.map((one) => -one)] : [];
   const [x, y] = [range_of(xs, both), range_of(ys, [])];
   const around = 0.08 * Math.max(x.high - x.low, y.high - y.low);
   return { x: { low: x.low - around, high: x.high + around }, y: { low: y.low - around, high: y.high + around } };
@@ -130,8 +147,15 @@ export function with_room_for({ x, y }: Frame, points: readonly Point[]): Frame 
 
 const kLeastGap = 0.001; // between the points of a function, as a share of its range
 
-/// The shape with one point elsewhere; those of a function stay in their order and range.
+/// The shape with one point elsewhere; those of a function stay in their order and range, and those of a profile in
+/// theirs.
 export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame: Frame, digits: number): Shape {
+  if (shape.form === 'profile') {
+    const least = kLeastGap * (frame.y.high - frame.y.low);
+    const [below, above] = [(shape.points[index - 1]?.[1] ?? -Infinity) + least, (shape.points[index + 1]?.[1] ?? Infinity) - least];
+    const made: Point = [Math.max(0, rounded(x, digits)), Math.min(above, Math.max(below, rounded(y, digits)))];
+    return { ...shape, points: shape.points.map((one, k) => (k === index ? made : one)) };
+  }
   const gap = kLeastGap * (frame.x.high - frame.x.low);
   const low = index > 0 ? (shape.points[index - 1]?.[0] ?? 0) + gap : frame.x.low;
   const high = index + 1 < shape.points.length ? (shape.points[index + 1]?.[0] ?? 1) - gap : frame.x.high;
@@ -143,10 +167,17 @@ export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame:
 /// The shape with one point more, and where it stands in the list; nothing where there is no room for it.
 export function with_point(shape: Shape, [x, y]: Point, digits: number): { shape: Shape; index: number } | null {
   const { points } = shape;
+  if (shape.form === 'profile') return with_point_of_profile(shape, [x, y], digits);
   const index = shape.form === 'function' ? points.filter(([one]) => one < x).length : nearest_piece(points, [x, y], shape.form === 'polygon') + 1;
   const made: Point = [rounded(x, digits), rounded(y, digits)];
   if (shape.form === 'function' && points.some(([one]) => Math.abs(one - made[0]) < 1e-9)) return null;
   return { shape: { ...shape, points: [...points.slice(0, index), made, ...points.slice(index)] }, index };
+}
+
+function with_point_of_profile(shape: Shape, [radius, height]: Point, digits: number): { shape: Shape; index: number } | null {
+  const made = rounded(height, digits);
+  if (shape.points.some(([, one]) => Math.abs(one - made) < 1e-9)) return null;
+  return insert(shape, shape.points.filter(([, one]) => one < made).length, [Math.max(0, radius), made], digits);
 }
 
 /// In the middle of the piece behind a point; behind the last one before it.
@@ -158,7 +189,8 @@ export function with_point_after(shape: Shape, index: number, digits: number): {
   if (!a) return null;
   if (!b) return with_point(shape, [a[0] < 0.5 ? 1 : 0, a[1]], digits);
   const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-  if (shape.form !== 'function' || shape.joining === 'linear') return insert(shape, first + 1, middle, digits);
+  const is_spline = shape.form === 'profile' || (shape.form === 'function' && shape.joining === 'spline');
+  if (!is_spline || points.length < 3) return insert(shape, first + 1, middle, digits);
   const line = line_of({ ...shape }, 2);
   return insert(shape, first + 1, line[2 * first + 1] ?? middle, digits);
 }

@@ -5,22 +5,27 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
+import { use_crown_cloud } from '../crown/use_crown_cloud.ts';
 import { WrittenRow } from '../rows/plain_rows.tsx';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
 import { PlaneEditor } from './plane_editor.tsx';
+import type { PlaneLine } from './plane_lines.tsx';
 import type { Form } from './shape.ts';
 import { shape_of, with_points } from './shape.ts';
+import type { Row } from '../tables/tables.ts';
 
 export function ShapeRow(props: RowEditorProps): ReactElement {
   const [is_written, set_written] = useState(false);
   const { row, size = 'row' } = props;
   const shown = props.value ?? row.default;
-  const shape = shape_of(shown, form_of_points(row.together));
+  const cloud = use_crown_cloud(row.in_space === 'profile' ? props.path : null);
+  const shape = shape_of(shown, form_of_row(row));
   if (!shape) return <WrittenRow {...props} />;
   const { drag, commit, cancel } = props.actions;
+  const behind: PlaneLine[] = cloud.length > 0 ? [{ points: cloud, kind: 'cloud' }] : [];
   return (
     <div className="stacked">
-      <PlaneEditor label={props.label} shape={shape} size={size} is_dim={props.value === undefined} drag={(one) => drag(with_points(shown, one))} commit={(one) => commit(with_points(shown, one))} cancel={cancel} />
+      <PlaneEditor label={props.label} shape={shape} size={size} behind={behind} is_dim={props.value === undefined} drag={(one) => drag(with_points(shown, one))} commit={(one) => commit(with_points(shown, one))} cancel={cancel} />
       {size === 'row' && (
         <Button kind="quiet" is_open={is_written} press={() => set_written(!is_written)}>
           {is_written ? 'Hide the text' : 'As text'}
@@ -31,6 +36,7 @@ export function ShapeRow(props: RowEditorProps): ReactElement {
   );
 }
 
-function form_of_points(together: string | undefined): Form {
+function form_of_row({ together, in_space }: Row): Form {
+  if (in_space === 'profile') return 'profile';
   return together === 'polygon' || together === 'silhouette' ? together : 'line';
 }

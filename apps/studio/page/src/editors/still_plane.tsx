@@ -2,7 +2,7 @@
 // Lines and points of a plane that no hand moves, as of files.
 import type { ReactElement } from 'react';
 
-import type { PlaneLine } from './plane_canvas.tsx';
+import type { PlaneLine } from './plane_lines.tsx';
 import { PlaneCanvas } from './plane_canvas.tsx';
 import { frame_of, with_room_for } from './shape.ts';
 import { kPlaneSizes } from './sizes.ts';

@@ -9,7 +9,7 @@ import { Button, IconButton } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
 import { member_of, path_below, value_at } from '../document/path.ts';
 import { PlaneEditor } from '../editors/plane_editor.tsx';
-import type { PlaneLine } from '../editors/plane_canvas.tsx';
+import type { PlaneLine } from '../editors/plane_lines.tsx';
 import { StillPlane } from '../editors/still_plane.tsx';
 import { shape_of, with_points } from '../editors/shape.ts';
 import type { Edit } from '../server/protocol.ts';

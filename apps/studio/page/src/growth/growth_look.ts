@@ -5,6 +5,7 @@ import { Store } from '../base/store.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
 import type { Grown } from '../server/protocol.ts';
+import { Refusal } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import type { LegendKey } from './layers.ts';
 import { view_layer } from './layers.ts';
@@ -13,11 +14,13 @@ export interface GrowthLookState {
   is_open: boolean;
   step: number | null; // that is asked for; null: the last
   steps: number | null; // that the growth took; null: not known yet
+  of: string | null; // component whose plants the step is for; null: all
+  growing: Readonly<Record<string, number>>; // steps of the plants of each component
   parts: readonly string[]; // names of the overlays that are shown
   legend: readonly LegendKey[];
 }
 
-const kAtRest: GrowthLookState = { is_open: false, step: null, steps: null, parts: [], legend: [] };
+const kAtRest: GrowthLookState = { is_open: false, step: null, steps: null, of: null, growing: {}, parts: [], legend: [] };
 
 export class GrowthLook {
   readonly state = new Store<GrowthLookState>(kAtRest);
@@ -62,6 +65,13 @@ export class GrowthLook {
     this.views_.ask();
   }
 
+  /// Goes through the steps of one component's plants, those that it grows or places, or of all side by side.
+  look_at(of: string | null): void {
+    if (of === this.state.get().of) return;
+    this.state.merge({ of, step: null, steps: null });
+    this.views_.ask();
+  }
+
   switch_part(name: string): void {
     const { parts } = this.state.get();
     this.state.merge({ parts: parts.includes(name) ? parts.filter((one) => one !== name) : [...parts, name] });
@@ -77,9 +87,9 @@ export class GrowthLook {
     if (was_open) this.views_.ask();
   }
 
-  private get wish(): { step: number | null; recorded: boolean } {
-    const { is_open, step } = this.state.get();
-    return { step, recorded: is_open };
+  private get wish(): { step: number | null; recorded: boolean; of: string | null } {
+    const { is_open, step, of } = this.state.get();
+    return { step, recorded: is_open, of };
   }
 
   /// Each growth, and each step of one, has overlays of its own.
@@ -87,6 +97,9 @@ export class GrowthLook {
     if (grown === this.heard_) return;
     this.heard_ = grown;
     if (!grown || !this.state.get().is_open) return;
+    const { of } = this.state.get();
+    if (grown.growing) this.state.merge({ growing: grown.growing });
+    if (of !== null && grown.growing && !(of in grown.growing)) return this.look_at(null); // it is there no more
     if (grown.steps !== null) this.state.merge({ steps: grown.steps });
     if (this.state.get().parts.length > 0) this.overlays_.ask();
   }
@@ -94,7 +107,11 @@ export class GrowthLook {
   private async fetch(): Promise<void> {
     const { parts, is_open } = this.state.get();
     if (!is_open) return;
-    const { overlays } = await this.studio_.connection.request<{ overlays: OverlayLayers }>('overlays', { parts });
+    const answer = await this.studio_.connection.request<{ overlays: OverlayLayers }>('overlays', { parts }).catch((fault: unknown) => {
+      if (fault instanceof Refusal) this.studio_.tell(fault.message, true, 'overlays');
+    });
+    if (!answer) return;
+    const { overlays } = answer;
     const wanted = this.state.get().parts;
     const shown = overlays.layers.filter((layer) => wanted.includes(layer.part));
     for (const layer of shown) this.studio_.view?.overlays.put(layer_name(layer.part), view_layer(layer));

@@ -20,10 +20,33 @@ export function GrowthPanel(): ReactElement | null {
   if (!is_open) return null;
   return (
     <section className="growth-panel" aria-label="Growth">
+      <Growing />
       <Steps />
       <Parts />
       <Legend keys={legend} />
     </section>
+  );
+}
+
+/// Whose steps they are, where several components have plants that grow.
+function Growing(): ReactElement | null {
+  const look = use_studio().bench.growth_look;
+  const { of, growing } = use_store(look.state);
+  const names = Object.keys(growing);
+  if (names.length < 2) return null;
+  const most = Math.max(...Object.values(growing));
+  return (
+    <label className="growth-of">
+      <span className="quiet">Steps of</span>
+      <select className="select" value={of ?? ''} onChange={(event) => look.look_at(event.target.value || null)}>
+        <option value="">all plants, side by side ({most})</option>
+        {names.map((name) => (
+          <option key={name} value={name}>
+            {name} ({growing[name]})
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 

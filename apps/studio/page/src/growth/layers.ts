@@ -26,7 +26,11 @@ export function view_layer(told: ToldLayer): OverlayLayer {
 
 /// Positions and colours, from base 64.
 export function unpacked(places: ToldPlaces): { positions: Float32Array; colours: Uint8Array } {
-  return { positions: new Float32Array(bytes_of(places.positions).buffer), colours: bytes_of(places.colours) };
+  return { positions: floats_of(places.positions), colours: bytes_of(places.colours) };
+}
+
+export function floats_of(text: string): Float32Array {
+  return new Float32Array(bytes_of(text).buffer);
 }
 
 function bytes_of(text: string): Uint8Array<ArrayBuffer> {

@@ -25,7 +25,7 @@ interface Item {
 const kParts: Item[] = [
   { path: '', title: 'Document', detail: 'name, seed', icon: 'document' },
   { path: 'scene', title: 'Scene', detail: 'sun, sky, ground', icon: 'scene' },
-  { path: 'animation', title: 'Animation', detail: 'length, growth over time', icon: 'clock' },
+  { path: 'animation', title: 'Animation', detail: 'length, growth', icon: 'clock' },
   { path: 'output', title: 'Output', detail: 'pictures, levels', icon: 'camera' },
   { path: 'limits', title: 'Limits', detail: 'what may be asked for', icon: 'warning' },
 ];

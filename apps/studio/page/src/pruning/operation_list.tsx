@@ -14,22 +14,59 @@ import { groups_at } from '../tables/resolve.ts';
 import type { ParameterTable } from '../tables/tables.ts';
 import { table_of } from '../tables/tables.ts';
 import { is_off, times_of, what_of, when_of } from './operation_text.ts';
-import { list_path } from './pruning.ts';
+import { list_path, trained_path } from './pruning.ts';
 
 export function OperationList({ component }: { component: string }): ReactElement {
   const studio = use_studio();
   use_document();
   const operations = studio.bench.pruning.operations_of(component);
-  if (operations.length === 0) {
-    return <p className="empty">No operations yet. Click a shoot of {component} in the view to cut, bend, tie or mark it.</p>;
-  }
   return (
-    <ol className="plan-list" aria-label={`Operations of ${component}`}>
-      {operations.map((operation, index) => (
-        <OperationItem key={index} component={component} operation={operation} index={index} count={operations.length} />
-      ))}
-    </ol>
+    <>
+      <TrainedList component={component} />
+      {operations.length === 0 && <p className="empty">No operations of its own yet. Click a shoot of {component} in the view to cut, bend, tie or mark it.</p>}
+      <ol className="plan-list" aria-label={`Operations of ${component}`}>
+        {operations.map((operation, index) => (
+          <OperationItem key={index} component={component} operation={operation} index={index} count={operations.length} />
+        ))}
+      </ol>
+    </>
   );
+}
+
+/// The operations that the component's training stands for; its rows in the inspector change them.
+function TrainedList({ component }: { component: string }): ReactElement | null {
+  const { pruning } = use_studio().bench;
+  const told = use_store(pruning.told);
+  const looked_at = use_store(pruning.looked_at);
+  const operations = told?.component === component ? (told.operations.training ?? []) : [];
+  if (operations.length === 0) return null;
+  return (
+    <>
+      <h3 data-tip="The rows of the training in the inspector change these operations">Of its training</h3>
+      <ol className="plan-list" aria-label={`Operations of the training of ${component}`}>
+        {operations.map((operation, index) => {
+          const path = path_below(trained_path(component), index);
+          const times = times_of(told?.operations.acts ?? [], path);
+          return (
+            <li key={index} className={`plan-item${looked_at?.path === path ? ' chosen' : ''}`}>
+              <button type="button" className="plan-choice" aria-pressed={looked_at?.path === path} onClick={() => pruning.look_at(path, null)}>
+                <span className="plan-name">{what_of(operation)}</span>
+                <span className="quiet">
+                  {when_of(operation)}
+                  {times > 0 && `; ${counted_times(times)}`}
+                </span>
+              </button>
+            </li>
+          );
+        })}
+      </ol>
+      <h3>Its own</h3>
+    </>
+  );
+}
+
+function counted_times(times: number): string {
+  return `acted ${times} time${times === 1 ? '' : 's'}`;
 }
 
 interface OperationItemProps {
@@ -58,7 +95,7 @@ function OperationItem({ component, operation, index, count }: OperationItemProp
           <span className="plan-name">{what_of(operation)}</span>
           <span className="quiet">
             {when_of(operation)}
-            {is_dim ? '; off' : times === null ? '' : times === 0 ? '; has not acted' : `; acted ${times} time${times === 1 ? '' : 's'}`}
+            {is_dim ? '; off' : times === null ? '' : times === 0 ? '; has not acted' : `; ${counted_times(times)}`}
           </span>
         </button>
         <span className="plan-buttons">

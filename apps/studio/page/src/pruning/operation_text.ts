@@ -43,6 +43,21 @@ export function is_off(operation: Json): boolean {
   return members_of(operation)['off'] === true;
 }
 
+/// What an operation did, counted: "2 cuts".
+export function counted_act(count: number, act: string): string {
+  const [one, many] = kActs[act] ?? [act, act];
+  return `${count} ${count === 1 ? one : many}`;
+}
+
+const kActs: Record<string, [string, string]> = {
+  cut: ['cut', 'cuts'],
+  disbud: ['bud off', 'buds off'],
+  bend: ['bend', 'bends'],
+  tie: ['tie', 'ties'],
+  ring: ['ring', 'rings'],
+  mark: ['mark', 'marks'],
+};
+
 /// How often an operation has acted in all.
 export function times_of(acts: readonly OperationAct[], path: string): number {
   return acts.reduce((sum, [operation, , , count]) => sum + (operation === path ? count : 0), 0);

@@ -10,8 +10,8 @@ import { path_below, value_at } from '../document/path.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { OperationList } from './operation_list.tsx';
 import type { PlanYear } from './operation_text.ts';
-import { index_in, what_of, years_of } from './operation_text.ts';
-import { list_path } from './pruning.ts';
+import { counted_act, index_in, what_of, years_of } from './operation_text.ts';
+import { list_path, trained_path } from './pruning.ts';
 import { use_plan_component } from './use_plan_component.ts';
 
 export function PlanPanel(): ReactElement {
@@ -72,16 +72,20 @@ function Years({ component }: { component: string }): ReactElement {
   if (years.length === 0) return <p className="empty">Nothing has been done to the trees up to the year on show.</p>;
   const name_of = (path: string): string => {
     const operation = operations[index_in(list, path)];
-    return operation === undefined ? 'training' : what_of(operation);
+    if (operation !== undefined) return what_of(operation);
+    const trained = told?.operations.training?.[index_in(trained_path(component), path)];
+    return trained === undefined ? 'training' : `training: ${what_of(trained)}`;
   };
   const entry = ({ path, act, count }: PlanYear['seasons'][number]['entries'][number], year: number): ReactElement => (
     <li key={`${path} ${act}`}>
       <button type="button" className="plan-entry" aria-pressed={looked_at?.path === path && looked_at.iteration === year} onClick={() => pruning.look_at(path, year)}>
         <span className={`act-dot of-${act}`} aria-hidden="true" />
         <span className="plan-count">
-          {count} {act}
+          {counted_act(count, act)}
         </span>
-        <span className="plan-name">{name_of(path)}</span>
+        <span className="plan-name" data-tip={name_of(path)}>
+          {name_of(path)}
+        </span>
       </button>
     </li>
   );

@@ -109,6 +109,11 @@ export class Pruning {
   }
 }
 
+/// Where the operations are counted that a training stands for.
+export function trained_path(component: string): string {
+  return path_below(path_below(path_below('components', component), 'training'), 'operations');
+}
+
 export function list_path(component: string): string {
   return path_below(path_below('components', component), 'operations');
 }

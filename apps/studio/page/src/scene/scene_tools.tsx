@@ -35,11 +35,15 @@ export function SceneTools(): ReactElement {
   const box = (): void => {
     const { low, high } = room_of(studio);
     const [wide, tall] = [Math.max(high[0] - low[0], 0.3 * (high[1] - low[1])), high[1] - low[1]];
-    put(studio, 'obstacles', { box: [[round(high[0] + 0.2 * wide), 0, round(-wide / 2)], [round(high[0] + 0.6 * wide), round(0.8 * tall), round(wide / 2)]] }, 'Add a box');
+    // One beside the other, so that each is seen.
+    const from = high[0] + (0.2 + 0.6 * count_in(studio, 'obstacles')) * wide;
+    const middle = (low[2] + high[2]) / 2;
+    put(studio, 'obstacles', { box: [[round(from), 0, round(middle - wide / 2)], [round(from + 0.4 * wide), round(0.8 * tall), round(middle + wide / 2)]] }, 'Add a box');
   };
   const lamp = (): void => {
     const { low, high } = room_of(studio);
-    put(studio, 'lamps', { position: [round(high[0] + 0.2 * (high[0] - low[0])), round(high[1]), 0], strength: 1 }, 'Add a lamp');
+    const away = (0.2 + 0.3 * count_in(studio, 'lamps')) * (high[0] - low[0]);
+    put(studio, 'lamps', { position: [round(high[0] + away), round(high[1]), round((low[2] + high[2]) / 2)], strength: 1 }, 'Add a lamp');
   };
   const line = (name: string, points: [number, number, number][], label: string): void => put_support(studio, name, points.map((one) => one.map(round)), label);
   const pole = (): void => line('pole', [[0, 0, 0], [0, room_of(studio).high[1], 0]], 'Add a pole');
@@ -66,11 +70,17 @@ export function SceneTools(): ReactElement {
   );
 }
 
+/// How many things a list of the scene has.
+function count_in(studio: Studio, list: string): number {
+  const said = value_at(studio.document.state.get().tree, path_below('scene', list));
+  return Array.isArray(said) ? said.length : 0;
+}
+
 /// Behind what the list of the scene has.
 function put(studio: Studio, list: string, value: Json, label: string): void {
   const path = path_below('scene', list);
   const said = value_at(studio.document.state.get().tree, path);
-  const count = Array.isArray(said) ? said.length : 0;
+  const count = count_in(studio, list);
   const edit: Edit = Array.isArray(said) ? { insert: path_below(path, -1), value } : { set: path, value: [value] };
   void studio.edit([edit], label).then((faults) => {
     if (faults === null) studio.bench.gizmo.show(path_below(path, count));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the server tells of growth: shoots, what operations have done, and what is shown over the plant.
+import type { Json } from '../document/json.ts';
 import type { FoundInstance } from './protocol.ts';
 
 /// A shoot that operations could act on.
@@ -23,6 +24,7 @@ export interface OperationPlace {
 /// What operations have done to the trees of a component.
 export interface ToldOperations {
   iteration: number | null;
+  training: Json[] | null; // operations that a training stands for
   acts: OperationAct[];
   places: OperationPlace[]; // of the operation that was asked for
   left: number; // places that are not told

@@ -201,7 +201,8 @@ export interface Grown {
   /// Instances of each component; null in a drag.
   placed: Record<string, number> | null;
   step: number; // of growth, that is shown
-  steps: number | null; // that growth took; null where it is not recorded
+  steps: number | null; // that growth took, of the plants that the step is for; null where it is not recorded
+  growing: Record<string, number> | null; // steps that the plants of each component take
 }
 
 export interface Failed {

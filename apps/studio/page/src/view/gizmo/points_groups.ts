@@ -37,7 +37,7 @@ export function points_groups(spot: Spot, row: Row): GripGroup[] {
 
 /// `spot` is on the root.
 export function profile_group(spot: Spot, row: Row, sight: Sight): GripGroup | null {
-  const shape = shape_of(spot.value[row.name], 'silhouette');
+  const shape = shape_of(spot.value[row.name], 'profile');
   if (!shape) return null;
   const path = spot.path_of(row.name);
   const up = unit(vector_in(spot.frame, [0, 1, 0]));
@@ -46,8 +46,8 @@ export function profile_group(spot: Spot, row: Row, sight: Sight): GripGroup | n
   const scale = length(vector_in(spot.frame, [0, 1, 0])) || 1;
   const place = (radius: number, height: number): Vec => add(spot.frame.origin, add(times(across, radius * scale), times(up, height * scale)));
   // A spline over the height through all points, on both sides of the vertical.
-  const spline = line_of({ points: shape.points.map(([radius, height]) => [height, radius]), joining: 'spline', form: 'function' });
-  const half = (side: number): Vec[] => spline.map(([height, radius]) => place(side * Math.max(0, radius), height));
+  const spline = line_of(shape);
+  const half = (side: number): Vec[] => spline.map(([radius, height]) => place(side * radius, height));
   const rings = shape.points.map(([radius, height]) => circle(place(0, height), across, normal, radius * scale));
   const grips = shape.points.map(([radius, height], k): Grip => {
     const [below, above] = [shape.points[k - 1]?.[1] ?? -Infinity, shape.points[k + 1]?.[1] ?? Infinity];

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cloud_value.h"
+
+#include <string_view>
+#include <vector>
+
+#include "base64.h"
+#include "meristem/components/crown_cloud.h"
+
+namespace meristem::studio {
+
+namespace {
+
+constexpr std::size_t kMostToldPoints = 4000;  // more could not be told apart behind an outline
+
+/// Evenly some of the points, so that each share of them keeps its part: always the same ones.
+std::vector<Vec3> some_of(const std::vector<Vec3>& points) {
+  if (points.size() <= kMostToldPoints) return points;
+  std::vector<Vec3> some;
+  some.reserve(kMostToldPoints);
+  for (std::size_t k = 0; k < kMostToldPoints; ++k) some.push_back(points[k * points.size() / kMostToldPoints]);
+  return some;
+}
+
+}  // namespace
+
+Value cloud_value(const LastGrown& last, const std::string& component, Progress& progress) {
+  const Document& document = *last.grown.document;
+  const auto points =
+      crown_cloud(document.graph, document.scene, component, last.grown.time, progress, &last.cache, last.grown.view);
+  if (!points) return {};
+  const std::vector<Vec3> told = some_of(*points);
+  static_assert(sizeof(Vec3) == 3 * sizeof(float));
+  const std::string_view bytes(reinterpret_cast<const char*>(told.data()), told.size() * sizeof(Vec3));
+  return Value::Object{{"positions", base64(bytes)}, {"count", static_cast<double>(points->size())}};
+}
+
+}  // namespace meristem::studio

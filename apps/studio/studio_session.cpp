@@ -491,9 +491,23 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Instanc
   return std::nullopt;
 }
 
+std::optional<StudioSession::Answer> StudioSession::act(double id, const ShootRequest& request) {
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"instance", shoot_instance_value(last.grown, request, progress, last.cache)};
+  });
+  return std::nullopt;
+}
+
 std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRequest& request) {
   ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) -> Value::Member {
     return {"stand", stand_value(last.grown, component, progress, last.cache)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const WorkedOutRequest& request) {
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"numbers", worked_out_value(last.grown, request, progress, last.cache)};
   });
   return std::nullopt;
 }

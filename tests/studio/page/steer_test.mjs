@@ -16,6 +16,13 @@ const kPear = `{
   }
 }
 `;
+const kTrees = `{
+  "meristem": 1, // two trees to go along by keys
+  "components": {
+    "tree": {"type": "organize", "iterations": 7, "jitter": 0, "roots": [[0, 0, 0], [1.5, 0, 0]]}
+  }
+}
+`;
 const kYard = `{
   "meristem": 1,
   "name": "Yard",
@@ -44,6 +51,7 @@ let place, server, browser, page;
 before(async () => {
   place = await temporary_folder();
   await write_document(place.folder, 'pear.json', kPear);
+  await write_document(place.folder, 'trees.json', kTrees);
   await write_document(place.folder, 'yard.json', kYard);
   await write_document(place.folder, 'grass.json', kGrass);
   await write_document(place.folder, 'midribs.csv', kMidribs);
@@ -199,6 +207,57 @@ test('the tree before the last cuts is shown and goes again', async () => {
   await settled(page);
   assert.equal(await text_of(page), kPear);
   await leave_fields(page);
+  await page.keyboard.press('o');
+});
+
+test('by the keyboard alone a shoot is chosen and cut, and undo gives the first bytes', async () => {
+  await open_file(page, 'trees.json');
+  await page.locator('.view canvas').focus();
+  const press = async (key, { shoot, metamer, tree = 0 }) => {
+    await page.keyboard.press(key);
+    await page.waitForFunction(([name, at, of]) => {
+      const found = window.studio.instance.found.get();
+      return found?.shoot === name && found.metamer === at && found.tree === of;
+    }, [shoot, metamer, tree], { timeout: 5000 });
+  };
+  const said = async (what) => page.waitForFunction((wanted) => document.querySelector('.shoot-said')?.textContent.includes(wanted), what, { timeout: 5000 });
+  await press('Enter', { shoot: 'main', metamer: 1 });
+  await said('main, tree 0, metamer 1 of 14. Order 0, 1.4 m long, 0.1 m from its base');
+  await press('PageDown', { shoot: 'main', metamer: 1, tree: 1 });
+  await press('PageUp', { shoot: 'main', metamer: 1 });
+  await page.keyboard.press('ArrowLeft');
+  await said('No shoot bears main');
+  await press('ArrowRight', { shoot: 'main.2', metamer: 1 });
+  await press('PageDown', { shoot: 'main.4', metamer: 1 });
+  await press('ArrowLeft', { shoot: 'main', metamer: 4 });
+  await press('ArrowRight', { shoot: 'main.4', metamer: 1 });
+  await press('ArrowUp', { shoot: 'main.4', metamer: 2 });
+  await press('End', { shoot: 'main.4', metamer: 6 });
+  await press('ArrowDown', { shoot: 'main.4', metamer: 5 });
+  assert.equal(await page.locator('.pruning-overlay .goes').count(), 1);
+  assert.equal(await page.locator('.pruning-overlay .held-place').count(), 1);
+  await page.keyboard.press('t');
+  assert.equal(await tool().getByRole('button', { name: 'Tie', exact: true }).first().getAttribute('aria-pressed'), 'true');
+  await page.keyboard.press('c');
+  await step(page, () => page.keyboard.press('Enter'));
+  assert.deepEqual((await tree_of()).components.tree.operations, [{ do: 'cut', at: 7, shoots: 'main.4', tree: 0, above: 5 }]);
+  // The keyboard is with the view again; from there the shoot is taken hold of as it is now.
+  await tool().waitFor({ state: 'detached' });
+  assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'CANVAS');
+  await press('Enter', { shoot: 'main.4', metamer: 5 });
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
+  await settled(page);
+  assert.equal(await text_of(page), kTrees);
+  await page.keyboard.press('Escape');
+  await tool().waitFor({ state: 'detached' });
+  // The plan takes hold of it as well.
+  await page.keyboard.press('o');
+  await page.getByRole('button', { name: /^Take hold of a shoot/ }).focus();
+  await press('Enter', { shoot: 'main.4', metamer: 5 });
+  await page.waitForFunction(() => document.activeElement?.classList.contains('shoot-walk'));
+  await axe_finds_nothing();
+  await page.keyboard.press('Escape');
   await page.keyboard.press('o');
 });
 

@@ -9,6 +9,7 @@ import { day_of, day_of_date, date_of_day, daylight, declination, hour_and_decli
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
 import { InstanceChoice } from '../src/instance_choice.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
+import { bearers_of, measures_of, moved_metamer, place_of } from '../src/pruning/shoot_text.ts';
 import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
 import type { Studio } from '../src/studio.ts';
 import { kNoGrowth } from '../src/studio_state.ts';
@@ -160,6 +161,14 @@ test('curves of files become few points of the document', () => {
   assert.deepEqual(last.slice(1), [{ unset: 'components.leaf.widths' }, { unset: 'components.leaf.rank' }, { unset: 'components.leaf.unit' }]);
 });
 
+test('a shoot is told in words, and the place on it moves from node to node', () => {
+  assert.deepEqual(bearers_of('main.4.2b'), [{ shoot: 'main.4', metamer: 2 }, { shoot: 'main', metamer: 4 }]);
+  assert.deepEqual(bearers_of('main'), []);
+  assert.equal(measures_of(kShoot), 'Order 1, 3 m long, 2 m from its base');
+  assert.deepEqual(place_of(kShoot), [2, 0, 0]);
+  assert.deepEqual([1, -1, 9, -Infinity].map((by) => moved_metamer(kShoot, by)), [3, 1, 3, 0]);
+});
+
 const kShoot = { component: 'pear', shoot: 'main.4', tree: 1, metamer: 2, iteration: 9, metamers: [0, 1, 2, 3], course: [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0] } as unknown as FoundShoot;
 
 test('a shoot is cut, bent, tied and marked after the year on show', () => {
@@ -210,9 +219,28 @@ test('a chosen shoot is one of the growth on show, or let go', async () => {
   await answer('main.2', 9);
   assert.equal(choice.found.get()?.iteration, 9);
   grow();
-  await answer('main.3', 10);
+  await answer(null, 10);
   assert.equal(choice.found.get(), null);
   assert.equal(choice.seen.get(), null);
+});
+
+test('a shoot is held by its name, and its place moves while the server is asked', async () => {
+  const { studio, grow, answer } = asked_studio();
+  const choice = new InstanceChoice(studio);
+  const held = choice.hold('tree', null);
+  await answer('main', 8);
+  assert.equal(await held, true);
+  grow();
+  const found = choice.found.get();
+  assert.ok(found);
+  choice.found.set({ ...found, metamer: 5 });
+  await answer('main', 9);
+  await answer('main', 10); // asked again, at the place where it is now
+  assert.equal(choice.found.get()?.iteration, 10);
+  const nobody = choice.hold('tree', null, 'child');
+  await answer(null, 10);
+  assert.equal(await nobody, false);
+  assert.equal(choice.found.get()?.shoot, 'main');
 });
 
 test('an answer for a shoot that was let go meanwhile counts no more', async () => {

@@ -21,7 +21,7 @@ export function OperationList({ component }: { component: string }): ReactElemen
   use_document();
   const operations = studio.bench.pruning.operations_of(component);
   if (operations.length === 0) {
-    return <p className="empty">No operations yet. Click a shoot of {component} in the view to cut, bend, tie or mark it.</p>;
+    return <p className="empty">No operations yet. Click a shoot of {component} in the view, or press Enter there, to cut, bend, tie or mark it.</p>;
   }
   return (
     <ol className="plan-list" aria-label={`Operations of ${component}`}>

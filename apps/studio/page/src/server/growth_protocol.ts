@@ -2,8 +2,19 @@
 // What the server tells of growth: shoots, what operations have done, and what is shown over the plant.
 import type { FoundInstance } from './protocol.ts';
 
+/// A shoot by its name, and the metamer at a place on it.
+export interface ShootName {
+  stem: number;
+  tree: number;
+  shoot: string;
+  metamer: number;
+}
+
+/// From one shoot to another along the tree.
+export type ShootWay = 'parent' | 'child' | 'next' | 'previous';
+
 /// A shoot that operations could act on.
-export type FoundShoot = FoundInstance & { shoot: string; tree: number; metamer: number; course: number[]; metamers: number[]; iteration: number };
+export type FoundShoot = FoundInstance & ShootName & { course: number[]; metamers: number[]; iteration: number };
 
 /// Path of an operation, iteration after which it acted, what it did, how often.
 export type OperationAct = [string, number, string, number];

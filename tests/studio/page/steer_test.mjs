@@ -37,6 +37,19 @@ const kYard = `{
   }
 }
 `;
+const kLamp = `{
+  "meristem": 1,
+  "variables": {"far": {"value": 0.4, "min": 0, "max": 1}},
+  "scene": {
+    "lamps": [{"position": ["far", 0.5, "far*2"]}] // beside the stem
+  },
+  "components": {
+    "stem": {"type": "tree", "length": 1, "radius": 0.02},
+    "ball": {"type": "simple", "size": [0.1, 0.1, 0.1], "frame": {"translate": ["0.1*i", "far", 0]}}
+  },
+  "links": [{"from": "stem", "to": "ball", "kind": "branch", "count": 3}]
+}
+`;
 const kGrass = `{
   "meristem": 1,
   "name": "Grass",
@@ -53,6 +66,7 @@ before(async () => {
   await write_document(place.folder, 'pear.json', kPear);
   await write_document(place.folder, 'trees.json', kTrees);
   await write_document(place.folder, 'yard.json', kYard);
+  await write_document(place.folder, 'lamp.json', kLamp);
   await write_document(place.folder, 'grass.json', kGrass);
   await write_document(place.folder, 'midribs.csv', kMidribs);
   await write_document(place.folder, 'widths.csv', kWidths);
@@ -337,6 +351,67 @@ test('boxes, lamps and poles are put into the scene with their grips', async () 
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kYard);
+});
+
+test('a grip of an expression moves the variable that it is, or says what holds it', async () => {
+  await open_file(page, 'lamp.json');
+  await page.locator('.view canvas').focus();
+  for (const key of ['1', '-', '-']) await page.keyboard.press(key);
+  await choose(page, 'Scene');
+  await page.locator('.gizmo-card select').selectOption({ label: 'lamp 1' });
+  // What is written as a variable alone moves the variable; the grip follows the hand.
+  const from = await middle_of(grip('move x').locator('.tip'));
+  await drag_by(from, [50, 0], { steps: 20, lets_go: false });
+  await page.waitForFunction(() => window.studio.dragged.get().far > 0.4);
+  const held = await middle_of(grip('move x').locator('.tip'));
+  assert.ok(Math.abs(held[0] - from[0]) > 20, `${from[0]} to ${held[0]}`);
+  await step(page, () => page.mouse.up());
+  const moved = await tree_of();
+  assert.ok(moved.variables.far.value > 0.4 && moved.variables.far.value <= 1, JSON.stringify(moved.variables));
+  assert.deepEqual(moved.scene.lamps[0].position, ['far', 0.5, 'far*2']);
+  assert.equal(await undo_count(page), 1);
+  assert.match(await page.evaluate(() => window.studio.document.state.get().undo.done.at(-1).label), /^Set far$/);
+  await undo_all(page);
+  await settled(page);
+  // A plain number beside it leaves the expressions as they are written.
+  await grip('move y').focus();
+  await step(page, () => page.keyboard.press('ArrowUp'));
+  const [x, y, z] = (await tree_of()).scene.lamps[0].position;
+  assert.ok(x === 'far' && y > 0.5 && z === 'far*2', JSON.stringify([x, y, z]));
+  // Any other expression holds the grip, and says so.
+  const refused = page.locator('.gizmo-refused');
+  assert.match(await grip('move z').getAttribute('class'), /refuses/);
+  await drag_by(await middle_of(grip('move z').locator('.tip')), [30, 10]);
+  assert.match(await refused.innerText(), /lamps\[0\]\.position\[2\] is the expression “far\*2”/);
+  assert.equal(await undo_count(page), 1);
+  await axe_finds_nothing();
+  await step(page, () => refused.getByRole('button', { name: 'Replace by its value 0.8' }).click());
+  assert.deepEqual((await tree_of()).scene.lamps[0].position, ['far', y, 0.8]);
+  await step(page, async () => {
+    await grip('move z').focus();
+    await page.keyboard.press('ArrowRight');
+  });
+  assert.notEqual((await tree_of()).scene.lamps[0].position[2], 0.8);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kLamp);
+});
+
+test('expressions that differ from instance to instance have grips at the first one', async () => {
+  await choose(page, 'ball');
+  await page.locator('.gizmo-card select').selectOption({ label: 'frame' });
+  const y = page.locator('.gizmo-card').getByRole('textbox', { name: 'frame, y', exact: true });
+  assert.equal(await y.inputValue(), '0.4');
+  await step(page, () => type_into(page, y, '0.6'));
+  assert.equal((await tree_of()).variables.far.value, 0.6);
+  await type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: 'frame, x', exact: true }), '0.2');
+  assert.match(await page.locator('.gizmo-refused').innerText(), /“0\.1\*i”/);
+  assert.deepEqual((await tree_of()).components.ball.frame.translate, ['0.1*i', 'far', 0]);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kLamp);
+  await open_file(page, 'yard.json');
+  await choose(page, 'Scene');
 });
 
 test('the sun is dragged along its way for the hour and across for the day', async () => {

@@ -12,6 +12,7 @@ import os from 'node:os';
 import path from 'node:path';
 import process from 'node:process';
 
+import { buffers_of, heap_of, memory_of } from './studio_measure.mjs';
 import { choose, open_file, point_at, row, slider } from '../tests/studio/page/hands.mjs';
 import { kSource, open_page, settled, start_browser, start_server, temporary_folder, write_document } from '../tests/studio/page/support.mjs';
 
@@ -104,22 +105,6 @@ async function bytes_of(page, act) {
 }
 
 const set = (page, path, value) => page.evaluate(([one, given]) => window.studio.edit([{ set: one, value: given }], 'Set'), [path, value]);
-
-async function memory_of(pid) {
-  return Number(/VmRSS:\s+(\d+)/.exec(await readFile(`/proc/${pid}/status`, 'utf8'))[1]) / 1024;
-}
-
-/// Heap of the page after its garbage was collected, in MB.
-async function heap_of(session) {
-  for (let k = 0; k < 2; k += 1) await session.send('HeapProfiler.collectGarbage');
-  return (await session.send('Runtime.getHeapUsage')).usedSize / 1e6;
-}
-
-const buffers_of = (page) => page.evaluate(async () => {
-  for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
-  const { geometries, textures, meshes, instance_sets, batches } = window.studio.view.counts;
-  return geometries + textures + meshes + instance_sets + batches;
-});
 
 /// The page from nothing: what it weighs, and when its first picture is there.
 async function open_first(browser, address) {

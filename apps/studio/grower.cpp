@@ -9,6 +9,7 @@
 
 #include "job_news.h"
 #include "job_watch.h"
+#include "meristem/base/large_memory.h"
 #include "meristem/document/json.h"
 #include "meristem/graph/instances.h"
 #include "meristem/output/picture/obstacle_meshes.h"
@@ -258,6 +259,7 @@ void Grower::grow() {
   double time = 0;
   GrowthView view;
   std::uint64_t number = 0;
+  bool is_first = false;  // of another document
   {
     const std::lock_guard lock(mutex_);
     if (done_ == wished_ || is_paused_ || wish_.document == nullptr) return;
@@ -266,13 +268,15 @@ void Grower::grow() {
     view = parts_.view();
     number = wished_;
     done_ = number;  // whatever becomes of it
-    if (std::exchange(is_other_, false)) {
+    is_first = std::exchange(is_other_, false);
+    if (is_first) {
       for (GrowthCache* cache : {&cache_, &full_cache_, &coarse_caches_[0], &coarse_caches_[1]}) cache->clear();
       coarser_ = {};
       full_ = nullptr;
       full_of_ = nullptr;
     }
   }
+  if (is_first) give_back_memory();
   run(wish.hash, [&](JobNews& news) {
     const std::shared_ptr<const Document> document = standing_at(wish.document, time);
     GrownDocument grown = grow_document(*document, news.progress(),

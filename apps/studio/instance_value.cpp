@@ -2,28 +2,24 @@
 #include "instance_value.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "meristem/base/expression/expression.h"
 #include "meristem/components/expanded.h"
 #include "meristem/graph/instances.h"
 #include "meristem/output/packet/short_values.h"
 #include "meristem/plant/axis_labels.h"
+#include "shoot_places.h"
 
 namespace meristem::studio {
 
 namespace {
-
-/// The place on a stem that is nearest to a point.
-struct StemPlace {
-  const Stem* stem = nullptr;
-  AxisIndex axis = 0;
-  NodeIndex node =
-      0;  // the end of its segment that is nearer; where that is the lower one of a shoot's first, its parent
-};
 
 float squared(Vec3 v) { return glm::dot(v, v); }
 
@@ -52,24 +48,8 @@ std::optional<std::uint64_t> nearest_organ(const Plant& plant, const std::string
   return nearest;
 }
 
-/// Signed distance from a point to the surface about a segment of a skeleton.
-float distance_to_segment(const Skeleton& skeleton, NodeIndex node, Vec3 point) {
-  const Vec3 end = skeleton.position[node];
-  if (skeleton.is_root(node)) return glm::length(point - end) - skeleton.radius[node];
-  const Vec3 way = end - skeleton.position[skeleton.parent[node]];
-  const float length = glm::dot(way, way);
-  const float along = length > 0 ? glm::clamp(glm::dot(point - (end - way), way) / length, 0.0F, 1.0F) : 1.0F;
-  return glm::length(point - (end - way + along * way)) - skeleton.radius[node];
-}
-
-NodeIndex nearer_end(const Skeleton& skeleton, NodeIndex node, Vec3 point) {
-  if (skeleton.is_root(node)) return node;
-  const NodeIndex below = skeleton.parent[node];
-  return squared(point - skeleton.position[below]) < squared(point - skeleton.position[node]) ? below : node;
-}
-
 /// What is told of the shoot on which a place lies: its name, where it runs, and the metamer at the place.
-Value::Object shoot_value(const StemPlace& place) {
+Value::Object shoot_value(const ShootPlace& place) {
   const Skeleton& skeleton = place.stem->skeleton;
   const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
   const ShootName name = shoot_names(skeleton, place.stem->part_of_axis)[place.axis];
@@ -81,26 +61,11 @@ Value::Object shoot_value(const StemPlace& place) {
   }
   const bool is_below = skeleton.axis[place.node] != place.axis;
   return {{"shoot", name.label},
+          {"stem", static_cast<double>(place.stem->part(place.axis).instance)},
           {"tree", static_cast<double>(name.tree)},
           {"metamer", is_below ? 0.0 : static_cast<double>(numbers[place.node])},
           {"course", std::move(course)},
           {"metamers", std::move(metamers)}};
-}
-
-StemPlace nearest_stem(const Plant& plant, const std::string& component, Vec3 point) {
-  StemPlace nearest;
-  float least = std::numeric_limits<float>::max();
-  for (const Stem& stem : plant.stems) {
-    const Skeleton& skeleton = stem.skeleton;
-    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-      if (stem.part(skeleton.axis[node]).component != component) continue;
-      const float distance = distance_to_segment(skeleton, node, point);
-      if (distance >= least) continue;
-      least = distance;
-      nearest = {&stem, skeleton.axis[node], nearer_end(skeleton, node, point)};
-    }
-  }
-  return nearest;
 }
 
 Value::Object described(const std::string& component, const FoundInstance& found) {
@@ -117,40 +82,69 @@ Value::Object described(const std::string& component, const FoundInstance& found
           {"values", std::move(values)}};
 }
 
-}  // namespace
-
-std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.key.bits()); }
-
-Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
+/// What is told of a part of the plant, with its shoot where it lies on one; null where no instance is known of it.
+Value told_instance(const GrownWish& grown, const InstanceWish& wish, const ShootPlace& place, Progress& progress,
+                    GrowthCache& cache) {
   const Document& document = *grown.document;
-  InstanceWish wish{.component = request.component};
-  Value::Object shoot{{"shoot", Value()}};
-  const bool is_in_world = request.frame.axes == Mat3(1) && request.frame.origin == Vec3(0);
-  const StemPlace place = is_in_world ? nearest_stem(grown.plant, request.component, request.position) : StemPlace();
-  if (place.stem != nullptr) {
-    wish.of = InstanceWish::Of::stem;
-    wish.number = place.stem->part(place.axis).instance;
-    shoot = shoot_value(place);
-  } else {
-    const std::optional<std::uint64_t> number = nearest_organ(grown.plant, request.component, request.frame);
-    if (!number) return {};
-    wish.number = *number;
-  }
   const auto found = find_instance(document.graph, document.scene, grown.time, wish, progress, &cache, grown.view);
   if (!found) return {};
-  Value::Object told = described(request.component, *found);
+  Value::Object told = described(wish.component, *found);
+  Value::Object shoot = place.stem != nullptr ? shoot_value(place) : Value::Object{{"shoot", Value()}};
   for (Value::Member& member : shoot) told.push_back(std::move(member));
-  const auto prototype = std::ranges::find(document.graph.components, request.component, &Prototype::id);
+  const auto prototype = std::ranges::find(document.graph.components, wish.component, &Prototype::id);
   const auto last = prototype != document.graph.components.end() ? last_iteration(*prototype) : std::nullopt;
   told.emplace_back("iteration", last ? Value(*last) : Value());
   return told;
 }
 
-Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
+Value told_shoot(const GrownWish& grown, const std::string& component, const ShootPlace& place, Progress& progress,
+                 GrowthCache& cache) {
+  const InstanceWish wish{
+      .component = component, .of = InstanceWish::Of::stem, .number = place.stem->part(place.axis).instance};
+  return told_instance(grown, wish, place, progress, cache);
+}
+
+std::optional<FoundInstance> first_instance(const GrownWish& grown, const std::string& component, Progress& progress,
+                                            GrowthCache& cache) {
   const Document& document = *grown.document;
-  const auto found =
-      find_instance(document.graph, document.scene, grown.time,
-                    {.component = component, .of = InstanceWish::Of::instance}, progress, &cache, grown.view);
+  const InstanceWish wish{.component = component, .of = InstanceWish::Of::instance};
+  return find_instance(document.graph, document.scene, grown.time, wish, progress, &cache, grown.view);
+}
+
+/// What an expression of the document's variables alone comes to; nothing for others, and for what is no expression.
+std::optional<double> constant_of(const std::string& text, const ExpressionNames& names, const Limits& limits) {
+  try {
+    const Expression expression = Expression::compile(text, names, limits.expression_bytes);
+    if (!expression.is_constant()) return std::nullopt;
+    const double value = expression.evaluate();
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  } catch (const ExpressionError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.key.bits()); }
+
+Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
+  const bool is_in_world = request.frame.axes == Mat3(1) && request.frame.origin == Vec3(0);
+  const ShootPlace place = is_in_world ? nearest_shoot(grown.plant, request.component, request.position) : ShootPlace();
+  if (place.stem != nullptr) return told_shoot(grown, request.component, place, progress, cache);
+  const std::optional<std::uint64_t> number = nearest_organ(grown.plant, request.component, request.frame);
+  if (!number) return {};
+  return told_instance(grown, {.component = request.component, .number = *number}, {}, progress, cache);
+}
+
+Value shoot_instance_value(const GrownWish& grown, const ShootRequest& request, Progress& progress,
+                           GrowthCache& cache) {
+  const ShootPlace place = wished_shoot(grown.plant, request);
+  if (place.stem == nullptr) return {};
+  return told_shoot(grown, request.component, place, progress, cache);
+}
+
+Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
+  const auto found = first_instance(grown, component, progress, cache);
   if (!found) return {};
   Value::List rows;
   for (int row = 0; row < 3; ++row) {
@@ -158,6 +152,29 @@ Value stand_value(const GrownWish& grown, const std::string& component, Progress
     rows.push_back(static_cast<double>(found->site.frame.origin[row]));
   }
   return rows;
+}
+
+Value worked_out_value(const GrownWish& grown, const WorkedOutRequest& request, Progress& progress,
+                       GrowthCache& cache) {
+  std::map<std::string, double> of_instance;
+  if (request.component) {
+    if (const auto found = first_instance(grown, *request.component, progress, cache))
+      of_instance.insert(found->values.begin(), found->values.end());
+  }
+  ExpressionNames names;
+  for (const Variable& variable : grown.document->variables) {
+    if (variable.per.empty()) names.constants.push_back({variable.name, variable.value});
+  }
+  Value::Object numbers;
+  for (const auto& [path, text] : request.expressions) {
+    progress.check();
+    const auto known = of_instance.find(path);
+    const std::optional<double> number = known != of_instance.end()
+                                             ? std::optional(known->second)
+                                             : constant_of(text, names, grown.document->graph.limits);
+    if (number) numbers.emplace_back(path, *number);
+  }
+  return numbers;
 }
 
 }  // namespace meristem::studio

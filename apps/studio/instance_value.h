@@ -20,8 +20,16 @@ std::string instance_key(const Site& site);
 /// find_instance throws.
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache);
 
+/// The same of the shoot that is asked for by name, or of the one beside it. Null where there is none.
+Value shoot_instance_value(const GrownWish& grown, const ShootRequest& request, Progress& progress, GrowthCache& cache);
+
 /// The frame of the site on which the first instance of a component stands, before the component's own `frame`: 12
 /// numbers, three rows of [axes, origin]. Null where it has none. Throws what find_instance throws.
 Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache);
+
+/// What expressions come to, by their paths: those that differ from instance to instance at the first instance of the
+/// component, all others by the variables of the document. Those that are not known are not told. Throws what
+/// find_instance throws.
+Value worked_out_value(const GrownWish& grown, const WorkedOutRequest& request, Progress& progress, GrowthCache& cache);
 
 }  // namespace meristem::studio

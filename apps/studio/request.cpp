@@ -2,6 +2,7 @@
 #include "request.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 
 #include "meristem/document/json.h"
 #include "meristem/grow/lsystem/grammar.h"
+#include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
 #include "refusal.h"
 
@@ -23,6 +25,7 @@ constexpr std::size_t kMostParts = 100'000;          // splices, edits or values
 constexpr std::size_t kMostStills = 16;
 constexpr double kWidestStill = 512;     // pixels
 constexpr double kMostModules = 20'000;  // that one answer tells
+constexpr std::size_t kMostExpressions = 1000;
 constexpr std::size_t kMostSwept = 64;   // values of a sweep
 constexpr double kGreatestLength = 1e6;  // metres
 
@@ -254,6 +257,40 @@ InstanceRequest instance_request(const Members& members) {
   return request;
 }
 
+ShootRequest::Go way_of(const std::string& name) {
+  using Go = ShootRequest::Go;
+  constexpr std::array<std::pair<const char*, Go>, 4> kWays{
+      {{"parent", Go::parent}, {"child", Go::child}, {"next", Go::next}, {"previous", Go::previous}}};
+  for (const auto& [known, way] : kWays) {
+    if (name == known) return way;
+  }
+  throw Refusal("'go' is none of parent, child, next, previous");
+}
+
+ShootRequest shoot_request(const Members& members) {
+  ShootRequest request{.component = members.text("component"), .of = {}};
+  if (members.has("of")) {
+    const Members of = members.within("of");
+    const auto number = [&](const char* name) { return static_cast<std::uint32_t>(of.whole(name, 0, kNoStem - 1.0)); };
+    request.of = {
+        .stem = number("stem"), .tree = number("tree"), .shoot = of.text("shoot"), .metamer = number("metamer")};
+  }
+  if (members.has("go")) request.go = way_of(members.text("go"));
+  return request;
+}
+
+WorkedOutRequest worked_out_request(const Members& members) {
+  WorkedOutRequest request{.component = members.optional_text("component"), .expressions = {}};
+  const Value::Object& given = members.object("expressions");
+  if (given.size() > kMostExpressions)
+    throw Refusal(fmt::format("'expressions' has more than {} parts", kMostExpressions));
+  for (const auto& [path, text] : given) {
+    if (text.text() == nullptr) throw Refusal("'expressions' is not an object of texts by their paths");
+    request.expressions.emplace_back(path, *text.text());
+  }
+  return request;
+}
+
 CurvesRequest curves_request(const Members& members) {
   CurvesRequest request{.component = members.text("component"), .rank = {}, .leaf = {}};
   if (members.has("rank")) request.rank = members.integer("rank", -kMostIteration, kMostIteration);
@@ -388,7 +425,9 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "measure_rows") return MeasureRowsRequest{};
   if (what == "sweep") return sweep_request(members);
   if (what == "instance") return instance_request(members);
+  if (what == "shoot") return shoot_request(members);
   if (what == "stand") return StandRequest{members.text("component")};
+  if (what == "worked_out") return worked_out_request(members);
   if (what == "curves") return curves_request(members);
   if (what == "cloud") return CloudRequest{members.text("component")};
   if (what == "operations") return operations_request(members);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -92,9 +93,28 @@ struct InstanceRequest {
   Frame frame;       ///< of what is seen of it; the world's own for stems
   Vec3 position{0};  ///< on its surface
 };
+/// A shoot of a component's stems, by its name, or one that stands beside it in the tree.
+struct ShootRequest {
+  enum class Go { nowhere, parent, child, next, previous };
+  /// As an answer names it.
+  struct Name {
+    std::uint32_t stem = 0;     ///< number of the stem among those of the component
+    std::uint32_t tree = 0;     ///< number of its root among those of that stem
+    std::string shoot;          ///< label
+    std::uint32_t metamer = 0;  ///< the place on it
+  };
+  std::string component;
+  std::optional<Name> of;  ///< unset: the first shoot of the component
+  Go go = Go::nowhere;     ///< from there to the one that is asked for
+};
 /// Where the first instance of a component stands.
 struct StandRequest {
   std::string component;
+};
+/// What expressions of a component, or of the rest of the document, come to.
+struct WorkedOutRequest {
+  std::optional<std::string> component;  ///< whose first instance counts; unset: the document alone
+  std::vector<std::pair<std::string, std::string>> expressions;  ///< path in the document, text
 };
 /// The curves that a grass leaf component draws its leaves from.
 struct CurvesRequest {
@@ -183,9 +203,9 @@ struct PictureRequest {
 using Request =
     std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
                  AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
-                 MeasureRowsRequest, SweepRequest, InstanceRequest, StandRequest, CurvesRequest, CloudRequest,
-                 OperationsRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest, StillsRequest,
-                 GrammarRequest, ClocksRequest, PictureRequest, OverlaysRequest>;
+                 MeasureRowsRequest, SweepRequest, InstanceRequest, ShootRequest, StandRequest, WorkedOutRequest,
+                 CurvesRequest, CloudRequest, OperationsRequest, PartsRequest, PartRequest, ExportRequest,
+                 CommandRequest, StillsRequest, GrammarRequest, ClocksRequest, PictureRequest, OverlaysRequest>;
 
 struct NumberedRequest {
   double id = 0;

@@ -74,6 +74,17 @@ TEST(Request, ReadsEachKind) {
   EXPECT_EQ(looked.growth->step, 4);
   EXPECT_EQ(looked.growth->of, "oak");
   EXPECT_EQ(read<ViewRequest>(R"({"do": "view", "id": 1, "growth": {"recorded": true, "of": null}})").growth->of, "");
+  const auto shoot = read<ShootRequest>(
+      R"({"do": "shoot", "id": 1, "component": "pear", "of": {"stem": 2, "tree": 1, "shoot": "main.4", "metamer": 3},
+          "go": "child"})");
+  EXPECT_EQ(shoot.of->stem + shoot.of->tree + shoot.of->metamer, 6U);
+  EXPECT_EQ(shoot.of->shoot, "main.4");
+  EXPECT_EQ(shoot.go, ShootRequest::Go::child);
+  EXPECT_FALSE(read<ShootRequest>(R"({"do": "shoot", "id": 1, "component": "pear", "of": null, "go": null})").of);
+  const auto worked_out =
+      read<WorkedOutRequest>(R"({"do": "worked_out", "id": 1, "expressions": {"scene.latitude": "2*b"}})");
+  EXPECT_EQ(worked_out.component, std::nullopt);
+  EXPECT_EQ(worked_out.expressions[0].second, "2*b");
   const auto curves = read<CurvesRequest>(R"({"do": "curves", "id": 1, "component": "leaf", "rank": -3})");
   EXPECT_EQ(curves.rank, -3);
   EXPECT_EQ(curves.leaf, std::nullopt);
@@ -102,6 +113,8 @@ TEST(Request, SaysWhatIsWrong) {
   EXPECT_NE(refusal("{}").find("'id'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1.5, "do": "all"})").find("whole"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "dance"})").find("'dance'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "shoot", "component": "a", "go": "up"})").find("next"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "worked_out", "expressions": {"a": 1}})").find("texts"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "open"})").find("by its path"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "open", "model": "oak", "path": ""})").find("by its path"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "stills", "states": [3]})").find("a state"), std::string::npos);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a page asks of a plant that has grown.
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base64.h"
@@ -189,6 +193,65 @@ TEST(StudioSession, TellsWhereAShootIsSeenAndWhatCouldCutIt) {
   const std::size_t nodes = instance.find("metamers")->list()->size();
   EXPECT_EQ(instance.find("course")->list()->size(), 3 * nodes);
   EXPECT_EQ(*(*instance.find("metamers")->list())[0].number(), 0);
+}
+
+const std::string kTwoTrees =
+    R"json("text": "{\"meristem\": 1, \"components\": {\"tree\": {\"type\": \"organize\", \"iterations\": 7, \"jitter\": 0, \"roots\": [[0, 0, 0], [1.5, 0, 0]]}}}")json";
+
+/// "main.4 of tree 0 at 5", or nothing.
+std::string shoot_text(const Value& answer) {
+  const Value& instance = *answer.find("instance");
+  if (instance.is_null()) return "";
+  return fmt::format("{} of tree {} at {}", Studio::text_of(instance, "shoot"), *instance.find("tree")->number(),
+                     *instance.find("metamer")->number());
+}
+
+TEST(StudioSession, GoesFromShootToShootAlongTheTree) {
+  Studio studio;
+  studio.ask("open", kTwoTrees);
+  studio.mailbox().packet(0);
+  const auto go = [&](const std::string& shoot, int metamer, const std::string& way, int tree = 0) {
+    return shoot_text(studio.ask(
+        "shoot", fmt::format(R"("component": "tree", "of": {{"stem": 0, "tree": {}, "shoot": "{}", "metamer": {}}}{})",
+                             tree, shoot, metamer, way.empty() ? "" : R"(, "go": ")" + way + "\"")));
+  };
+  EXPECT_EQ(shoot_text(studio.ask("shoot", R"("component": "tree")")), "main of tree 0 at 1");
+  EXPECT_EQ(go("main", 1, "next"), "main of tree 1 at 1");
+  EXPECT_EQ(go("main", 1, "previous", 1), "main of tree 0 at 1");
+  EXPECT_EQ(go("main", 1, "parent"), "");
+  EXPECT_EQ(go("main", 1, "child"), "main.2 of tree 0 at 1");
+  EXPECT_EQ(go("main", 3, "child"), "main.4 of tree 0 at 1") << "the first at or above the place";
+  EXPECT_EQ(go("main.2", 2, "next"), "main.4 of tree 0 at 1");
+  EXPECT_EQ(go("main.4", 5, "parent"), "main of tree 0 at 4");
+  EXPECT_EQ(go("main.4", 5, ""), "main.4 of tree 0 at 5");
+  EXPECT_EQ(go("main.4", 50, ""), "main.4 of tree 0 at 6") << "no further than its tip";
+  EXPECT_EQ(go("main.4", 0, ""), "main.4 of tree 0 at 0") << "where it springs from";
+  EXPECT_EQ(go("main.77", 1, ""), "");
+  // Round and round: all neighbours, each once.
+  std::string shoot = "main.2";
+  std::set<std::string> seen;
+  while (seen.insert(shoot).second) shoot = go(shoot, 1, "next").substr(0, go(shoot, 1, "next").find(' '));
+  EXPECT_EQ(shoot, "main.2");
+  EXPECT_GT(seen.size(), 3U);
+  EXPECT_TRUE(studio.ask("shoot", R"("component": "nobody")").find("instance")->is_null());
+}
+
+TEST(StudioSession, TellsWhatExpressionsComeTo) {
+  Studio studio;
+  std::string text = R"json("text": "{\"meristem\": 1, \"variables\": {\"tall\": 3, \"half\": \"tall/2\"},
+    \"components\": {\"line\": {\"type\": \"places\", \"line\": {\"points\": [[0, 0], [8, 0]], \"spacing\": 2}},
+    \"ball\": {\"type\": \"simple\", \"size\": [\"tall + i\", 1, \"half\"]}}, \"links\": [[\"line\", \"ball\"]]}")json";
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  studio.mailbox().packet(0);
+  const Value of_ball = studio.ask(
+      "worked_out",
+      R"("component": "ball", "expressions": {"components.ball.size[0]": "tall + i", "components.ball.size[2]": "half", "components.ball.shape": "sphere"})");
+  EXPECT_EQ(write_json_line(*of_ball.find("numbers")),
+            R"({"components.ball.size[0]": 3, "components.ball.size[2]": 1.5})");
+  const Value of_scene =
+      studio.ask("worked_out", R"json("expressions": {"scene.latitude": "10*tall", "scene.sun.hour": "rand()"})json");
+  EXPECT_EQ(write_json_line(*of_scene.find("numbers")), R"({"scene.latitude": 30})");
 }
 
 TEST(StudioSession, TellsWhatOperationsHaveDone) {

@@ -20,6 +20,7 @@
 #include "instance_value.h"
 #include "job_news.h"
 #include "job_watch.h"
+#include "meristem/base/large_memory.h"
 #include "meristem/base/version.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
@@ -493,9 +494,23 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Instanc
   return std::nullopt;
 }
 
+std::optional<StudioSession::Answer> StudioSession::act(double id, const ShootRequest& request) {
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"instance", shoot_instance_value(last.grown, request, progress, last.cache)};
+  });
+  return std::nullopt;
+}
+
 std::optional<StudioSession::Answer> StudioSession::act(double id, const StandRequest& request) {
   ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) -> Value::Member {
     return {"stand", stand_value(last.grown, component, progress, last.cache)};
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const WorkedOutRequest& request) {
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
+    return {"numbers", worked_out_value(last.grown, request, progress, last.cache)};
   });
   return std::nullopt;
 }
@@ -565,13 +580,17 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
   if (has_frames(request.options)) {
     run_later(id, {"export", TimeLimit{host_.limits.film_seconds, "film_seconds"}}, host_.films,
               [source = std::move(source), options = request.options](Host& host, JobNews& news) -> Value::Member {
-                return {"file", export_frames(source, options, host.downloads, news)};
+                Value file = export_frames(source, options, host.downloads, news);
+                give_back_memory();
+                return {"file", std::move(file)};
               });
     return std::nullopt;
   }
   run_later(id, {"export"}, host_.exports,
             [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
-              return {"file", export_file(source, options, host.downloads, progress)};
+              Value file = export_file(source, options, host.downloads, progress);
+              give_back_memory();
+              return {"file", std::move(file)};
             });
   return std::nullopt;
 }

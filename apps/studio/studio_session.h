@@ -71,7 +71,9 @@ class StudioSession {
   std::optional<Answer> act(double id, const MeasureRowsRequest& request);
   std::optional<Answer> act(double id, const SweepRequest& request);
   std::optional<Answer> act(double id, const InstanceRequest& request);
+  std::optional<Answer> act(double id, const ShootRequest& request);
   std::optional<Answer> act(double id, const StandRequest& request);
+  std::optional<Answer> act(double id, const WorkedOutRequest& request);
   std::optional<Answer> act(double id, const CurvesRequest& request);
   std::optional<Answer> act(double id, const CloudRequest& request);
   std::optional<Answer> act(double id, const OperationsRequest& request);

@@ -6,6 +6,9 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace meristem {
 
@@ -18,6 +21,12 @@ void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + kPage - 1) / kPage * kPage;
   const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / kPage * kPage;
   static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));
+#endif
+}
+
+void give_back_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
 #endif
 }
 

@@ -11,6 +11,11 @@ namespace meristem {
 /// request, which systems without large pages leave alone; nothing happens for a few megabytes.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
+/// Gives the system the memory that the program has freed and keeps for itself, where it keeps some. Takes
+/// milliseconds, and memory that is asked for afterwards is slower at its first writing: for the end of large work, not
+/// of each.
+void give_back_memory();
+
 /// Makes an empty vector that long, in large pages where it is large.
 template <class Item>
 void resize_large(std::vector<Item>& items, std::size_t count) {

@@ -17,4 +17,11 @@ TEST(LargeMemory, IsAsLongAsAskedForAndEmpty) {
   }
 }
 
+TEST(LargeMemory, GivenBackIsStillThereToAskFor) {
+  { std::vector<std::vector<int>> many(1000, std::vector<int>(1000)); }
+  give_back_memory();
+  const std::vector<int> again(1'000'000, 3);
+  EXPECT_EQ(again.back(), 3);
+}
+
 }  // namespace meristem::large_memory_test

@@ -16,6 +16,13 @@ const kPear = `{
   }
 }
 `;
+const kTrees = `{
+  "meristem": 1, // two trees to go along by keys
+  "components": {
+    "tree": {"type": "organize", "iterations": 7, "jitter": 0, "roots": [[0, 0, 0], [1.5, 0, 0]]}
+  }
+}
+`;
 const kYard = `{
   "meristem": 1,
   "name": "Yard",
@@ -28,6 +35,19 @@ const kYard = `{
   "components": {
     "tree": {"type": "colonize", "crown": {"profile": [[0.2, 0.6], [0.8, 1.2], [0, 2]]}, "points": 60, "step": 0.1, "influence": 1, "kill": 0.3}
   }
+}
+`;
+const kLamp = `{
+  "meristem": 1,
+  "variables": {"far": {"value": 0.4, "min": 0, "max": 1}},
+  "scene": {
+    "lamps": [{"position": ["far", 0.5, "far*2"]}] // beside the stem
+  },
+  "components": {
+    "stem": {"type": "tree", "length": 1, "radius": 0.02},
+    "ball": {"type": "simple", "size": [0.1, 0.1, 0.1], "frame": {"translate": ["0.1*i", "far", 0]}}
+  },
+  "links": [{"from": "stem", "to": "ball", "kind": "branch", "count": 3}]
 }
 `;
 const kGrass = `{
@@ -44,7 +64,9 @@ let place, server, browser, page;
 before(async () => {
   place = await temporary_folder();
   await write_document(place.folder, 'pear.json', kPear);
+  await write_document(place.folder, 'trees.json', kTrees);
   await write_document(place.folder, 'yard.json', kYard);
+  await write_document(place.folder, 'lamp.json', kLamp);
   await write_document(place.folder, 'grass.json', kGrass);
   await write_document(place.folder, 'midribs.csv', kMidribs);
   await write_document(place.folder, 'widths.csv', kWidths);
@@ -202,6 +224,57 @@ test('the tree before the last cuts is shown and goes again', async () => {
   await page.keyboard.press('o');
 });
 
+test('by the keyboard alone a shoot is chosen and cut, and undo gives the first bytes', async () => {
+  await open_file(page, 'trees.json');
+  await page.locator('.view canvas').focus();
+  const press = async (key, { shoot, metamer, tree = 0 }) => {
+    await page.keyboard.press(key);
+    await page.waitForFunction(([name, at, of]) => {
+      const found = window.studio.instance.found.get();
+      return found?.shoot === name && found.metamer === at && found.tree === of;
+    }, [shoot, metamer, tree], { timeout: 5000 });
+  };
+  const said = async (what) => page.waitForFunction((wanted) => document.querySelector('.shoot-said')?.textContent.includes(wanted), what, { timeout: 5000 });
+  await press('Enter', { shoot: 'main', metamer: 1 });
+  await said('main, tree 0, metamer 1 of 14. Order 0, 1.4 m long, 0.1 m from its base');
+  await press('PageDown', { shoot: 'main', metamer: 1, tree: 1 });
+  await press('PageUp', { shoot: 'main', metamer: 1 });
+  await page.keyboard.press('ArrowLeft');
+  await said('No shoot bears main');
+  await press('ArrowRight', { shoot: 'main.2', metamer: 1 });
+  await press('PageDown', { shoot: 'main.4', metamer: 1 });
+  await press('ArrowLeft', { shoot: 'main', metamer: 4 });
+  await press('ArrowRight', { shoot: 'main.4', metamer: 1 });
+  await press('ArrowUp', { shoot: 'main.4', metamer: 2 });
+  await press('End', { shoot: 'main.4', metamer: 6 });
+  await press('ArrowDown', { shoot: 'main.4', metamer: 5 });
+  assert.equal(await page.locator('.pruning-overlay .goes').count(), 1);
+  assert.equal(await page.locator('.pruning-overlay .held-place').count(), 1);
+  await page.keyboard.press('t');
+  assert.equal(await tool().getByRole('button', { name: 'Tie', exact: true }).first().getAttribute('aria-pressed'), 'true');
+  await page.keyboard.press('c');
+  await step(page, () => page.keyboard.press('Enter'));
+  assert.deepEqual((await tree_of()).components.tree.operations, [{ do: 'cut', at: 7, shoots: 'main.4', tree: 0, above: 5 }]);
+  // The keyboard is with the view again; from there the shoot is taken hold of as it is now.
+  await tool().waitFor({ state: 'detached' });
+  assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'CANVAS');
+  await press('Enter', { shoot: 'main.4', metamer: 5 });
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
+  await settled(page);
+  assert.equal(await text_of(page), kTrees);
+  await page.keyboard.press('Escape');
+  await tool().waitFor({ state: 'detached' });
+  // The plan takes hold of it as well.
+  await page.keyboard.press('o');
+  await page.getByRole('button', { name: /^Take hold of a shoot/ }).focus();
+  await press('Enter', { shoot: 'main.4', metamer: 5 });
+  await page.waitForFunction(() => document.activeElement?.classList.contains('shoot-walk'));
+  await axe_finds_nothing();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('o');
+});
+
 /// A grip of the group that is shown, with the middle of what is drawn of it.
 const grip = (key) => page.locator(`.gizmo-grip[data-grip="${key}"]`);
 async function drag_by(from, [dx, dy], { steps = 12, lets_go = true } = {}) {
@@ -278,6 +351,67 @@ test('boxes, lamps and poles are put into the scene with their grips', async () 
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kYard);
+});
+
+test('a grip of an expression moves the variable that it is, or says what holds it', async () => {
+  await open_file(page, 'lamp.json');
+  await page.locator('.view canvas').focus();
+  for (const key of ['1', '-', '-']) await page.keyboard.press(key);
+  await choose(page, 'Scene');
+  await page.locator('.gizmo-card select').selectOption({ label: 'lamp 1' });
+  // What is written as a variable alone moves the variable; the grip follows the hand.
+  const from = await middle_of(grip('move x').locator('.tip'));
+  await drag_by(from, [50, 0], { steps: 20, lets_go: false });
+  await page.waitForFunction(() => window.studio.dragged.get().far > 0.4);
+  const held = await middle_of(grip('move x').locator('.tip'));
+  assert.ok(Math.abs(held[0] - from[0]) > 20, `${from[0]} to ${held[0]}`);
+  await step(page, () => page.mouse.up());
+  const moved = await tree_of();
+  assert.ok(moved.variables.far.value > 0.4 && moved.variables.far.value <= 1, JSON.stringify(moved.variables));
+  assert.deepEqual(moved.scene.lamps[0].position, ['far', 0.5, 'far*2']);
+  assert.equal(await undo_count(page), 1);
+  assert.match(await page.evaluate(() => window.studio.document.state.get().undo.done.at(-1).label), /^Set far$/);
+  await undo_all(page);
+  await settled(page);
+  // A plain number beside it leaves the expressions as they are written.
+  await grip('move y').focus();
+  await step(page, () => page.keyboard.press('ArrowUp'));
+  const [x, y, z] = (await tree_of()).scene.lamps[0].position;
+  assert.ok(x === 'far' && y > 0.5 && z === 'far*2', JSON.stringify([x, y, z]));
+  // Any other expression holds the grip, and says so.
+  const refused = page.locator('.gizmo-refused');
+  assert.match(await grip('move z').getAttribute('class'), /refuses/);
+  await drag_by(await middle_of(grip('move z').locator('.tip')), [30, 10]);
+  assert.match(await refused.innerText(), /lamps\[0\]\.position\[2\] is the expression “far\*2”/);
+  assert.equal(await undo_count(page), 1);
+  await axe_finds_nothing();
+  await step(page, () => refused.getByRole('button', { name: 'Replace by its value 0.8' }).click());
+  assert.deepEqual((await tree_of()).scene.lamps[0].position, ['far', y, 0.8]);
+  await step(page, async () => {
+    await grip('move z').focus();
+    await page.keyboard.press('ArrowRight');
+  });
+  assert.notEqual((await tree_of()).scene.lamps[0].position[2], 0.8);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kLamp);
+});
+
+test('expressions that differ from instance to instance have grips at the first one', async () => {
+  await choose(page, 'ball');
+  await page.locator('.gizmo-card select').selectOption({ label: 'frame' });
+  const y = page.locator('.gizmo-card').getByRole('textbox', { name: 'frame, y', exact: true });
+  assert.equal(await y.inputValue(), '0.4');
+  await step(page, () => type_into(page, y, '0.6'));
+  assert.equal((await tree_of()).variables.far.value, 0.6);
+  await type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: 'frame, x', exact: true }), '0.2');
+  assert.match(await page.locator('.gizmo-refused').innerText(), /“0\.1\*i”/);
+  assert.deepEqual((await tree_of()).components.ball.frame.translate, ['0.1*i', 'far', 0]);
+  await undo_all(page);
+  await settled(page);
+  assert.equal(await text_of(page), kLamp);
+  await open_file(page, 'yard.json');
+  await choose(page, 'Scene');
 });
 
 test('the sun is dragged along its way for the hour and across for the day', async () => {

@@ -3,7 +3,7 @@
 import { Newest } from './base/newest.ts';
 import { Store } from './base/store.ts';
 import { path_below } from './document/path.ts';
-import type { FoundShoot } from './server/growth_protocol.ts';
+import type { FoundShoot, ShootName, ShootWay } from './server/growth_protocol.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import type { FoundInstance, Grown } from './server/protocol.ts';
 import type { Studio } from './studio.ts';
@@ -61,6 +61,27 @@ export class InstanceChoice {
       .catch(() => undefined);
   }
 
+  /// Takes hold of a shoot by its name, of the one beside it, or of the first of the component. Gives whether there is
+  /// one; null where something else has been chosen meanwhile.
+  async hold(component: string, of: ShootName | null, way: ShootWay | null = null): Promise<boolean | null> {
+    const counts = this.newest_.begin();
+    const shoot = await this.ask_shoot(component, of, way);
+    if (!counts()) return null;
+    if (!shoot) return false;
+    const path = path_below('components', component);
+    this.selecting.set(null);
+    if (this.studio_.chosen.get() !== path) this.studio_.choose(path);
+    this.seen.set(null);
+    this.take(shoot);
+    return true;
+  }
+
+  private async ask_shoot(component: string, of: ShootName | null, way: ShootWay | null = null): Promise<FoundShoot | null> {
+    const name = of && { stem: of.stem, tree: of.tree, shoot: of.shoot, metamer: of.metamer };
+    const { instance } = await this.studio_.connection.request<{ instance: FoundInstance | null }>('shoot', { component, of: name, go: way });
+    return InstanceChoice.shoot_of(instance);
+  }
+
   private async ask(seen: SeenInstance): Promise<FoundInstance | null> {
     const { instance } = await this.studio_.connection.request<{ instance: FoundInstance | null }>('instance', { ...seen });
     return instance;
@@ -73,15 +94,15 @@ export class InstanceChoice {
     if (grown && !grown.dragged && InstanceChoice.shoot_of(this.found.get())) this.again_.ask();
   }
 
-  /// The shoot is let go where another one, or none, stands in its place now.
+  /// The shoot is let go where none is called so any more.
   private async ask_again(): Promise<void> {
     const shoot = InstanceChoice.shoot_of(this.found.get());
-    const seen = this.seen.get();
-    if (!shoot || !seen) return;
+    if (!shoot) return;
     const counts = this.newest_.begin();
-    const now = InstanceChoice.shoot_of(await this.ask(seen));
+    const now = await this.ask_shoot(shoot.component, shoot);
     if (!counts()) return;
-    if (now && now.shoot === shoot.shoot && now.tree === shoot.tree) this.found.set(now);
+    if (this.found.get() !== shoot) this.again_.ask(); // the place on it has moved meanwhile
+    else if (now && now.key === shoot.key) this.found.set(now);
     else this.forget();
   }
 

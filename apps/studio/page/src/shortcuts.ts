@@ -58,6 +58,17 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
     ],
   },
   {
+    title: 'Shoots of a tree',
+    keys: [
+      { keys: 'Enter', text: 'Take hold of a shoot, when the view has the keyboard' },
+      { keys: 'Left, Right', text: 'To the shoot that bears it, to one that it bears' },
+      { keys: 'PageUp, PageDown', text: 'To its neighbours' },
+      { keys: 'Up, Down, Home, End', text: 'Along the shoot: the place of the cut' },
+      { keys: 'C, B, T, M', text: 'Cut, bend, tie, mark; Enter does it' },
+      { keys: 'Esc', text: 'Let it go' },
+    ],
+  },
+  {
     title: 'Grips in the view',
     keys: [
       { keys: 'Drag', text: 'Move, size or turn in whole steps; Alt or Shift finely' },

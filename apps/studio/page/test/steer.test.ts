@@ -9,12 +9,17 @@ import { day_of, day_of_date, date_of_day, daylight, declination, hour_and_decli
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
 import { InstanceChoice } from '../src/instance_choice.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
+import { bearers_of, measures_of, moved_metamer, place_of } from '../src/pruning/shoot_text.ts';
 import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
 import type { Studio } from '../src/studio.ts';
 import { kNoGrowth } from '../src/studio_state.ts';
+import type { Json } from '../src/document/json.ts';
+import type { Variable } from '../src/server/protocol.ts';
 import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
 import { with_values } from '../src/document/put_values.ts';
+import { bound_group } from '../src/view/gizmo/bound_group.ts';
+import { expressed, expressions_in, meant_values, said_of_held, with_numbers } from '../src/view/gizmo/expressions.ts';
 import type { GripGroup, Sight } from '../src/view/gizmo/grip.ts';
 import { amount_of } from '../src/view/gizmo/grip.ts';
 import { groups_of_object } from '../src/view/gizmo/row_groups.ts';
@@ -119,6 +124,38 @@ test('lamps, meshes and wires are moved; expressions have no grips', () => {
   assert.deepEqual(groups[0]?.fields.map((one) => one.label), ['x', 'y', 'z', 'pitch', 'roll', 'yaw']);
 });
 
+test('expressions are found where numbers may stand, and nowhere else', () => {
+  const scene = { lamps: [{ position: ['a', 0, [1, 2]] }], obstacles: [{ box: [['-a', 0, 0], [1, 'b/2', 1]], mesh: 'a', scale: 'b' }] };
+  const rows = [kTables.tables['scene'] ?? { doc: '', rows: [] }];
+  const found = expressions_in(kTables, rows, scene, 'scene');
+  // A vector within a vector is no number.
+  assert.deepEqual(Object.fromEntries(found), { 'scene.lamps[0].position[0]': 'a', 'scene.obstacles[0].box[0][0]': '-a', 'scene.obstacles[0].box[1][1]': 'b/2', 'scene.obstacles[0].scale': 'b' });
+});
+
+test('a hand moves variables in the place of their names, and what it leaves stays as it is written', () => {
+  const lamp = { position: ['a', 'a + 1', 3] };
+  const written_at = (): Json => lamp.position;
+  const variable = { name: 'a', value: 1, min: 0, max: 2, expression: null } as unknown as Variable;
+  const all = expressed(new Map<string, Json>([['l.position[0]', 'a'], ['l.position[1]', 'a + 1']]), { 'l.position[1]': 2 }, [variable], () => 1);
+  assert.deepEqual(with_numbers({ position: lamp.position }, 'l', all), { position: [1, 2, 3] });
+  assert.deepEqual(meant_values({ 'l.position': [1.5, 2, 3] }, all, written_at).values, { a: 1.5 });
+  assert.deepEqual(meant_values({ 'l.position': [9, 2, 3] }, all, written_at).values, { a: 2 });
+  assert.deepEqual(meant_values({ 'l.position': [1, 2, 4] }, all, written_at).values, { 'l.position': ['a', 'a + 1', 4] });
+  const { values, held } = meant_values({ 'l.position': [1, 2.5, 3] }, all, written_at);
+  assert.deepEqual([values, held.map((one) => one.path)], [{}, ['l.position[1]']]);
+  assert.equal(said_of_held(held), 'position[1] is the expression “a + 1”');
+  const [group] = of('lamp', { position: [1, 2, 3] }, 'l');
+  assert.ok(group);
+  const bound = bound_group(group, all, written_at);
+  const states = Object.fromEntries(bound.grips.map((one) => [one.key, [one.moves.length, one.held.length]]));
+  assert.deepEqual(states, { move: [1, 1], 'move x': [1, 0], 'move y': [0, 1], 'move z': [0, 0], 'move yz': [0, 1], 'move xz': [1, 0], 'move xy': [1, 1] });
+  assert.deepEqual(bound.fields.map((one) => [one.moves.length, one.held.length]), [[1, 0], [0, 1], [0, 0]]);
+  // One variable is one number: a box may not be pulled apart by it.
+  const both = expressed(new Map<string, Json>([['b[0]', 'a'], ['b[1]', 'a']]), {}, [variable], () => 1);
+  assert.equal(meant_values({ b: [1.5, 1.2] }, both, () => ['a', 'a']).held.length, 1);
+  assert.deepEqual(meant_values({ b: [1.5, 1.5] }, both, () => ['a', 'a']).values, { a: 1.5 });
+});
+
 test('crowns stand on the first root, in the frame of their component', () => {
   const tree = { frame: { translate: [10, 0, 0] }, roots: [[1, 0, 0]], crown: { sphere: { centre: [0, 2, 0], radius: 1 } } };
   const groups = of('tree', tree, 'components.tree');
@@ -158,6 +195,14 @@ test('curves of files become few points of the document', () => {
   // The last file takes with it what is of files alone.
   const last = draw_widths('components.leaf', { widths: 'b.csv', rank: 1, unit: 0.01, width: 0.03 }, curves);
   assert.deepEqual(last.slice(1), [{ unset: 'components.leaf.widths' }, { unset: 'components.leaf.rank' }, { unset: 'components.leaf.unit' }]);
+});
+
+test('a shoot is told in words, and the place on it moves from node to node', () => {
+  assert.deepEqual(bearers_of('main.4.2b'), [{ shoot: 'main.4', metamer: 2 }, { shoot: 'main', metamer: 4 }]);
+  assert.deepEqual(bearers_of('main'), []);
+  assert.equal(measures_of(kShoot), 'Order 1, 3 m long, 2 m from its base');
+  assert.deepEqual(place_of(kShoot), [2, 0, 0]);
+  assert.deepEqual([1, -1, 9, -Infinity].map((by) => moved_metamer(kShoot, by)), [3, 1, 3, 0]);
 });
 
 const kShoot = { component: 'pear', shoot: 'main.4', tree: 1, metamer: 2, iteration: 9, metamers: [0, 1, 2, 3], course: [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0] } as unknown as FoundShoot;
@@ -210,9 +255,28 @@ test('a chosen shoot is one of the growth on show, or let go', async () => {
   await answer('main.2', 9);
   assert.equal(choice.found.get()?.iteration, 9);
   grow();
-  await answer('main.3', 10);
+  await answer(null, 10);
   assert.equal(choice.found.get(), null);
   assert.equal(choice.seen.get(), null);
+});
+
+test('a shoot is held by its name, and its place moves while the server is asked', async () => {
+  const { studio, grow, answer } = asked_studio();
+  const choice = new InstanceChoice(studio);
+  const held = choice.hold('tree', null);
+  await answer('main', 8);
+  assert.equal(await held, true);
+  grow();
+  const found = choice.found.get();
+  assert.ok(found);
+  choice.found.set({ ...found, metamer: 5 });
+  await answer('main', 9);
+  await answer('main', 10); // asked again, at the place where it is now
+  assert.equal(choice.found.get()?.iteration, 10);
+  const nobody = choice.hold('tree', null, 'child');
+  await answer(null, 10);
+  assert.equal(await nobody, false);
+  assert.equal(choice.found.get()?.shoot, 'main');
 });
 
 test('an answer for a shoot that was let go meanwhile counts no more', async () => {

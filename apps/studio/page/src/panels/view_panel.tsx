@@ -37,7 +37,7 @@ export function ViewPanel(): ReactElement {
   const look = (azimuth: number, altitude: number) => () => studio.view?.look_from(azimuth, altitude);
   return (
     <div className="view">
-      <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
+      <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits, Enter takes hold of a shoot." />
       <Nothing />
       <ModuleOverlay />
       <PruningOverlay />
@@ -81,6 +81,7 @@ function attach(studio: Studio, canvas: HTMLCanvasElement): void {
     const view = new View(canvas, {
       drawn: (facts) => studio.view_facts.set(facts),
       clicked: (found) => studio.instance.choose(found),
+      entered: () => void studio.bench.pruning.walk.begin(),
       pointed: (at) => studio.pointed.set(at),
       restored: () => studio.connection.tell('all'),
     });

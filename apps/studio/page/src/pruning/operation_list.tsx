@@ -23,7 +23,7 @@ export function OperationList({ component }: { component: string }): ReactElemen
   return (
     <>
       <TrainedList component={component} />
-      {operations.length === 0 && <p className="empty">No operations of its own yet. Click a shoot of {component} in the view to cut, bend, tie or mark it.</p>}
+      {operations.length === 0 && <p className="empty">No operations of its own yet. Click a shoot of {component} in the view, or press Enter there, to cut, bend, tie or mark it.</p>}
       <ol className="plan-list" aria-label={`Operations of ${component}`}>
         {operations.map((operation, index) => (
           <OperationItem key={index} component={component} operation={operation} index={index} count={operations.length} />

@@ -5,7 +5,7 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { Button, Segments } from '../controls/button.tsx';
+import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { path_below, value_at } from '../document/path.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { OperationList } from './operation_list.tsx';
@@ -39,6 +39,7 @@ export function PlanPanel(): ReactElement {
         <Segments label="Order of the plan" value={order} choices={[['list', 'In order'], ['years', 'By year']]} choose={set_order} />
         <span className="stretch" />
         <BeforeButton component={component} />
+        <IconButton icon="stem" label="Take hold of a shoot; keys then go along the tree" press={() => void studio.bench.pruning.walk.begin()} />
       </div>
       {order === 'list' ? <OperationList component={component} /> : <Years component={component} />}
     </section>

@@ -3,7 +3,7 @@
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
-import { member_of, node_at, path_below, value_at } from '../document/path.ts';
+import { member_of, node_at, path_below, steps_of, value_at } from '../document/path.ts';
 import type { FoundShoot, ToldOperations } from '../server/growth_protocol.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
@@ -11,6 +11,7 @@ import { component_groups } from '../tables/tables.ts';
 import type { DeedChoice } from './shoot_cut.ts';
 import { kFirstChoice, label_of, operation_of } from './shoot_cut.ts';
 import { text_with_off } from './operation_text.ts';
+import { ShootWalk } from './shoot_walk.ts';
 
 /// The operation that is looked at, and the year; in all years where it is null.
 export interface LookedAt {
@@ -22,13 +23,17 @@ export class Pruning {
   readonly choice = new Store<DeedChoice>(kFirstChoice);
   readonly looked_at = new Store<LookedAt | null>(null);
   readonly told = new Store<{ component: string; operations: ToldOperations } | null>(null);
+  readonly walk: ShootWalk;
   private readonly newest_ = new Newest();
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly studio_: Studio) {
+    this.walk = new ShootWalk(studio_);
+  }
 
   /// Another document is opened.
   forget(): void {
     this.newest_.drop();
+    this.walk.forget();
     this.looked_at.set(null);
     this.told.set(null);
   }
@@ -42,6 +47,15 @@ export class Pruning {
       const has_list = component_groups(types, String(type)).some(({ rows }) => rows.some((row) => row.name === 'operations' && row.kinds !== undefined));
       return has_list ? [id] : [];
     });
+  }
+
+  /// The component whose operations are listed: the chosen one, that of the operation which is looked at, or the first
+  /// that could have some; null where none could.
+  plan_component(): string | null {
+    const all = this.components();
+    const wanted = [this.studio_.chosen.get(), this.looked_at.get()?.path ?? ''].map((path) => steps_of(path)[1]);
+    const known = wanted.find((one) => typeof one === 'string' && all.includes(one));
+    return typeof known === 'string' ? known : (all[0] ?? null);
   }
 
   /// The list of a component, as it is written.
@@ -67,14 +81,18 @@ export class Pruning {
     this.looked_at.set(now?.path === path && now.iteration === iteration ? null : { path, iteration });
   }
 
+  /// Among how many trees a shoot stands, as far as the document says.
+  trees_beside(shoot: FoundShoot): number {
+    const roots = value_at(this.studio_.document.state.get().tree, path_below(path_below('components', shoot.component), 'roots'));
+    return Math.max(Array.isArray(roots) ? roots.length : 1, shoot.tree + 1);
+  }
+
   /// Does to a shoot what the tool says, as the last operation of the list.
   async act(shoot: FoundShoot): Promise<void> {
     const list = list_path(shoot.component);
     const before = this.operations_of(shoot.component);
-    const roots = value_at(this.studio_.document.state.get().tree, path_below(path_below('components', shoot.component), 'roots'));
-    const trees = Math.max(Array.isArray(roots) ? roots.length : 1, shoot.tree + 1);
     const choice = this.choice.get();
-    const operation: Json = operation_of(shoot, choice, trees);
+    const operation: Json = operation_of(shoot, choice, this.trees_beside(shoot));
     const edit: Edit = value_at(this.studio_.document.state.get().tree, list) === undefined ? { set: list, value: [operation] } : { insert: path_below(list, -1), value: operation };
     const faults = await this.studio_.edit([edit], label_of(shoot, choice), { only_if_good: true });
     if (faults) return this.studio_.tell(faults[0]?.message ?? 'That cannot be done', true);

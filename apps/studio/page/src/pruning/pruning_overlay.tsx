@@ -4,11 +4,13 @@ import type { ReactElement } from 'react';
 import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { places_of_numbers } from '../base/vec.ts';
 import { InstanceChoice } from '../instance_choice.ts';
 import { use_studio } from '../studio_context.ts';
-import { places_of_numbers, ProjectedLine } from '../view/projected_line.tsx';
+import { ProjectedLine } from '../view/projected_line.tsx';
 import { use_plan_component } from './use_plan_component.ts';
 import { kept_metamers, parts_of } from './shoot_cut.ts';
+import { place_of } from './shoot_text.ts';
 
 const kMostDrawn = 400; // places of an operation; more would hide the plant
 
@@ -24,6 +26,8 @@ export function PruningOverlay(): ReactElement | null {
   const { view } = studio;
   const places = looked_at ? (told?.operations.places.slice(0, kMostDrawn) ?? []) : [];
   if (!view || (!shoot && places.length === 0)) return null;
+  const held = shoot && place_of(shoot);
+  const held_at = held && view.eye.project(held);
   const parts = shoot && parts_of(shoot, choice.deed === 'cut' ? kept_metamers(shoot, choice) : Infinity);
   return (
     <svg className="pruning-overlay" aria-hidden="true" data-places={places.length} data-shoot={shoot?.shoot}>
@@ -40,6 +44,7 @@ export function PruningOverlay(): ReactElement | null {
           {parts.goes.length > 3 && <ProjectedLine view={view} places={places_of_numbers(parts.goes)} className="goes" />}
         </>
       )}
+      {held_at && <circle className="held-place" cx={held_at[0].toFixed(1)} cy={held_at[1].toFixed(1)} r="5" />}
     </svg>
   );
 }

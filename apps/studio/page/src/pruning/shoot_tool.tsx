@@ -2,6 +2,7 @@
 // The tool over the view while a shoot is chosen that operations can act on: cut, bend, tie or mark it after the
 // iteration on show.
 import type { KeyboardEvent, ReactElement } from 'react';
+import { useLayoutEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
@@ -12,6 +13,7 @@ import type { FoundShoot } from '../server/growth_protocol.ts';
 import { use_studio } from '../studio_context.ts';
 import type { Deed, DeedChoice } from './shoot_cut.ts';
 import { kept_metamers, why_not } from './shoot_cut.ts';
+import { ShootWalkBar } from './shoot_walk_bar.tsx';
 
 const kDeeds: [Deed, string][] = [
   ['cut', 'Cut'],
@@ -23,34 +25,49 @@ const kDeeds: [Deed, string][] = [
 export function ShootTool(): ReactElement | null {
   const studio = use_studio();
   const shoot = InstanceChoice.shoot_of(use_store(studio.instance.found));
-  const choice = use_store(studio.bench.pruning.choice);
-  if (!shoot) return null;
+  return shoot && <HeldShoot shoot={shoot} />;
+}
+
+function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
+  const studio = use_studio();
   const { pruning } = studio.bench;
+  const choice = use_store(pruning.choice);
+  const root = useRef<HTMLElement>(null);
+  useLayoutEffect(() => {
+    const tool = root.current;
+    // With the tool, the keyboard must not be lost.
+    return () => {
+      if (tool?.contains(document.activeElement)) tool.parentElement?.querySelector('canvas')?.focus();
+    };
+  }, []);
   const close = (): void => {
     studio.instance.forget();
     studio.view?.unmark();
-    document.querySelector<HTMLElement>('.centre .view canvas')?.focus();
   };
   const key = (event: KeyboardEvent): void => {
     if (event.key === 'Escape' && !event.defaultPrevented) close();
   };
   const fault = why_not(shoot, choice);
+  const act = (): void => {
+    if (fault === '') void pruning.act(shoot);
+  };
   return (
-    <section className="shoot-tool" aria-label="The chosen shoot" onKeyDown={key}>
+    <section ref={root} className="shoot-tool" aria-label="The chosen shoot" onKeyDown={key}>
       <header>
         <h3>{shoot.shoot}</h3>
         <span className="quiet">
-          metamer {shoot.metamer} of {shoot.metamers.at(-1) ?? 0}, year {shoot.iteration}
+          {pruning.trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of {shoot.metamers.at(-1) ?? 0}, year {shoot.iteration}
         </span>
         <span className="stretch" />
         <IconButton is_small icon="close" label="Let the shoot go" press={close} />
       </header>
+      <ShootWalkBar shoot={shoot} act={act} />
       <Segments label="What is done to the shoot" value={choice.deed} choices={kDeeds} choose={(deed) => pruning.choice.merge({ deed })} />
       <DeedFields shoot={shoot} choice={choice} change={(part) => pruning.choice.merge(part)} />
       <div className="shoot-act">
         <Segments label="Season of the operation" value={choice.season} choices={[['winter', 'Winter'], ['summer', 'Summer']]} choose={(season) => pruning.choice.merge({ season })} />
         <span className="stretch" />
-        <Button kind="main" is_off={fault !== ''} press={() => void pruning.act(shoot)}>
+        <Button kind="main" is_off={fault !== ''} press={act}>
           {said_of(shoot, choice)}
         </Button>
       </div>

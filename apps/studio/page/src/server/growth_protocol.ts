@@ -3,8 +3,19 @@
 import type { Json } from '../document/json.ts';
 import type { FoundInstance } from './protocol.ts';
 
+/// A shoot by its name, and the metamer at a place on it.
+export interface ShootName {
+  stem: number;
+  tree: number;
+  shoot: string;
+  metamer: number;
+}
+
+/// From one shoot to another along the tree.
+export type ShootWay = 'parent' | 'child' | 'next' | 'previous';
+
 /// A shoot that operations could act on.
-export type FoundShoot = FoundInstance & { shoot: string; tree: number; metamer: number; course: number[]; metamers: number[]; iteration: number };
+export type FoundShoot = FoundInstance & ShootName & { course: number[]; metamers: number[]; iteration: number };
 
 /// Path of an operation, iteration after which it acted, what it did, how often.
 export type OperationAct = [string, number, string, number];

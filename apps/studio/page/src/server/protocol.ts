@@ -93,7 +93,8 @@ export interface FoundInstance {
   position: [number, number, number];
   values: { path: string; value: number }[];
   shoot: string | null; // label of the axis that was pointed at
-  tree?: number; // whose axis it is, among the trees of the component
+  stem?: number; // whose axis it is, among the stems of the component
+  tree?: number; // and among the trees of that stem
   metamer?: number; // at the place that was pointed at, counted from the axis's base
   course?: number[]; // three numbers for each node of the axis, with the one that it springs from
   metamers?: number[]; // number of the metamer that ends at each of these nodes

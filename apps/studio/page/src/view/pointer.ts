@@ -5,6 +5,8 @@ import type { Orbit } from './orbit.ts';
 export interface ViewActions {
   moved(): void;
   fit(): void;
+  /// Enter, while the view has the keyboard.
+  entered(): void;
   /// Pressed and let go at one place, in pixels of the canvas.
   clicked(x: number, y: number): void;
   /// Not moved for a while, with no button pressed; then moved on.
@@ -98,6 +100,7 @@ export function listen(canvas: HTMLCanvasElement, orbit: Orbit, actions: ViewAct
   );
   canvas.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === 'Enter') actions.entered();
     const act = (event.shiftKey ? kShiftKeys : kKeys)[event.key] ?? kKeys[event.key];
     if (!act) return;
     event.preventDefault();

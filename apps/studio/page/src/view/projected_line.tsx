@@ -5,11 +5,6 @@ import type { ReactElement } from 'react';
 import type { Vec } from '../base/vec.ts';
 import type { View } from './view.ts';
 
-/// Three numbers for each place, one after another.
-export function places_of_numbers(numbers: readonly number[]): Vec[] {
-  return Array.from({ length: Math.floor(numbers.length / 3) }, (_, k) => [numbers[3 * k] ?? 0, numbers[3 * k + 1] ?? 0, numbers[3 * k + 2] ?? 0]);
-}
-
 interface ProjectedLineProps {
   view: View;
   places: readonly Vec[];

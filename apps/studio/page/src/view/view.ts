@@ -61,6 +61,7 @@ export class View {
     listen(canvas_, this.orbit, {
       moved: () => this.move(),
       fit: () => this.fit(),
+      entered: () => events_.entered?.(),
       clicked: (x, y) => this.click(x, y),
       rested: (x, y) => this.point(x, y),
       went_on: () => events_.pointed?.(null),

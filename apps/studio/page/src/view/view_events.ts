@@ -14,6 +14,8 @@ export interface ViewEvents {
   restored(): void;
   /// Somebody has clicked at a component, or at none.
   clicked?(found: SeenInstance | null): void;
+  /// Enter, while the view has the keyboard.
+  entered?(): void;
   /// The pointer rests on a component, at pixels of the canvas; null: it has gone on.
   pointed?(at: { component: string; x: number; y: number } | null): void;
 }

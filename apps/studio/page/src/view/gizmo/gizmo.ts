@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grips of what is chosen: found from the document and the tables, in the frame in which it stands.
+// The grips of what is chosen: found from the document and the tables, in the frame in which it stands, at the numbers
+// that its expressions come to.
 import { Newest } from '../../base/newest.ts';
 import { Store } from '../../base/store.ts';
+import type { Json } from '../../document/json.ts';
+import { write_json } from '../../document/json.ts';
 import { path_of, steps_of, value_at } from '../../document/path.ts';
+import type { Variable } from '../../server/protocol.ts';
 import type { Studio } from '../../studio.ts';
 import { groups_at } from '../../tables/resolve.ts';
 import { value_now } from '../../time/values_now.ts';
-import type { GripGroup, Sight } from './grip.ts';
+import type { BoundGroup } from './bound_group.ts';
+import { bound_group } from './bound_group.ts';
+import type { Expressed } from './expressions.ts';
+import { expressed, expressions_in, with_numbers } from './expressions.ts';
+import type { Sight } from './grip.ts';
 import { groups_of_object } from './row_groups.ts';
 import type { Frame3 } from './space_math.ts';
 import { frame_of_rows, kWorld } from './space_math.ts';
@@ -14,15 +22,22 @@ import { frame_of_rows, kWorld } from './space_math.ts';
 export class Gizmo {
   readonly active = new Store<string | null>(null); // key of the group whose grips are shown
   readonly stand = new Store<{ component: string; frame: Frame3 } | null>(null);
+  readonly told = new Store<Readonly<Record<string, number>>>({}); // what expressions come to, by their paths
+  /// What holds the grip that a hand has tried last; of the group with this key.
+  readonly refused = new Store<{ group: string; held: readonly Expressed[] } | null>(null);
   private readonly newest_ = new Newest();
+  private readonly newest_numbers_ = new Newest();
 
   constructor(private readonly studio_: Studio) {}
 
   /// Another document is opened.
   forget(): void {
     this.newest_.drop();
+    this.newest_numbers_.drop();
     this.active.set(null);
     this.stand.set(null);
+    this.refused.set(null);
+    this.told.set({});
   }
 
   /// Shows the grips of a part of what is chosen, as soon as it has some: those whose key begins with the path.
@@ -41,17 +56,53 @@ export class Gizmo {
       .catch(() => undefined);
   }
 
+  /// Asks what the expressions of a component or of the scene come to in what has grown last.
+  ask_numbers(object: string): void {
+    const counts = this.newest_numbers_.begin();
+    const variables = new Set<Json>(this.variables.map((one) => one.name));
+    const unknown = [...this.expressions_of(object)].filter(([, written]) => !variables.has(written));
+    if (unknown.length === 0) return this.told.set({});
+    const expressions = Object.fromEntries(unknown.map(([path, written]) => [path, typeof written === 'string' ? written : write_json(written)]));
+    this.studio_.connection
+      .request<{ numbers: Record<string, number> }>('worked_out', { expressions, ...(object === 'scene' ? {} : { component: steps_of(object)[1] }) })
+      .then(({ numbers }) => {
+        if (counts()) this.told.set(numbers);
+      })
+      .catch(() => undefined);
+  }
+
   /// The groups of what is chosen, with the values under the hand and of keys.
-  groups(sight: Sight): GripGroup[] {
+  groups(sight: Sight): BoundGroup[] {
     const studio = this.studio_;
     const object = object_of(studio.chosen.get());
-    if (object === null) return [];
+    const frame = object === null ? null : this.frame_of(object);
+    if (object === null || !frame) return [];
     const { tree } = studio.document.state.get();
-    const frame = this.frame_of(object);
-    if (!frame) return [];
     const tables = groups_at(studio.tables, tree, object).map((one) => one.table);
-    const value = value_now(studio, object, value_at(tree, object));
-    return groups_of_object(studio.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
+    const all = expressed(this.expressions_of(object), this.told.get(), this.variables, (variable) => this.number_of(variable));
+    const value = with_numbers(this.value_of(object), object, all);
+    const groups = groups_of_object(studio.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
+    return groups.map((group) => bound_group(group, all, (path) => value_at(tree, path)));
+  }
+
+  private get variables(): readonly Variable[] {
+    return this.studio_.document.state.get().variables;
+  }
+
+  private value_of(object: string): Json | undefined {
+    return value_now(this.studio_, object, value_at(this.studio_.document.state.get().tree, object));
+  }
+
+  private expressions_of(object: string): Map<string, Json> {
+    const { tables, document } = this.studio_;
+    const row_tables = groups_at(tables, document.state.get().tree, object).map((one) => one.table);
+    return expressions_in(tables, row_tables, this.value_of(object), object);
+  }
+
+  /// The value of a variable, under the hand or by its keys.
+  private number_of({ name, value }: Variable): number {
+    const held = this.studio_.dragged.get()[name] ?? value_now(this.studio_, path_of(['variables', name]), undefined);
+    return typeof held === 'number' ? held : value;
   }
 
   private frame_of(object: string): Frame3 | null {

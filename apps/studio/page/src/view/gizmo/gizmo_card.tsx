@@ -2,16 +2,21 @@
 // The numbers of the grips that are shown, and the list of all things that have grips.
 import type { ReactElement } from 'react';
 
-import { IconButton } from '../../controls/button.tsx';
-import { NumberField } from '../../controls/number_field.tsx';
+import { use_store } from '../../base/store.ts';
+import { Button, IconButton } from '../../controls/button.tsx';
+import { NumberField, shown_number } from '../../controls/number_field.tsx';
 import { use_snapping } from '../../editors/snapping.ts';
 import { use_studio } from '../../studio_context.ts';
 import { drag_values, set_values } from '../../time/values_now.ts';
-import type { GripField, GripGroup } from './grip.ts';
+import { tidy } from '../../document/arithmetic.ts';
+import type { Binding, BoundGroup } from './bound_group.ts';
+import { step_label } from './bound_group.ts';
+import { said_of_held } from './expressions.ts';
+import type { GripField, Values } from './grip.ts';
 
 interface GizmoCardProps {
-  groups: readonly GripGroup[];
-  shown: GripGroup | null;
+  groups: readonly BoundGroup[];
+  shown: BoundGroup | null;
 }
 
 export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
@@ -39,16 +44,41 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
           ))}
         </div>
       )}
+      {shown && <Refused group={shown} />}
     </section>
   );
 }
 
-function Field({ group, field }: { group: GripGroup; field: GripField }): ReactElement {
+/// Why the grip that a hand has tried last does not move, and what would free it.
+function Refused({ group }: { group: BoundGroup }): ReactElement | null {
   const studio = use_studio();
+  const { refused } = studio.bench.gizmo;
+  const last = use_store(refused);
+  const paths = new Set([...group.grips, ...group.fields].flatMap(({ held }) => held.map((one) => one.path)));
+  const held = last?.group === group.key ? last.held.filter((one) => paths.has(one.path)) : [];
+  if (held.length === 0) return null;
+  const replace = (): void => {
+    void studio.edit(held.map(({ path, value }) => ({ set: path, value: tidy(value) })), 'Replace an expression by its value');
+    refused.set(null);
+  };
   return (
-    <label className="gizmo-field">
+    <div className="gizmo-refused" role="status">
+      <p>{said_of_held(held)}. Grips move numbers and variables alone.</p>
+      <Button press={replace}>Replace by {held.length === 1 ? `its value ${shown_number(held[0]?.value ?? 0)}` : 'their values'}</Button>
+    </div>
+  );
+}
+
+function Field({ group, field }: { group: BoundGroup; field: GripField & Binding }): ReactElement {
+  const studio = use_studio();
+  const give = (one: number, take: (values: Values) => void): void => {
+    studio.bench.gizmo.refused.set(field.held.length > 0 ? { group: group.key, held: field.held } : null);
+    if (field.held.length === 0) take(field.values(one));
+  };
+  return (
+    <label className={`gizmo-field${field.held.length + field.moves.length > 0 ? ' expressed' : ''}`}>
       <span>{field.label}</span>
-      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => drag_values(studio, field.values(one))} commit={(one) => set_values(studio, field.values(one), `Set ${group.label}`)} cancel={() => studio.stop_drag()} />
+      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => give(one, (values) => drag_values(studio, values))} commit={(one) => give(one, (values) => set_values(studio, values, step_label(group, values, field)))} cancel={() => studio.stop_drag()} />
     </label>
   );
 }

@@ -15,6 +15,9 @@ import { ProjectedLine } from '../projected_line.tsx';
 import type { View } from '../view.ts';
 import { GizmoCard } from './gizmo_card.tsx';
 import { GripShape } from './grip_shape.tsx';
+import type { Binding, BoundGroup } from './bound_group.ts';
+import { step_label } from './bound_group.ts';
+import { said_of_held } from './expressions.ts';
 import type { Hold, Grip, GripGroup, Sight, Values } from './grip.ts';
 import { amount_of, amount_of_key } from './grip.ts';
 import { object_of } from './gizmo.ts';
@@ -30,6 +33,7 @@ export function GizmoOverlay(): ReactElement | null {
   use_store(studio.dragged);
   use_store(studio.bench.time.state); // what has keys moves with the time
   use_store(gizmo.stand);
+  use_store(gizmo.told);
   use_store(studio.view_facts); // the camera may have moved
   const { shows_grips } = use_store(studio.view_state);
   const active = use_store(gizmo.active);
@@ -51,15 +55,17 @@ export function GizmoOverlay(): ReactElement | null {
   );
 }
 
-/// Asks anew where the chosen component stands when it has grown.
+/// Asks anew where the chosen component stands, and what expressions come to, when it has grown.
 function use_stand(studio: Studio): void {
   const object = object_of(use_store(studio.chosen));
   const { shown } = use_store(studio.growth);
   const component = object === null || object === 'scene' ? null : String(steps_of(object)[1]);
   useEffect(() => {
     // In a drag the frame stays, so that nothing moves under the hand.
-    if (component !== null && shown && Object.keys(studio.dragged.get()).length === 0) studio.bench.gizmo.ask(component);
-  }, [studio, component, shown]);
+    if (object === null || !shown || Object.keys(studio.dragged.get()).length > 0) return;
+    if (component !== null) studio.bench.gizmo.ask(component);
+    studio.bench.gizmo.ask_numbers(object);
+  }, [studio, object, component, shown]);
 }
 
 function sight_of(view: View): Sight {
@@ -81,7 +87,7 @@ function Dot({ view, group, press }: { view: View; group: GripGroup; press: () =
 
 interface ActiveGroupProps {
   view: View;
-  group: GripGroup;
+  group: BoundGroup;
   sight: Sight;
 }
 
@@ -89,9 +95,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
   const studio = use_studio();
   const { snaps } = use_snapping();
   const root = useRef<SVGGElement>(null);
-  const held = use_held<{ hold: Hold; values: Values | null }>();
+  const held = use_held<{ hold: Hold & { grip: Binding }; values: Values | null }>();
   const chosen = use_held<string>();
-  const label = `Set ${group.label}`;
+  const refuses = (grip: Binding): boolean => {
+    studio.bench.gizmo.refused.set(grip.held.length > 0 ? { group: group.key, held: grip.held } : null);
+    return grip.held.length > 0;
+  };
   const step_of = (grip: Grip, is_fine: boolean): number => {
     const { pixels, degrees } = is_fine ? kFine : kSnap;
     return grip.motion === 'ring' ? degrees : fitting_step(0, pixels * view.eye.metres_per_pixel, 1);
@@ -100,11 +109,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     const box = root.current?.ownerSVGElement?.getBoundingClientRect();
     return view.eye.ray_at(event.clientX - (box?.left ?? 0), event.clientY - (box?.top ?? 0));
   };
-  const down = (event: PointerEvent<SVGGElement>, grip: Grip): void => {
+  const down = (event: PointerEvent<SVGGElement>, grip: Grip & Binding): void => {
     if (event.button !== 0) return;
     event.stopPropagation();
-    event.currentTarget.setPointerCapture(event.pointerId);
     event.currentTarget.focus();
+    if (refuses(grip)) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
     held.set({ hold: { grip, start: ray(event) }, values: null });
   };
   const move = (event: PointerEvent): void => {
@@ -122,20 +132,21 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
   const let_go = (commits: boolean): void => {
     const hand = held.get();
     held.set(null);
-    if (hand?.values && commits) set_values(studio, hand.values, label);
+    if (hand?.values && commits) set_values(studio, hand.values, step_label(group, hand.values, hand.hold.grip));
     else if (hand) studio.stop_drag();
   };
-  const key = (event: KeyboardEvent, grip: Grip): void => {
+  const key = (event: KeyboardEvent, grip: Grip & Binding): void => {
     if (event.key === 'Alt') return event.preventDefault();
     const way = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as const)[event.key];
     const go = { PageUp: -1, PageDown: 1 }[event.key];
     if (event.key === 'Escape' && held.get()) let_go(false);
     else if (event.key === 'Escape') studio.bench.gizmo.active.set(null);
     else if (go !== undefined) focus_grip(root.current, grip.key, go);
-    else if (way) {
+    else if (way && !refuses(grip)) {
       const step = step_of(grip, event.shiftKey) * (event.ctrlKey || event.metaKey ? 10 : 1);
-      set_values(studio, grip.values(amount_of_key(grip, way, sight, step)), label);
-    } else return;
+      const values = grip.values(amount_of_key(grip, way, sight, step));
+      set_values(studio, values, step_label(group, values, grip));
+    } else if (!way) return;
     event.preventDefault();
     event.stopPropagation();
   };
@@ -149,12 +160,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
       {in_order(group.grips).map((grip) => (
         <g
           key={grip.key}
-          className={`gizmo-grip of-${grip.look}${holding === grip.key ? ' held' : ''}`}
+          className={`gizmo-grip of-${grip.look}${holding === grip.key ? ' held' : ''}${grip.held.length > 0 ? ' refuses' : ''}${grip.held.length + grip.moves.length > 0 ? ' expressed' : ''}`}
           data-grip={grip.key}
           data-axis={/[xyz]+$/.exec(grip.key)?.[0]}
           tabIndex={grip.key === first ? 0 : -1}
           role="slider"
-          aria-label={`${group.label}: ${grip.label}`}
+          aria-label={`${group.label}: ${grip.label}${said_of_binding(grip)}`}
           aria-valuenow={grip.now}
           aria-valuetext={grip.said}
           onPointerDown={(event) => down(event, grip)}
@@ -171,8 +182,13 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
   );
 }
 
+function said_of_binding({ held, moves }: Binding): string {
+  if (held.length > 0) return `; ${said_of_held(held)}`;
+  return moves.length > 0 ? `; moves ${moves.join(' and ')}` : '';
+}
+
 /// What is small lies over what is large, so that hands can take hold of it.
-function in_order(grips: readonly Grip[]): Grip[] {
+function in_order<Any extends Grip>(grips: readonly Any[]): Any[] {
   const looks: readonly Grip['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
   return [...grips].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));
 }

@@ -68,7 +68,8 @@ export function turn_grips(spot: Spot, middle: Vec, base: Frame3): Grip[] {
     const about: Vec = [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
     const values = ({ degrees, step }: { degrees: number; step: number }): Values => {
       const axes = pose.axes.map((one) => turned(one, about, degrees)) as [Vec, Vec, Vec];
-      const turns = turns_to(axes.map((one) => unit(one)) as [Vec, Vec, Vec]).map((one) => rounded(one, Math.min(step, 0.01)));
+      // What the turn leaves as it is keeps its digits.
+      const turns = turns_to(axes.map((one) => unit(one)) as [Vec, Vec, Vec]).map((one, k) => (Math.abs(one - (from[k] ?? 0)) < 1e-6 ? (from[k] ?? 0) : rounded(one, Math.min(step, 0.01))));
       const kept = minus(point_in(pose, middle), vector_in({ axes, origin: kStill }, middle));
       const is_moved = kept.some((one, k) => Math.abs(one - (origin[k] ?? 0)) > 1e-9);
       return { [turn.path]: turns as Json, ...(is_moved ? { [shift.path]: kept.map((one) => rounded(one, 1e-4)) as Json } : {}) };

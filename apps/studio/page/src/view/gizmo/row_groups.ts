@@ -4,11 +4,12 @@ import type { Json } from '../../document/json.ts';
 import { is_object } from '../../document/json.ts';
 import { path_below } from '../../document/path.ts';
 import type { ParameterTable, Row, Tables } from '../../tables/tables.ts';
-import { as_object, table_of } from '../../tables/tables.ts';
+import { table_of } from '../../tables/tables.ts';
 import type { GripGroup, Sight } from './grip.ts';
 import type { Frame3, Vec } from './space_math.ts';
 import { framed, point_in, times, turn_of } from './space_math.ts';
 import { box_group } from './box_group.ts';
+import { nested_objects } from './nested_objects.ts';
 import { pose_group } from './pose_group.ts';
 import { place_groups } from './place_group.ts';
 import { points_groups, profile_group } from './points_groups.ts';
@@ -97,37 +98,14 @@ function below_root(spot: Spot): Spot {
 }
 
 function visit_nested(walk: Walk, row: Row, around: Spot, base: Frame3, depth: number): void {
-  const said = around.value[row.name];
-  if (said === undefined || said === null) return;
-  const path = around.path_of(row.name);
   const is_own_frame = depth === 0 && row.name === 'frame';
   const frame = is_own_frame ? base : below_root(around).frame;
   const own = row.name.replaceAll('_', ' ');
   const label = depth === 0 ? own : `${around.title}, ${own}`;
-  const enter = (value: Json, at: string, title: string): void => {
-    const table = nested_table(walk.tables, row, value);
-    if (!table) return;
-    const is_short = !is_object(value);
-    const spot: Spot = {
-      table,
-      value: as_object(table, value),
-      path: at,
-      title,
-      frame,
-      is_given: true,
-      path_of: (name) => (is_short ? at : path_below(at, name)),
-    };
-    visit(walk, spot, frame, depth + 1);
-  };
-  if (row.kind === 'object') enter(said, path, label);
-  if (row.kind === 'list' && Array.isArray(said)) said.forEach((one, k) => enter(one, path_below(path, k), `${singular(label)} ${k + 1}`));
-  if (row.kind === 'map' && is_object(said)) for (const [name, one] of Object.entries(said)) enter(one, path_below(path, name), `${singular(label)} ${name}`);
-}
-
-function nested_table(tables: Tables, row: Row, value: Json): ParameterTable | null {
-  const kind = row.kinds && is_object(value) ? value[row.kinds.key] : undefined;
-  const name = row.kinds ? (typeof kind === 'string' ? row.kinds.tables[kind] : undefined) : row.table;
-  return name === undefined ? null : table_of(tables, name);
+  for (const { table, value, path, step, path_of } of nested_objects(walk.tables, row, around.value[row.name], around.path_of(row.name))) {
+    const title = step === null ? label : `${singular(label)} ${typeof step === 'number' ? step + 1 : step}`;
+    visit(walk, { table, value, path, title, frame, is_given: true, path_of }, frame, depth + 1);
+  }
 }
 
 function singular(label: string): string {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shoots that are chosen one after another along the tree, by keys.
+import { Store } from '../base/store.ts';
+import { InstanceChoice } from '../instance_choice.ts';
+import type { FoundShoot, ShootName, ShootWay } from '../server/growth_protocol.ts';
+import type { Studio } from '../studio.ts';
+import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';
+
+export class ShootWalk {
+  readonly note = new Store(''); // why the last key has led nowhere
+  readonly wants_keyboard = new Store(false); // the tool takes it as soon as it is there
+  private last_: FoundShoot | null = null;
+  private is_asking_ = false;
+
+  constructor(private readonly studio_: Studio) {
+    studio_.instance.found.subscribe(() => {
+      this.note.set('');
+      this.last_ = this.shoot ?? this.last_;
+    });
+  }
+
+  /// Another document is opened.
+  forget(): void {
+    this.last_ = null;
+    this.wants_keyboard.set(false);
+  }
+
+  /// The keyboard goes to the shoot in hand, or to the last one that was, or to what bore that one, or to the first.
+  async begin(): Promise<void> {
+    const { instance, bench } = this.studio_;
+    if (this.shoot) return this.wants_keyboard.set(true);
+    const component = bench.pruning.plan_component();
+    if (component === null) return this.studio_.tell('No component of this document has shoots that can be cut');
+    this.wants_keyboard.set(true);
+    for (const of of this.wishes(component)) {
+      const is_held = await instance.hold(component, of).catch(() => false);
+      if (is_held !== false) return;
+    }
+    this.wants_keyboard.set(false);
+    this.studio_.tell(`No shoot of ${component} has grown that could be cut`);
+  }
+
+  /// To the shoot that bears the one in hand, to one that it bears, or to a neighbour.
+  async go(way: ShootWay): Promise<void> {
+    const { shoot } = this;
+    if (!shoot || this.is_asking_) return;
+    this.is_asking_ = true;
+    const is_held = await this.studio_.instance.hold(shoot.component, shoot, way).catch(() => null);
+    this.is_asking_ = false;
+    if (is_held === false) this.note.set(kNowhere[way](shoot.shoot));
+  }
+
+  /// The place on the shoot moves by metamers, towards its tip or its base.
+  along(by: number): void {
+    const { shoot } = this;
+    if (!shoot) return;
+    const metamer = moved_metamer(shoot, by);
+    this.studio_.bench.pruning.choice.merge({ cut_at: 'here' });
+    this.studio_.instance.found.set({ ...shoot, metamer });
+    if (metamer === shoot.metamer) this.note.set(`This is the ${by > 0 ? 'tip' : 'base'} of ${shoot.shoot}`);
+  }
+
+  private get shoot(): FoundShoot | null {
+    return InstanceChoice.shoot_of(this.studio_.instance.found.get());
+  }
+
+  private wishes(component: string): (ShootName | null)[] {
+    const last = this.last_?.component === component ? this.last_ : null;
+    return last ? [last, ...bearers_of(last.shoot).map((bearer) => ({ ...last, ...bearer })), null] : [null];
+  }
+}

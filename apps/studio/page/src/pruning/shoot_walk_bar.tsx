@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// From shoot to shoot along the tree, and along the shoot in hand, by keys or buttons; what is reached is read out.
+import type { KeyboardEvent, ReactElement } from 'react';
+import { useEffect, useRef } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { IconButton } from '../controls/button.tsx';
+import type { FoundShoot } from '../server/growth_protocol.ts';
+import { use_studio } from '../studio_context.ts';
+import type { Deed } from './shoot_cut.ts';
+import { measures_of } from './shoot_text.ts';
+import type { ShootWalk } from './shoot_walk.ts';
+
+const kWays: Record<string, (walk: ShootWalk) => void> = {
+  ArrowLeft: (walk) => void walk.go('parent'),
+  ArrowRight: (walk) => void walk.go('child'),
+  ArrowUp: (walk) => walk.along(1),
+  ArrowDown: (walk) => walk.along(-1),
+  PageUp: (walk) => void walk.go('previous'),
+  PageDown: (walk) => void walk.go('next'),
+  Home: (walk) => walk.along(-Infinity),
+  End: (walk) => walk.along(Infinity),
+};
+const kDeedKeys: Record<string, Deed> = { c: 'cut', b: 'bend', t: 'tie', m: 'mark' };
+
+interface ShootWalkBarProps {
+  shoot: FoundShoot;
+  act: () => void; // what the tool says
+}
+
+export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
+  const studio = use_studio();
+  const { walk, choice } = studio.bench.pruning;
+  const note = use_store(walk.note);
+  const wants_keyboard = use_store(walk.wants_keyboard);
+  const bar = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (!wants_keyboard) return;
+    bar.current?.focus();
+    walk.wants_keyboard.set(false);
+  }, [walk, wants_keyboard]);
+  const key = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const way = kWays[event.key];
+    const deed = kDeedKeys[event.key];
+    const is_on_bar = event.target === event.currentTarget; // its buttons have an Enter of their own
+    if (way) way(walk);
+    else if (deed) choice.merge({ deed });
+    else if (event.key === 'Enter' && is_on_bar) act();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  const last = shoot.metamers.at(-1) ?? 0;
+  return (
+    <>
+      <div ref={bar} className="shoot-walk" role="application" tabIndex={0} aria-label="Along the tree. Left and Right: to the bearing shoot, to a borne one. Up and Down: along the shoot. Page Up and Page Down: to its neighbours. C, B, T, M: cut, bend, tie, mark. Enter does it." onKeyDown={key}>
+        <span className="quiet">Along the tree</span>
+        <IconButton is_small icon="left" label="To the shoot that bears it" keys="Left" press={() => void walk.go('parent')} />
+        <IconButton is_small icon="right" label="To a shoot that it bears" keys="Right" press={() => void walk.go('child')} />
+        <IconButton is_small icon="up" label="Towards the tip" keys="Up" press={() => walk.along(1)} />
+        <IconButton is_small icon="down" label="Towards the base" keys="Down" press={() => walk.along(-1)} />
+        <IconButton is_small icon="first" label="The neighbour before it" keys="PageUp" press={() => void walk.go('previous')} />
+        <IconButton is_small icon="last" label="The neighbour after it" keys="PageDown" press={() => void walk.go('next')} />
+      </div>
+      <p className="shoot-said quiet" role="status">
+        {note !== '' ? note : (
+          <>
+            <span className="spoken">
+              {shoot.shoot}, {studio.bench.pruning.trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of {last}.{' '}
+            </span>
+            {measures_of(shoot)}
+          </>
+        )}
+      </p>
+    </>
+  );
+}

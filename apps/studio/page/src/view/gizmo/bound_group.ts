@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grips of numbers that are written as expressions: what a hand means for them is said as the document can write it, and
+// grips that an expression holds say so before a hand tries.
+import type { Json } from '../../document/json.ts';
+import type { Expressed, MeantValues } from './expressions.ts';
+import { meant_values } from './expressions.ts';
+import type { Amount, Grip, GripField, GripGroup, Values } from './grip.ts';
+import type { Vec } from './space_math.ts';
+import { dot, minus, times } from './space_math.ts';
+
+/// What expressions do to a grip or a field.
+export interface Binding {
+  held: readonly Expressed[]; // that would have to give another number
+  moves: readonly string[]; // variables that move in the place of their names
+}
+
+export interface BoundGroup extends Omit<GripGroup, 'grips' | 'fields'> {
+  grips: (Grip & Binding)[];
+  fields: (GripField & Binding)[];
+}
+
+const kProbe = 0.1; // metres, and the same share of a field's step or a few degrees
+
+export function bound_group(group: GripGroup, all: readonly Expressed[], written_at: (path: string) => Json | undefined): BoundGroup {
+  const meant = (values: Values): MeantValues => meant_values(values, all, written_at);
+  const binding = (tried: Values[]): Binding => {
+    const found = all.length > 0 ? tried.map(meant) : [];
+    const held = new Map(found.flatMap((one) => one.held).map((one) => [one.path, one]));
+    const moves = new Set(all.flatMap(({ variable }) => (variable && found.some(({ values }) => variable.name in values) ? [variable.name] : [])));
+    return { held: [...held.values()], moves: [...moves] };
+  };
+  return {
+    ...group,
+    grips: group.grips.map((grip) => ({ ...grip, ...binding(probes_of(grip).map(grip.values)), values: (amount) => meant(grip.values(amount)).values })),
+    fields: group.fields.map((field) => ({ ...field, ...binding([-kProbe, kProbe].map((by) => field.values(field.limit(field.value + by)))), values: (value) => meant(field.values(value)).values })),
+  };
+}
+
+/// There and back by a little, so that a limit hides nothing.
+function probes_of({ motion, way }: Grip): Amount[] {
+  const across: Vec = [kProbe, kProbe, kProbe];
+  const by = motion === 'line' ? times(way, kProbe) : motion === 'plane' ? minus(across, times(way, dot(across, way))) : across;
+  return [1, -1].map((sign): Amount => (motion === 'ring' ? { by: [0, 0, 0], degrees: 70 * kProbe * sign, step: 1e-6 } : { by: times(by, sign), degrees: 0, step: 1e-6 }));
+}
+
+/// What a step of the undo list is called: by what is moved, or by the variables where these alone are.
+export function step_label(group: { label: string }, values: Values, { moves }: Binding): string {
+  const names = Object.keys(values);
+  return `Set ${names.length > 0 && names.every((name) => moves.includes(name)) ? names.join(', ').replaceAll('_', ' ') : group.label}`;
+}

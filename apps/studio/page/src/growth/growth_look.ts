@@ -4,6 +4,7 @@
 import { Store } from '../base/store.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
+import type { PacketArrays } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import type { LegendKey } from './layers.ts';
@@ -94,10 +95,11 @@ export class GrowthLook {
   private async fetch(): Promise<void> {
     const { parts, is_open } = this.state.get();
     if (!is_open) return;
-    const { overlays } = await this.studio_.connection.request<{ overlays: OverlayLayers }>('overlays', { parts });
+    if (parts.length === 0) return this.state.merge({ legend: [] });
+    const { overlays, arrays } = await this.studio_.connection.request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts });
     const wanted = this.state.get().parts;
     const shown = overlays.layers.filter((layer) => wanted.includes(layer.part));
-    for (const layer of shown) this.studio_.view?.overlays.put(layer_name(layer.part), view_layer(layer));
+    for (const layer of shown) this.studio_.view?.overlays.put(layer_name(layer.part), view_layer(layer, arrays));
     this.state.merge({ legend: shown.flatMap((layer) => layer.legend) });
   }
 

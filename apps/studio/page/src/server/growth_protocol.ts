@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the server tells of growth: shoots, what operations have done, and what is shown over the plant.
+import type { ArrayPlace } from './packet.ts';
 import type { FoundInstance } from './protocol.ts';
 
 /// A shoot that operations could act on.
@@ -36,10 +37,10 @@ export interface OverlayPart {
   recorded: boolean; // growth must be recorded for it
 }
 
-/// Base 64 of positions (three floats each) and colours (four bytes each).
+/// Positions (three floats each) and colours (four bytes each) in the answer's arrays.
 export interface ToldPlaces {
-  positions: string;
-  colours: string;
+  positions: ArrayPlace;
+  colours: ArrayPlace;
 }
 
 /// One overlay; lines and arrows have two places each.

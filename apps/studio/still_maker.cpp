@@ -26,12 +26,12 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr double kEnoughTriangles = 30'000;  // of one small picture; more are not seen
+constexpr double kEnoughTriangles = 60'000;  // of one small picture; with half as many an old oak is seen through
 constexpr double kLeastShare = 1e-3;         // of a plant's triangles, that is asked for
 constexpr int kSamplesPerPixel = 4;
-constexpr int kTexelsPerPixel = 2;                // along a picture's side, of textures on what is seen as a whole
-constexpr std::size_t kMostLanes = 4;             // of states that grow side by side
-constexpr std::uint64_t kMostKept = 500'000'000;  // bytes of what has grown, that stay between pictures
+constexpr int kTexelsPerPixel = 2;     // along a picture's side, of textures on what is seen as a whole
+constexpr std::size_t kMostLanes = 4;  // of states that grow side by side
+constexpr std::uint64_t kMostStillBytes = 500'000'000;  // bytes of what has grown, that stay between pictures
 
 double triangles_of(const Plant& plant) {
   double triangles = 8 * static_cast<double>(plant.node_count());
@@ -169,7 +169,7 @@ std::vector<StillMaker::State> StillMaker::grow(const StillSource& source, const
     }
     plants.end();
     meshes.end();
-    if (lane.kept_bytes() > kMostKept / count) {
+    if (lane.kept_bytes() > kMostStillBytes / count) {
       lane.plants.clear();
       lane.meshes.clear();
     }
@@ -191,7 +191,7 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
       all.meshes.insert(all.meshes.end(), meshes.begin(), meshes.end());
     }
     if (all.triangle_count() > 0) view = fitted(view, all, aspect);
-    // Of a plant that is seen as a whole, no part is as large as the picture. Seen from near, it may be larger.
+    // No part of a plant that is seen as a whole is larger than the picture; seen from near, parts may be.
     std::vector<std::vector<Material>*> worn;
     for (State& state : states) worn.push_back(&state.grown.meshes.materials);
     textures_.fit(worn, small_texture_size(request), progress);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cloud_value.h"
 
-#include <string_view>
 #include <vector>
 
-#include "base64.h"
 #include "meristem/components/crown_cloud.h"
 
 namespace meristem::studio {
@@ -24,15 +22,13 @@ std::vector<Vec3> some_of(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-Value cloud_value(const LastGrown& last, const std::string& component, Progress& progress) {
+Value cloud_value(const LastGrown& last, const std::string& component, Progress& progress, PacketArrays& arrays) {
   const Document& document = *last.grown.document;
   const auto points =
       crown_cloud(document.graph, document.scene, component, last.grown.time, progress, &last.cache, last.grown.view);
   if (!points) return {};
-  const std::vector<Vec3> told = some_of(*points);
-  static_assert(sizeof(Vec3) == 3 * sizeof(float));
-  const std::string_view bytes(reinterpret_cast<const char*>(told.data()), told.size() * sizeof(Vec3));
-  return Value::Object{{"positions", base64(bytes)}, {"count", static_cast<double>(points->size())}};
+  const Value positions = arrays.add(packed_vectors(some_of(*points)));
+  return Value::Object{{"positions", positions}, {"count", static_cast<double>(points->size())}};
 }
 
 }  // namespace meristem::studio

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "base64.h"
 #include "meristem/base/colour.h"
 #include "meristem/output/overlay/overlay.h"
 #include "meristem/output/packet/short_values.h"
@@ -32,10 +30,8 @@ class PackedPlaces {
       add(line.to, line.colour);
     }
   }
-  Value value() const {
-    const std::string_view floats(reinterpret_cast<const char*>(positions_.data()), positions_.size() * sizeof(float));
-    const std::string_view bytes(reinterpret_cast<const char*>(colours_.data()), colours_.size());
-    return Value::Object{{"positions", base64(floats)}, {"colours", base64(bytes)}};
+  Value value(PacketArrays& arrays) const {
+    return Value::Object{{"positions", arrays.add(positions_)}, {"colours", arrays.add(colours_)}};
   }
 
  private:
@@ -43,7 +39,7 @@ class PackedPlaces {
   std::vector<unsigned char> colours_;
 };
 
-Value layer_value(const OverlayLayer& layer) {
+Value layer_value(const OverlayLayer& layer, PacketArrays& arrays) {
   PackedPlaces points, lines, arrows;
   for (const OverlayPoint& point : layer.points) points.add(point.position, point.colour);
   lines.add(layer.lines);
@@ -56,23 +52,26 @@ Value layer_value(const OverlayLayer& layer) {
     legend.push_back(Value::Object{{"colour", vector_value(key.colour)}, {"text", key.text}});
   }
   return Value::Object{{"part", std::string(overlay_part(layer.part).name)},
-                       {"points", points.value()},
-                       {"lines", lines.value()},
-                       {"arrows", arrows.value()},
+                       {"points", points.value(arrays)},
+                       {"lines", lines.value(arrays)},
+                       {"arrows", arrows.value(arrays)},
                        {"labels", std::move(labels)},
                        {"legend", std::move(legend)}};
 }
 
 }  // namespace
 
-Value overlays_value(const LastGrown& last, const OverlaysRequest& request, const Progress& progress) {
+Value overlays_value(const LastGrown& last, const OverlaysRequest& request, const Progress& progress,
+                     PacketArrays& arrays) {
   std::vector<OverlayPart> parts;
   for (const std::string& name : request.parts) parts.push_back(overlay_part_named(name, "the studio"));
   const GrownWish& grown = last.grown;
   const Box box = last.meshes != nullptr ? last.meshes->bounds() : bounds(grown.plant);
   const OverlaySource source{grown.plant, grown.traces, grown.document->scene, box};
   Value::List layers;
-  for (const OverlayLayer& layer : overlay_layers(source, parts, progress)) layers.push_back(layer_value(layer));
+  for (const OverlayLayer& layer : overlay_layers(source, parts, progress)) {
+    layers.push_back(layer_value(layer, arrays));
+  }
   return Value::Object{{"step", grown.traces.shown_step()}, {"layers", std::move(layers)}};
 }
 

@@ -2,13 +2,20 @@
 #include "still_maker.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base64.h"
+#include "meristem/base/cache.h"
+#include "meristem/base/parallel.h"
 #include "meristem/base/vec.h"
+#include "meristem/document/document.h"
+#include "meristem/document/grow.h"
+#include "meristem/graph/table/read_store.h"
 #include "meristem/graph/texture_parameters.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/picture.h"
@@ -19,9 +26,12 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr double kEnoughTriangles = 30'000;  // of one small picture; more are not seen
+constexpr double kEnoughTriangles = 60'000;  // of one small picture; with half as many an old oak is seen through
 constexpr double kLeastShare = 1e-3;         // of a plant's triangles, that is asked for
 constexpr int kSamplesPerPixel = 4;
+constexpr int kTexelsPerPixel = 2;     // along a picture's side, of textures on what is seen as a whole
+constexpr std::size_t kMostLanes = 4;  // of states that grow side by side
+constexpr std::uint64_t kMostStillBytes = 500'000'000;  // bytes of what has grown, that stay between pictures
 
 double triangles_of(const Plant& plant) {
   double triangles = 8 * static_cast<double>(plant.node_count());
@@ -74,6 +84,12 @@ void lend_pictures(const GrownWish& painted, const Graph& graph, std::vector<Mat
   }
 }
 
+/// A power of two, so that pictures of nearly one size share their textures.
+int small_texture_size(const StillsRequest& request) {
+  const int pixels = kTexelsPerPixel * std::max(request.width, request.height);
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(pixels)));
+}
+
 /// The view from the same side that shows all of a scene.
 View fitted(const View& view, const MeshScene& scene, double aspect) {
   const DVec3 away = DVec3(*view.position) - DVec3(*view.target);
@@ -87,38 +103,83 @@ View fitted(const View& view, const MeshScene& scene, double aspect) {
 
 }  // namespace
 
-/// A document with other values, as it has grown; without a document where it has faults.
+/// A document with other values, as it has grown; without a scene where it has faults.
 struct StillMaker::State {
-  std::optional<Document> document{};
+  std::optional<Scene> scene{};
   GrownDocument grown{};
   Value faults{};
 };
 
-StillMaker::State StillMaker::grow(const StillSource& source, const std::vector<Override>& values,
-                                   const Registry& registry, Progress& progress) {
-  State state;
-  try {
-    state.document = read_document(
-        source.text, source.file, registry,
-        {.overrides = values, .time = source.time, .root = source.root, .store = &store_, .models = source.models});
-    const Document& document = *state.document;
-    state.grown = grow_document(document, progress, {.time = source.time, .up_to = GrownPart::plant, .cache = &cache_});
-    if (source.grown != nullptr) lend_pictures(*source.grown, document.graph, state.grown.plant.materials);
-    state.grown.meshes =
-        mesh_detail(document, state.grown.plant, detail_for(state.grown.plant), progress, &coarse_cache_);
-    state.grown.up_to = GrownPart::meshes;
-    complete_growth(document, state.grown, progress, {.time = source.time, .cache = &cache_});
-  } catch (const InputError& error) {
-    state.document.reset();
-    state.faults = faults_value(error.diagnostics(), {}, "");
+/// States that grow one after another, beside those of other lanes, and what they leave for the next pictures.
+struct StillMaker::Lane {
+  ReadStore store{};
+  GrowthCache plants{};
+  GrowthCache meshes{};
+
+  std::uint64_t kept_bytes() const { return plants.bytes() + meshes.bytes(); }
+
+  State grow(const StillSource& source, const std::vector<Override>& values, const Registry& registry,
+             Progress& progress) {
+    State state;
+    try {
+      const Document document = read_document(
+          source.text, source.file, registry,
+          {.overrides = values, .time = source.time, .root = source.root, .store = &store, .models = source.models});
+      GrownDocument& grown = state.grown;
+      grown = grow_document(document, progress, {.time = source.time, .up_to = GrownPart::plant, .cache = &plants});
+      if (source.grown != nullptr) lend_pictures(*source.grown, document.graph, grown.plant.materials);
+      grown.meshes = mesh_detail(document, grown.plant, detail_for(grown.plant), progress, &meshes);
+      grown.up_to = GrownPart::meshes;
+      complete_growth(document, grown, progress, {.time = source.time, .cache = &plants});
+      grown.plant = {};
+      state.scene = document.scene;
+    } catch (const InputError& error) {
+      state = {};
+      state.faults = faults_value(error.diagnostics(), {}, "");
+    }
+    return state;
   }
-  return state;
+};
+
+StillMaker::StillMaker() = default;
+StillMaker::~StillMaker() = default;
+
+std::uint64_t StillMaker::kept_bytes() const {
+  std::uint64_t sum = 0;
+  for (const std::unique_ptr<Lane>& lane : lanes_) sum += lane->kept_bytes();
+  return sum;
+}
+
+/// Each state has its lane for as long as their numbers stay, so that it finds what it left there.
+std::vector<StillMaker::State> StillMaker::grow(const StillSource& source, const StillsRequest& request,
+                                                const Registry& registry, Progress& progress) {
+  std::vector<State> states(request.states.size());
+  const std::size_t count = std::min({states.size(), static_cast<std::size_t>(thread_count()), kMostLanes});
+  while (lanes_.size() < count) lanes_.push_back(std::make_unique<Lane>());
+  lanes_.resize(count);
+  progress.begin("growing", states.size());
+  parallel_for(count, 1, [&](std::size_t first, std::size_t) {
+    Lane& lane = *lanes_[first];
+    CacheSeries plants(lane.plants);
+    CacheSeries meshes(lane.meshes);
+    for (std::size_t k = first; k < states.size(); k += count) {
+      Progress part(&progress);
+      states[k] = lane.grow(source, request.states[k], registry, part);
+      progress.advance();
+    }
+    plants.end();
+    meshes.end();
+    if (lane.kept_bytes() > kMostStillBytes / count) {
+      lane.plants.clear();
+      lane.meshes.clear();
+    }
+  });
+  return states;
 }
 
 Value StillMaker::make(const StillSource& source, const StillsRequest& request, const Registry& registry,
                        Progress& progress) {
-  std::vector<State> states;
-  for (const std::vector<Override>& values : request.states) states.push_back(grow(source, values, registry, progress));
+  std::vector<State> states = grow(source, request, registry, progress);
 
   // One camera for all, as far back as shows each of them.
   const double aspect = static_cast<double>(request.width) / request.height;
@@ -127,23 +188,32 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
     MeshScene all;
     for (const State& state : states) {
       const std::vector<MeshInstances>& meshes = state.grown.meshes.meshes;
-      if (state.document) all.meshes.insert(all.meshes.end(), meshes.begin(), meshes.end());
+      all.meshes.insert(all.meshes.end(), meshes.begin(), meshes.end());
     }
     if (all.triangle_count() > 0) view = fitted(view, all, aspect);
+    // No part of a plant that is seen as a whole is larger than the picture; seen from near, parts may be.
+    std::vector<std::vector<Material>*> worn;
+    for (State& state : states) worn.push_back(&state.grown.meshes.materials);
+    textures_.fit(worn, small_texture_size(request), progress);
   }
 
+  // Draw them side by side.
   const PictureOptions picture{
       .still = {.width = request.width, .height = request.height, .samples = kSamplesPerPixel, .transparent = true},
       .view = view};
-  Value::List made;
-  for (const State& state : states) {
-    if (!state.document) {
-      made.push_back(Value::Object{{"faults", state.faults}});
-      continue;
+  Value::List made(states.size());
+  progress.begin("drawing", states.size());
+  parallel_for(states.size(), 1, [&](std::size_t k, std::size_t) {
+    const State& state = states[k];
+    if (state.scene) {
+      Progress part(&progress);
+      const Image image = take_picture(state.grown, *state.scene, picture, part);
+      made[k] = Value::Object{{"picture", base64(encode_png(image, PixelKind::srgb, PngPacking::quick))}};
+    } else {
+      made[k] = Value::Object{{"faults", state.faults}};
     }
-    const Image image = take_picture(state.grown, state.document->scene, picture, progress);
-    made.push_back(Value::Object{{"picture", base64(encode_png(image, PixelKind::srgb, PngPacking::quick))}});
-  }
+    progress.advance();
+  });
   return made;
 }
 

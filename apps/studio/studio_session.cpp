@@ -77,6 +77,22 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
   return write_json_line(refusal);
 }
 
+/// The member of an answer that goes as a packet, with its arrays.
+struct PackedMember {
+  Value::Member member;
+  PacketArrays arrays;
+};
+
+void send_done(Outbox& outbox, Value::Object done, Value::Member member) {
+  done.push_back(std::move(member));
+  outbox.send_text(write_json_line(done));
+}
+
+void send_done(Outbox& outbox, Value::Object done, PackedMember packed) {
+  done.push_back(std::move(packed.member));
+  outbox.send_packet(packet_bytes("MSA1", done, packed.arrays));
+}
+
 /// Answers a request with what `work` gives, or why it gives nothing. Work of many parts, a film or a sweep, takes the
 /// news; other work takes their progress.
 template <class Work>
@@ -90,11 +106,10 @@ void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& job
   try {
     Value::Object done{{"is", "done"}, {"re", id}};
     if constexpr (kHasParts) {
-      done.push_back(work(host, news));
+      send_done(*outbox, std::move(done), work(host, news));
     } else {
-      done.push_back(work(host, news.progress()));
+      send_done(*outbox, std::move(done), work(host, news.progress()));
     }
-    outbox->send_text(write_json_line(done));
   } catch (const Cancelled&) {
     const std::optional<Refusal> limit = watch.reached();
     outbox->send_text(limit ? refused_text(id, limit->what(), limit->members())
@@ -479,7 +494,7 @@ template <class Question>
 void StudioSession::ask_grown(double id, Question question) {
   grower_->ask(
       [&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), question](const LastGrown* last) {
-        const auto work = [&](Host&, Progress& progress) -> Value::Member {
+        const auto work = [&](Host&, Progress& progress) {
           if (last == nullptr) throw Refusal("nothing has grown yet");
           return question(*last, progress);
         };
@@ -523,8 +538,10 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const CurvesR
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const CloudRequest& request) {
-  ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) -> Value::Member {
-    return {"cloud", cloud_value(last, component, progress)};
+  ask_grown(id, [component = request.component](const LastGrown& last, Progress& progress) {
+    PackedMember packed;
+    packed.member = {"cloud", cloud_value(last, component, progress, packed.arrays)};
+    return packed;
   });
   return std::nullopt;
 }
@@ -544,8 +561,10 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ClocksR
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const OverlaysRequest& request) {
-  ask_grown(id, [request](const LastGrown& last, Progress& progress) -> Value::Member {
-    return {"overlays", overlays_value(last, request, progress)};
+  ask_grown(id, [request](const LastGrown& last, Progress& progress) {
+    PackedMember packed;
+    packed.member = {"overlays", overlays_value(last, request, progress, packed.arrays)};
+    return packed;
   });
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -43,7 +44,12 @@ class Mailbox : public Outbox {
   }
   void send_packet(std::string packet) override {
     const std::lock_guard lock(mutex_);
-    packets_.push_back(std::move(packet));
+    if (packet.starts_with("MSA1")) {
+      texts_.push_back(ReadPacket(packet, "MSA1").head);
+      packed_answers_[*texts_.back().find("re")->number()] = std::move(packet);
+    } else {
+      packets_.push_back(std::move(packet));
+    }
     news_.notify_all();
   }
 
@@ -66,6 +72,11 @@ class Mailbox : public Outbox {
              *message.find("is")->text() != "working";
     });
   }
+  /// The packet that an answer came as.
+  std::string packed_answer(double id) {
+    const std::lock_guard lock(mutex_);
+    return packed_answers_.at(id);
+  }
   std::string packet(std::size_t k) {
     std::unique_lock lock(mutex_);
     while (k >= packets_.size()) {
@@ -84,6 +95,7 @@ class Mailbox : public Outbox {
   std::condition_variable news_;
   std::vector<Value> texts_;
   std::vector<std::string> packets_;
+  std::map<double, std::string> packed_answers_;  // by the request
 };
 
 /// A studio with one page, which takes over packets as the page does.

@@ -6,6 +6,7 @@
 #include "meristem/base/image.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/table/value.h"
+#include "meristem/output/write/png.h"
 
 namespace meristem::studio {
 
@@ -15,7 +16,8 @@ namespace meristem::studio {
 Value thumbnail(const std::string& file, int size, const std::string& document, const std::string& root,
                 const Limits& limits);
 
-/// The picture in fewer pixels, each the mean of those that it stands for; as it is where it is small enough.
-Image shrunk(const Image& image, int size);
+/// The picture with at most `size` pixels along its longer side, each the mean of those that it stands for: of colours
+/// that of their light, of `numbers` as they are. A picture that is small enough stays as it is.
+Image shrunk(const Image& image, int size, PixelKind kind);
 
 }  // namespace meristem::studio

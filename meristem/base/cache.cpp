@@ -11,10 +11,32 @@ std::uint64_t Cache::bytes() const {
   return sum;
 }
 
+void Cache::end_run(Shelf& shelf) {
+  const std::uint64_t run = shelf.run;
+  std::erase_if(shelf.entries, [run](const auto& entry) { return entry.second.run != run; });
+  for (auto& [key, entry] : shelf.entries) entry.is_settled = true;
+}
+
+CacheSeries::CacheSeries(Cache& cache) : cache_(cache) {
+  ++cache_.series_;
+  cache_.is_in_series_ = true;
+}
+
+void CacheSeries::end() {
+  for (auto& [type, shelf] : cache_.shelves_) {
+    if (shelf.series == cache_.series_) Cache::end_run(shelf);
+  }
+  cache_.is_in_series_ = false;
+}
+
 CacheRun::CacheRun(Cache* cache, std::initializer_list<std::type_index> types) : cache_(cache), types_(types) {
   if (cache_ == nullptr) return;
   for (const std::type_index type : types_) {
     Cache::Shelf& shelf = cache_->shelves_[type];
+    if (cache_->is_in_series_ && std::exchange(shelf.series, cache_->series_) == cache_->series_) {
+      shelf.reuse = {};  // it goes on with the run before
+      continue;
+    }
     const std::uint64_t last = shelf.run;
     std::erase_if(shelf.entries,
                   [last](const auto& entry) { return !entry.second.is_settled && entry.second.run != last; });
@@ -24,13 +46,8 @@ CacheRun::CacheRun(Cache* cache, std::initializer_list<std::type_index> types) :
 }
 
 void CacheRun::end() {
-  if (cache_ == nullptr) return;
-  for (const std::type_index type : types_) {
-    Cache::Shelf& shelf = cache_->shelves_[type];
-    const std::uint64_t run = shelf.run;
-    std::erase_if(shelf.entries, [run](const auto& entry) { return entry.second.run != run; });
-    for (auto& [key, entry] : shelf.entries) entry.is_settled = true;
-  }
+  if (cache_ == nullptr || cache_->is_in_series_) return;
+  for (const std::type_index type : types_) Cache::end_run(cache_->shelves_[type]);
 }
 
 Cache::Entry* CacheRun::find_entry(std::type_index type, CacheKey key) {

@@ -43,6 +43,7 @@ class Cache {
 
  private:
   friend class CacheRun;
+  friend class CacheSeries;
 
   struct Entry {
     std::shared_ptr<const void> result;
@@ -54,10 +55,15 @@ class Cache {
   struct Shelf {
     std::unordered_map<std::uint64_t, Entry> entries;
     std::uint64_t run = 0;
+    std::uint64_t series = 0;  // that the last run was of
     Reuse reuse;
   };
 
+  static void end_run(Shelf& shelf);
+
   std::unordered_map<std::type_index, Shelf> shelves_;
+  std::uint64_t series_ = 0;  // the last that has begun
+  bool is_in_series_ = false;
 };
 
 /// One run that finds results of some types in a cache, and stores them there. Without a cache it finds none, and
@@ -105,6 +111,24 @@ class CacheRun {
 
   Cache* cache_;
   std::vector<std::type_index> types_;
+};
+
+/// Runs that count as one, such as those of one computation with several values of a parameter: from its beginning to
+/// end() the cache keeps what any of its runs has used, so that the next series finds the results for every value.
+/// `cache` must outlive it; one series at a time.
+class CacheSeries {
+ public:
+  explicit CacheSeries(Cache& cache);
+  ~CacheSeries() { cache_.is_in_series_ = false; }
+  CacheSeries(const CacheSeries&) = delete;
+  CacheSeries& operator=(const CacheSeries&) = delete;
+
+  /// Ends the series and removes the results that none of its runs has used. Not called if the series fails; what its
+  /// runs have made stays until the next run or series has begun.
+  void end();
+
+ private:
+  Cache& cache_;
 };
 
 }  // namespace meristem

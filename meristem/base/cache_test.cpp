@@ -76,6 +76,45 @@ TEST(Cache, ARunThatFailsLeavesWhatWasThereAndWhatItMadeUntilTheNextHasEnded) {
   EXPECT_EQ(cache.bytes(), 2U);
 }
 
+TEST(Cache, HoldsWhatAnyRunOfASeriesUsed) {
+  Cache cache;
+  const auto before = use(cache, 6);
+  std::shared_ptr<const Words> first, second;
+  {
+    CacheSeries series(cache);
+    first = use(cache, 7);
+    second = use(cache, 8);
+    EXPECT_EQ(cache.bytes(), 3U) << "what there was stays until its end";
+    series.end();
+  }
+  EXPECT_EQ(cache.bytes(), 2U);
+  {
+    CacheSeries series(cache);
+    EXPECT_EQ(use(cache, 7), first);
+    EXPECT_EQ(use(cache, 8), second);
+    EXPECT_EQ(cache.reuse<Words>().reused, 1U) << "of the last run";
+    series.end();
+  }
+  EXPECT_EQ(use(cache, 8), second);
+  EXPECT_EQ(cache.bytes(), 1U) << "a run by itself is a series of one";
+}
+
+TEST(Cache, ASeriesThatFailsLeavesWhatItMadeUntilTheNextHasEnded) {
+  Cache cache;
+  const auto before = use(cache, 6);
+  {
+    const CacheSeries failed(cache);
+    use(cache, 7);
+    use(cache, 8);
+  }
+  EXPECT_EQ(cache.bytes(), 3U);
+  CacheSeries next(cache);
+  use(cache, 8);
+  EXPECT_EQ(cache.bytes(), 3U);
+  next.end();
+  EXPECT_EQ(cache.bytes(), 1U);
+}
+
 TEST(Cache, WhatRunsThatFailMakeDoesNotPileUp) {
   Cache cache;
   use(cache, 7);

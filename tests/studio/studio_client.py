@@ -158,9 +158,12 @@ class Page:
                 self.news.append(message)
                 return message
             if opcode == 2:
-                assert payload[:4] == b"MSP1"
+                assert payload[:4] in (b"MSP1", b"MSA1")
                 size = struct.unpack("<I", payload[4:8])[0]
                 head = json.loads(payload[8 : 8 + size])
+                if payload[:4] == b"MSA1":
+                    self.news.append(head)
+                    return head
                 self.packets.append((head, len(payload)))
                 self.send("shown", packet=head["packet"])
                 return None

@@ -2,6 +2,7 @@
 // What a viewer shows after scene packets, taken over as apps/studio/protocol.md says; broken promises fail the test.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -21,9 +22,9 @@ struct ReadPacket {
   Value head;
   std::string_view arrays;
 
-  explicit ReadPacket(std::string_view packet) {
+  explicit ReadPacket(std::string_view packet, std::string_view letters = "MSP1") {
     EXPECT_GE(packet.size(), 8U);
-    EXPECT_EQ(packet.substr(0, 4), "MSP1");
+    EXPECT_EQ(packet.substr(0, 4), letters);
     std::uint32_t size = 0;
     std::memcpy(&size, packet.data() + 4, 4);
     EXPECT_EQ(size % 4, 0U);
@@ -34,6 +35,14 @@ struct ReadPacket {
 
   double number(std::string_view name) const { return *head.find(name)->number(); }
   bool flag(std::string_view name) const { return *head.find(name)->boolean(); }
+  /// The bytes of an array of the head, whose numbers have `width` bytes each.
+  std::string_view bytes(const Value& place, std::size_t width) const {
+    const auto at = static_cast<std::size_t>(*(*place.list())[0].number());
+    const std::size_t size = static_cast<std::size_t>(*(*place.list())[1].number()) * width;
+    EXPECT_EQ(at % 4, 0U);
+    EXPECT_LE(at + size, arrays.size());
+    return arrays.substr(std::min(at, arrays.size()), size);
+  }
   /// Elements of a list of the head; 0 where it has none.
   std::size_t count(std::string_view list) const {
     const Value* found = head.find(list);
@@ -95,12 +104,7 @@ class ShownScene {
         content += write_json_line(value);
         continue;
       }
-      const auto at = static_cast<std::size_t>(*(*value.list())[0].number());
-      const auto size =
-          static_cast<std::size_t>(*(*value.list())[1].number()) * static_cast<std::size_t>(width->second);
-      EXPECT_EQ(at % 4, 0U);
-      ASSERT_LE(at + size, read.arrays.size());
-      content += read.arrays.substr(at, size);
+      content += read.bytes(value, static_cast<std::size_t>(width->second));
     }
     EXPECT_TRUE(to.emplace(*part.find("key")->text(), content).second) << "was there already";
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meristem/document/json.h"
+
 namespace meristem {
 
 namespace {
@@ -19,6 +21,19 @@ Value PacketArrays::add_bytes(const void* data, std::size_t size, std::size_t co
   if (size > 0) bytes_.append(static_cast<const char*>(data), size);
   bytes_.append((4 - size % 4) % 4, '\0');
   return Value::List{static_cast<double>(at), static_cast<double>(count)};
+}
+
+std::string packet_bytes(std::string_view letters, const Value& head, const PacketArrays& arrays) {
+  const std::string text = write_json_line(head);
+  const std::size_t padding = (4 - text.size() % 4) % 4;
+  const auto size = static_cast<std::uint32_t>(text.size() + padding);
+  std::string packet(letters);
+  packet.reserve(8 + size + arrays.bytes().size());
+  for (int shift = 0; shift < 32; shift += 8) packet.push_back(static_cast<char>(size >> shift & 0xffU));
+  packet += text;
+  packet.append(padding, ' ');
+  packet += arrays.bytes();
+  return packet;
 }
 
 std::vector<float> packed_vectors(const std::vector<Vec3>& vectors) {

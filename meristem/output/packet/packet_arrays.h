@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arrays of a scene packet: numbers as small as a picture on a screen lets them be.
+// The arrays of a packet: numbers as small as a picture on a screen lets them be.
 #pragma once
 
 #include <array>
@@ -30,6 +30,10 @@ class PacketArrays {
 
   std::string bytes_;
 };
+
+/// A packet, little-endian: four letters that say what it is, u32 the bytes of the head (a multiple of 4), the head as
+/// JSON in UTF-8, filled up with blanks, and behind it the arrays, which so begin at multiples of 4 bytes.
+std::string packet_bytes(std::string_view letters, const Value& head, const PacketArrays& arrays);
 
 /// Three floats a vector.
 std::vector<float> packed_vectors(const std::vector<Vec3>& vectors);

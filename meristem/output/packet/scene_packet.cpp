@@ -147,16 +147,7 @@ class PacketMaker::Builder {
   }
 
   std::string packet(std::uint64_t number, const PacketFacts& facts) {
-    const std::string head = write_json_line(this->head(number, facts));
-    const std::size_t padding = (4 - head.size() % 4) % 4;
-    const auto size = static_cast<std::uint32_t>(head.size() + padding);
-    std::string packet = "MSP1";
-    packet.reserve(8 + size + arrays_.bytes().size());
-    for (int shift = 0; shift < 32; shift += 8) packet.push_back(static_cast<char>(size >> shift & 0xffU));
-    packet += head;
-    packet.append(padding, ' ');
-    packet += arrays_.bytes();
-    return packet;
+    return packet_bytes("MSP1", head(number, facts), arrays_);
   }
 
   /// Has the viewer keep what it will need again.

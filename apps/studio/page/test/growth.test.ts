@@ -2,22 +2,40 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { unpacked, view_layer } from '../src/growth/layers.ts';
+import { view_layer } from '../src/growth/layers.ts';
+import type { ArrayPlace, PacketArrays } from '../src/server/packet.ts';
 import { arrow_lines } from '../src/view/overlays.ts';
 
-const base64 = (bytes: Uint8Array): string => Buffer.from(bytes).toString('base64');
-const floats = (...numbers: number[]): string => base64(new Uint8Array(new Float32Array(numbers).buffer));
-const nothing = { positions: '', colours: '' };
+/// Arrays one after another, and their places.
+function packed(...numbers: (Float32Array | Uint8Array)[]): { arrays: PacketArrays; places: ArrayPlace[] } {
+  const places: ArrayPlace[] = [];
+  let size = 0;
+  for (const one of numbers) {
+    places.push([size, one.length]);
+    size += 4 * Math.ceil(one.byteLength / 4);
+  }
+  const first = 12;
+  const buffer = new ArrayBuffer(first + size);
+  numbers.forEach((one, k) => new Uint8Array(buffer).set(new Uint8Array(one.buffer), first + (places[k]?.[0] ?? 0)));
+  return { arrays: { buffer, first }, places };
+}
 
-test('places come from base 64 as they were', () => {
-  const { positions, colours } = unpacked({ positions: floats(1, -2.5, 3), colours: base64(new Uint8Array([10, 20, 30, 255])) });
-  assert.deepEqual([...positions], [1, -2.5, 3]);
-  assert.deepEqual([...colours], [10, 20, 30, 255]);
+const kNone: ArrayPlace = [0, 0];
+const nothing = { positions: kNone, colours: kNone };
+
+test('places come from the arrays as they were', () => {
+  const { arrays, places } = packed(new Float32Array([1, -2.5, 3]), new Uint8Array([10, 20, 30, 255]));
+  const points = { positions: places[0] ?? kNone, colours: places[1] ?? kNone };
+  const layer = view_layer({ part: 'points', points, lines: nothing, arrows: nothing, labels: [], legend: [] }, arrays);
+  assert.deepEqual([...(layer.points?.positions ?? [])], [1, -2.5, 3]);
+  assert.deepEqual([...(layer.points?.colours ?? [])], [10, 20, 30, 255]);
+  assert.equal(layer.points?.positions.buffer, arrays.buffer, 'they are not copied');
 });
 
 test('arrows have an end each and the colour of their beginning', () => {
-  const arrows = { positions: floats(0, 0, 0, 0, 1, 0), colours: base64(new Uint8Array([1, 2, 3, 255, 4, 5, 6, 255])) };
-  const layer = view_layer({ part: 'ways', points: nothing, lines: nothing, arrows, labels: [], legend: [] });
+  const { arrays, places } = packed(new Float32Array([0, 0, 0, 0, 1, 0]), new Uint8Array([1, 2, 3, 255, 4, 5, 6, 255]));
+  const arrow = { positions: places[0] ?? kNone, colours: places[1] ?? kNone };
+  const layer = view_layer({ part: 'ways', points: nothing, lines: nothing, arrows: arrow, labels: [], legend: [] }, arrays);
   assert.deepEqual(layer.arrows, [{ from: [0, 0, 0], to: [0, 1, 0], colour: [1, 2, 3] }]);
   assert.equal(layer.points?.positions.length, 0);
 });

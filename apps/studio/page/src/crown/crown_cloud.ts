@@ -6,7 +6,8 @@ import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import type { Point } from '../editors/shape.ts';
-import { floats_of } from '../growth/layers.ts';
+import type { ArrayPlace, PacketArrays } from '../server/packet.ts';
+import { floats } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 
@@ -36,9 +37,9 @@ export class CrownCloud {
     this.asked_ = { component, grown };
     const counts = this.newest_.begin();
     this.studio_.connection
-      .request<{ cloud: { positions: string; count: number } | null }>('cloud', { component })
-      .then(({ cloud }) => {
-        if (counts()) this.told.set(cloud && { component, positions: floats_of(cloud.positions), count: cloud.count });
+      .request<{ cloud: { positions: ArrayPlace; count: number } | null; arrays: PacketArrays }>('cloud', { component })
+      .then(({ cloud, arrays }) => {
+        if (counts()) this.told.set(cloud && { component, positions: floats(arrays, cloud.positions), count: cloud.count });
       })
       .catch(() => undefined);
   }

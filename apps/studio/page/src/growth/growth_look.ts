@@ -4,6 +4,7 @@
 import { Store } from '../base/store.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
+import type { PacketArrays } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
@@ -107,14 +108,15 @@ export class GrowthLook {
   private async fetch(): Promise<void> {
     const { parts, is_open } = this.state.get();
     if (!is_open) return;
-    const answer = await this.studio_.connection.request<{ overlays: OverlayLayers }>('overlays', { parts }).catch((fault: unknown) => {
+    if (parts.length === 0) return this.state.merge({ legend: [] });
+    const answer = await this.studio_.connection.request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts }).catch((fault: unknown) => {
       if (fault instanceof Refusal) this.studio_.tell(fault.message, true, 'overlays');
     });
     if (!answer) return;
-    const { overlays } = answer;
+    const { overlays, arrays } = answer;
     const wanted = this.state.get().parts;
     const shown = overlays.layers.filter((layer) => wanted.includes(layer.part));
-    for (const layer of shown) this.studio_.view?.overlays.put(layer_name(layer.part), view_layer(layer));
+    for (const layer of shown) this.studio_.view?.overlays.put(layer_name(layer.part), view_layer(layer, arrays));
     this.state.merge({ legend: shown.flatMap((layer) => layer.legend) });
   }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one WebSocket: requests with their answers, news, scene packets; connects again where it was lost.
+import type { PacketArrays } from './packet.ts';
+import { is_answer, read_packed } from './packet.ts';
 import type { News } from './protocol.ts';
 import { Refusal } from './protocol.ts';
 
-type Answer = { is: string; re?: number; message?: string; limit?: string };
+type Answer = { is: string; re?: number; message?: string; limit?: string; arrays?: PacketArrays };
 type Waiting = { resolve: (answer: never) => void; reject: (fault: Error) => void };
 
 export interface Listener {
@@ -99,6 +101,10 @@ export class Connection {
 
   private receive(data: string | ArrayBuffer): void {
     if (typeof data !== 'string') {
+      if (is_answer(data)) {
+        const { head, ...arrays } = read_packed<Answer>(data);
+        return this.settle({ ...head, arrays });
+      }
       this.counts.packets += 1;
       this.counts.packet_bytes += data.byteLength;
       this.counts.last_packet_bytes = data.byteLength;
@@ -111,8 +117,12 @@ export class Connection {
       this.listener_.on_news(message as unknown as News);
       return;
     }
-    const waiting = this.waiting_.get(message.re);
-    this.waiting_.delete(message.re);
+    this.settle(message);
+  }
+
+  private settle(message: Answer): void {
+    const waiting = this.waiting_.get(message.re ?? 0);
+    this.waiting_.delete(message.re ?? 0);
     if (message.is === 'done') waiting?.resolve(message as never);
     else waiting?.reject(new Refusal(message.message ?? 'refused', message as Refusal['facts']));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the server tells of growth: shoots, what operations have done, and what is shown over the plant.
 import type { Json } from '../document/json.ts';
+import type { ArrayPlace } from './packet.ts';
 import type { FoundInstance } from './protocol.ts';
 
 /// A shoot by its name, and the metamer at a place on it.
@@ -49,10 +50,10 @@ export interface OverlayPart {
   recorded: boolean; // growth must be recorded for it
 }
 
-/// Base 64 of positions (three floats each) and colours (four bytes each).
+/// Positions (three floats each) and colours (four bytes each) in the answer's arrays.
 export interface ToldPlaces {
-  positions: string;
-  colours: string;
+  positions: ArrayPlace;
+  colours: ArrayPlace;
 }
 
 /// One overlay; lines and arrows have two places each.

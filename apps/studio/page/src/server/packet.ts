@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene packets: a head in JSON, and arrays that are used where they lie.
+// Packets: a head in JSON, and arrays that are used where they lie. A scene packet shows what has grown; an answer that
+// holds arrays comes as a packet, too.
 import type { Vec } from '../base/vec.ts';
 
 /// First byte, counted from the first array, and how many numbers.
@@ -98,25 +99,39 @@ export interface PacketHead {
   };
 }
 
-export interface Packet {
-  head: PacketHead;
+/// Where arrays lie.
+export interface PacketArrays {
   buffer: ArrayBuffer;
   first: number; // byte of the first array
 }
 
-const kMagic = 0x3150534d; // MSP1
-const kDecoder = new TextDecoder();
-
-/// Throws where the bytes are no packet.
-export function read_packet(buffer: ArrayBuffer): Packet {
-  const view = new DataView(buffer);
-  if (buffer.byteLength < 8 || view.getUint32(0, true) !== kMagic) throw new Error('these bytes are no scene packet');
-  const length = view.getUint32(4, true);
-  return { head: JSON.parse(kDecoder.decode(new Uint8Array(buffer, 8, length))) as PacketHead, buffer, first: 8 + length };
+export interface Packet extends PacketArrays {
+  head: PacketHead;
 }
 
-export const floats = (packet: Packet, [at, count]: ArrayPlace) => new Float32Array(packet.buffer, packet.first + at, count);
-export const signed_bytes = (packet: Packet, [at, count]: ArrayPlace) => new Int8Array(packet.buffer, packet.first + at, count);
-export const bytes = (packet: Packet, [at, count]: ArrayPlace) => new Uint8Array(packet.buffer, packet.first + at, count);
-export const shorts = (packet: Packet, [at, count]: ArrayPlace) => new Uint16Array(packet.buffer, packet.first + at, count);
-export const words = (packet: Packet, [at, count]: ArrayPlace) => new Uint32Array(packet.buffer, packet.first + at, count);
+const kScene = 0x3150534d; // MSP1
+const kAnswer = 0x3141534d; // MSA1
+const kDecoder = new TextDecoder();
+
+const letters_of = (buffer: ArrayBuffer): number => (buffer.byteLength < 8 ? 0 : new DataView(buffer).getUint32(0, true));
+
+/// Whether the bytes are the answer to a request.
+export const is_answer = (buffer: ArrayBuffer): boolean => letters_of(buffer) === kAnswer;
+
+/// Throws where the bytes are no scene packet.
+export function read_packet(buffer: ArrayBuffer): Packet {
+  if (letters_of(buffer) !== kScene) throw new Error('these bytes are no scene packet');
+  return read_packed<PacketHead>(buffer);
+}
+
+/// A packet of any kind.
+export function read_packed<Head>(buffer: ArrayBuffer): PacketArrays & { head: Head } {
+  const length = new DataView(buffer).getUint32(4, true);
+  return { head: JSON.parse(kDecoder.decode(new Uint8Array(buffer, 8, length))) as Head, buffer, first: 8 + length };
+}
+
+export const floats = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Float32Array(arrays.buffer, arrays.first + at, count);
+export const signed_bytes = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Int8Array(arrays.buffer, arrays.first + at, count);
+export const bytes = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Uint8Array(arrays.buffer, arrays.first + at, count);
+export const shorts = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Uint16Array(arrays.buffer, arrays.first + at, count);
+export const words = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Uint32Array(arrays.buffer, arrays.first + at, count);

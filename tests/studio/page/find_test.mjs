@@ -186,8 +186,17 @@ test('two states are pinned beside the present one and seen from its side; one i
   await step(page, () => page.locator('.pinned[data-pin=A]').getByRole('button', { name: 'Take' }).click());
   assert.equal(await text_of(page), kSmall);
   assert.equal(await undo_count(page), 2);
+  await page.evaluate(() => {
+    window.pinned_contexts = [...document.querySelectorAll('.pinned canvas')].map((one) => new WeakRef(one.getContext('webgl2')));
+  });
   for (const name of ['A', 'B']) await page.getByRole('button', { name: `Let state ${name} go` }).click();
   assert.equal(await page.locator('.pinned').count(), 0);
+  // Nothing of the page holds what they drew with; React itself may hold the last one until it draws again.
+  const session = await page.context().newCDPSession(page);
+  await page.waitForTimeout(100);
+  await session.send('HeapProfiler.collectGarbage');
+  const held = await page.evaluate(() => window.pinned_contexts.filter((one) => one.deref() !== undefined).length);
+  assert.ok(held <= 1, `${held} of 2 are held`);
   await all_back();
 });
 

@@ -41,18 +41,18 @@ export interface Batch extends Placing {
 }
 
 const kWhite: [number, number, number] = [1, 1, 1];
-// Without tints one white serves all.
-const kNoTints = tints_texture(new Uint8Array([255, 255, 255, 255]), 1);
 
 export class Buffers {
   private readonly meshes_ = new Map<string, Mesh>();
   private readonly sets_ = new Map<string, InstanceSet>();
   private readonly batches_ = new Map<string, Batch>();
+  // Without tints one white serves all of a view. What views share would keep all of them that have ever drawn it.
+  private readonly no_tints_ = tints_texture(new Uint8Array([255, 255, 255, 255]), 1);
 
   get counts(): { meshes: number; instance_sets: number; batches: number; bytes: number } {
     let sum = 0;
     for (const mesh of this.meshes_.values()) for (const arrays of mesh.copied.values()) sum += bytes_of(arrays);
-    for (const { frames, tints } of this.sets_.values()) sum += texture_bytes(frames) + (tints === kNoTints ? 0 : texture_bytes(tints));
+    for (const { frames, tints } of this.sets_.values()) sum += texture_bytes(frames) + (tints === this.no_tints_ ? 0 : texture_bytes(tints));
     return { meshes: this.meshes_.size, instance_sets: this.sets_.size, batches: this.batches_.size, bytes: sum };
   }
 
@@ -82,7 +82,7 @@ export class Buffers {
 
   add_instances(packet: Packet, set: PacketInstances): void {
     const frames = frames_texture(floats(packet, set.frames), set.count);
-    const tints = set.tints ? tints_texture(bytes(packet, set.tints), set.count) : kNoTints;
+    const tints = set.tints ? tints_texture(bytes(packet, set.tints), set.count) : this.no_tints_;
     this.put_set(set.key, { frames, tints, count: set.count, tint_scale: set.tint_scale ?? kWhite });
   }
 
@@ -96,7 +96,7 @@ export class Buffers {
   add_single(key: string, set_key: string, instance: number): void {
     const frame = this.frame_of(set_key, instance);
     if (frame.length === 0) return;
-    this.put_set(key, { frames: frames_texture(new Float32Array(frame), 1), tints: kNoTints, count: 1, tint_scale: kWhite });
+    this.put_set(key, { frames: frames_texture(new Float32Array(frame), 1), tints: this.no_tints_, count: 1, tint_scale: kWhite });
   }
 
   /// Draws the mesh once for each instance of the set, in place of what the batch drew before.
@@ -146,6 +146,7 @@ export class Buffers {
   clear(): void {
     for (const key of [...this.batches_.keys()]) this.remove_batch(key);
     this.remove([...this.meshes_.keys()], [...this.sets_.keys()]);
+    this.no_tints_.dispose();
   }
 
   private put_set(key: string, set: InstanceSet): void {
@@ -156,7 +157,7 @@ export class Buffers {
   private remove_set(key: string): void {
     const set = this.sets_.get(key);
     set?.frames.dispose();
-    if (set && set.tints !== kNoTints) set.tints.dispose();
+    if (set && set.tints !== this.no_tints_) set.tints.dispose();
     this.sets_.delete(key);
   }
 }

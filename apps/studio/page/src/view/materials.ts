@@ -35,12 +35,15 @@ export class Materials {
   private readonly said_: PacketMaterial[] = [];
   private readonly made_ = new Map<string, three.ShaderMaterial>();
   private readonly pictures_ = new Map<string, Picture>();
+  private readonly white_ = new three.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1); // of this view alone
 
   constructor(
     private readonly light_: Light,
     private readonly anisotropy_: number, // samples along where a picture is seen from the side
     private readonly changed_: () => void,
-  ) {}
+  ) {
+    this.white_.needsUpdate = true;
+  }
 
   get counts(): { materials: number; pictures: number } {
     return { materials: this.said_.length, pictures: this.pictures_.size };
@@ -99,6 +102,7 @@ export class Materials {
   clear(): void {
     this.keep(0);
     this.remove_pictures([...this.pictures_.keys()]);
+    this.white_.dispose();
   }
 
   private forget(index: number): void {
@@ -131,7 +135,7 @@ export class Materials {
         gloss: { value: 0.12 * (1 - said.roughness) ** 2 },
         emphasis: { value: is_emphasised ? 1 : 0 },
         tint_scale: { value: tint_scale },
-        picture: { value: picture?.texture ?? kWhiteTexture },
+        picture: { value: picture?.texture ?? this.white_ },
         picture_size: { value: new three.Vector2(picture?.width ?? 1, picture?.height ?? 1) },
         normals: { value: normals?.texture ?? null },
       },
@@ -140,5 +144,3 @@ export class Materials {
 }
 
 const kPlain: PacketMaterial = { index: 0, name: '', colour: [0.5, 0.5, 0.5], roughness: 1, translucency: 0, two_sided: true, masked: false };
-const kWhiteTexture = new three.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
-kWhiteTexture.needsUpdate = true;

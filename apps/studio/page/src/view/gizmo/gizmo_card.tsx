@@ -7,7 +7,9 @@ import { NumberField } from '../../controls/number_field.tsx';
 import { use_snapping } from '../../editors/snapping.ts';
 import { use_studio } from '../../studio_context.ts';
 import { drag_values, set_values } from '../../time/values_now.ts';
+import type { Studio } from '../../studio.ts';
 import type { GripField, GripGroup } from './grip.ts';
+import type { Vec } from './space_math.ts';
 
 interface GizmoCardProps {
   groups: readonly GripGroup[];
@@ -30,6 +32,7 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
           ))}
         </select>
         <IconButton is_small icon="magnet" label="Move in whole steps; Alt holds it off" is_on={snaps} press={() => set_snaps(!snaps)} />
+        {shown && is_out_of_sight(studio, shown) && <IconButton is_small icon="fit" label="Some of it is out of sight: see all of it beside the plant" press={() => look_at(studio, shown)} />}
         {shown && <IconButton is_small icon="close" label="Hide the grips" press={() => active.set(null)} />}
       </header>
       {shown && shown.fields.length > 0 && (
@@ -41,6 +44,21 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
       )}
     </section>
   );
+}
+
+/// The button is gone then, so the keyboard goes to the view.
+function look_at({ view }: Studio, group: GripGroup): void {
+  view?.fit(places_of(group));
+  document.querySelector<HTMLElement>('.centre .view canvas')?.focus();
+}
+
+function places_of({ at, lines }: GripGroup): Vec[] {
+  return [at, ...lines.flat()];
+}
+
+/// Whether some of it lies beyond the edges of the view.
+function is_out_of_sight({ view }: Studio, group: GripGroup): boolean {
+  return view !== null && places_of(group).some((place) => !view.eye.sees(place));
 }
 
 function Field({ group, field }: { group: GripGroup; field: GripField }): ReactElement {

@@ -205,6 +205,12 @@ export const kPictures = [
       await page.locator('.view canvas').focus();
       await page.keyboard.press('1');
       await show_grips(page, 'crown, profile');
+      await page.locator('[data-path="components.tree.crown"] > .fold-head > .fold-title').click();
+      const profile = row(page, 'components.tree.crown.profile');
+      await profile.hover();
+      await profile.getByRole('button', { name: 'Enlarge profile' }).click();
+      await page.locator('.drawer .curve-cloud').waitFor({ state: 'attached' });
+      await page.keyboard.press('f');
     },
   },
   {

@@ -348,6 +348,13 @@ test('boxes, lamps and poles are put into the scene with their grips', async () 
     await page.keyboard.press('ArrowUp');
   });
   assert.ok((await tree_of()).scene.supports.wire[1][1] > 1);
+  // What is out of sight is brought into it.
+  await page.locator('.gizmo-card select').selectOption({ label: 'obstacle 2, box' });
+  const look = page.locator('.gizmo-card').getByRole('button', { name: /see all of it beside the plant/ });
+  await page.locator('.view canvas').focus();
+  for (let k = 0; k < 8; k += 1) await page.keyboard.press('+');
+  await look.click();
+  await look.waitFor({ state: 'detached' });
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kYard);

@@ -10,7 +10,7 @@ import { sun_state, with_time } from '../src/scene/sun_state.ts';
 import { InstanceChoice } from '../src/instance_choice.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
 import { bearers_of, measures_of, moved_metamer, place_of } from '../src/pruning/shoot_text.ts';
-import { text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
+import { counted_act, text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
 import type { Studio } from '../src/studio.ts';
 import { kNoGrowth } from '../src/studio_state.ts';
 import type { Json } from '../src/document/json.ts';
@@ -221,6 +221,9 @@ test('a shoot is cut, bent, tied and marked after the year on show', () => {
 
 test('operations are told in words, and by years', () => {
   assert.equal(what_of({ do: 'cut', at: 8, shoots: 'leader', above: 7 }), 'cut leader, above 7');
+  assert.equal(what_of({ do: 'cut', outside: { box: [[0, 0, 0], [1, 1, 1]] } }), 'cut, outside box');
+  assert.equal(what_of({ do: 'support', line: [[0, 0, 0], [0, 2, 0]], weight: 6 }), 'support, line of 2 points, weight 6');
+  assert.deepEqual([counted_act(1, 'cut'), counted_act(4, 'disbud'), counted_act(2, 'graft')], ['1 cut', '4 buds off', '2 graft']);
   assert.equal(when_of({ do: 'cut', at: 8, season: 'summer' }), 'year 8, summer');
   assert.equal(when_of({ do: 'spur' }), 'every year');
   assert.equal(when_of({ do: 'spur', from: 3, every: 2, to: 9, once: true }), 'years 3 to 9, every 2, once');

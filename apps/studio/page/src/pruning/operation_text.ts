@@ -11,8 +11,12 @@ function members_of(operation: Json): { [name: string]: Json } {
   return is_object(operation) ? operation : {};
 }
 
+/// A value in a few words: of bodies their kinds, of lines how many points they have.
 function plain(value: Json): string {
-  return typeof value === 'string' ? value : write_json(value);
+  if (typeof value === 'string') return value;
+  if (is_object(value)) return Object.keys(value).join(' and ').replaceAll('_', ' ');
+  if (Array.isArray(value) && value.every(Array.isArray)) return `of ${value.length} points`;
+  return write_json(value);
 }
 
 /// What is done to which shoots: "cut main.4.2, above 3".

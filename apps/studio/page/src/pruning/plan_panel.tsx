@@ -22,6 +22,9 @@ export function PlanPanel(): ReactElement {
     return (
       <section className="panel plan-panel" aria-label="Plan">
         <p className="empty">No component of this document takes operations. Trees of the type organize do: their shoots can be cut, bent and tied.</p>
+        <Button kind="quiet" press={() => studio.shell.merge({ side: 'inspector' })}>
+          Show the inspector
+        </Button>
       </section>
     );
   }

@@ -19,6 +19,12 @@ export class Eye {
     return [((point.x / point.w + 1) / 2) * this.canvas_.clientWidth, ((1 - point.y / point.w) / 2) * this.canvas_.clientHeight];
   }
 
+  /// Whether a point of the world stands within the canvas.
+  sees(place: Vec): boolean {
+    const at = this.project(place);
+    return at !== null && at[0] >= 0 && at[1] >= 0 && at[0] <= this.canvas_.clientWidth && at[1] <= this.canvas_.clientHeight;
+  }
+
   /// The line of sight through a pixel of the canvas.
   ray_at(x: number, y: number): Ray {
     const { camera } = this.orbit_;

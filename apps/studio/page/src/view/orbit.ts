@@ -21,6 +21,7 @@ export class Orbit {
   private altitude_ = 12;
   private distance_ = 10;
   private field_of_view_ = kFieldOfView;
+  private shows_corners_ = false; // of what it was fitted to last
   private readonly target_ = new three.Vector3(0, 1, 0);
 
   get state(): CameraState {
@@ -97,24 +98,26 @@ export class Orbit {
     this.place();
   }
 
-  /// So that the box fills the picture; the way the eye looks stays.
-  fit(box: three.Box3): void {
+  /// So that the box fills the picture, with its corners or without those that are empty about crowns; the way the eye
+  /// looks stays.
+  fit(box: three.Box3, shows_corners = this.shows_corners_): void {
     if (box.isEmpty()) return;
+    this.shows_corners_ = shows_corners;
     box.getCenter(this.target_);
     this.place();
-    this.distance_ = this.distance_for(box);
+    this.distance_ = this.distance_for(box, shows_corners);
     this.place();
   }
 
   /// How far from its middle the eye stands where the box fills the picture.
-  distance_for(box: three.Box3): number {
+  distance_for(box: three.Box3, shows_corners = false): number {
     // Seen as the camera is turned, wherever it stands, so that fitting again changes nothing.
     const inverse = new three.Matrix4().lookAt(this.way_to_eye(), new three.Vector3(), this.camera.up).transpose();
     const tan_y = this.slope * 0.94;
     const tan_x = tan_y * this.camera.aspect;
     // The corners of the box about a crown are empty; those about a field or a row of trees are not.
     const half = box.getSize(new three.Vector3()).multiplyScalar(0.5);
-    const reach = half.y > 0.6 * Math.max(half.x, half.z) ? kCrownReach : 1;
+    const reach = !shows_corners && half.y > 0.6 * Math.max(half.x, half.z) ? kCrownReach : 1;
     let distance = 0.01;
     // Round crowns reach to the box's sides at half their height.
     const girth = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(Math.cos(k * 45 * kRadians), 0, Math.sin(k * 45 * kRadians)));

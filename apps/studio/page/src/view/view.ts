@@ -2,6 +2,7 @@
 // The 3D view: one canvas, drawn when something has changed and not otherwise.
 import * as three from 'three';
 
+import type { Vec } from '../base/vec.ts';
 import type { Packet } from '../server/packet.ts';
 import { draws_by_software } from './budgets.ts';
 import { CanvasPixels } from './canvas_pixels.ts';
@@ -127,10 +128,11 @@ export class View {
     return this.orbit.distance_for(this.box_);
   }
 
-  /// The plant fills the view, also when its frame changes, until a hand moves the camera.
-  fit(): void {
+  /// The plant, with what is beside it, fills the view, also when its frame changes, until a hand moves the camera.
+  fit(beside: readonly Vec[] = []): void {
     this.fitted_.copy(this.box_);
-    this.orbit.fit(this.fitted_);
+    for (const place of beside) this.fitted_.expandByPoint(new three.Vector3(...place));
+    this.orbit.fit(this.fitted_, beside.length > 0);
     this.ask();
   }
 

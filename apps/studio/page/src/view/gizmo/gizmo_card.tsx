@@ -8,11 +8,13 @@ import { NumberField, shown_number } from '../../controls/number_field.tsx';
 import { use_snapping } from '../../editors/snapping.ts';
 import { use_studio } from '../../studio_context.ts';
 import { drag_values, set_values } from '../../time/values_now.ts';
+import type { Studio } from '../../studio.ts';
 import { tidy } from '../../document/arithmetic.ts';
 import type { Binding, BoundGroup } from './bound_group.ts';
 import { step_label } from './bound_group.ts';
 import { said_of_held } from './expressions.ts';
 import type { GripField, Values } from './grip.ts';
+import type { Vec } from './space_math.ts';
 
 interface GizmoCardProps {
   groups: readonly BoundGroup[];
@@ -35,6 +37,7 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
           ))}
         </select>
         <IconButton is_small icon="magnet" label="Move in whole steps; Alt holds it off" is_on={snaps} press={() => set_snaps(!snaps)} />
+        {shown && is_out_of_sight(studio, shown) && <IconButton is_small icon="fit" label="Some of it is out of sight: see all of it beside the plant" press={() => look_at(studio, shown)} />}
         {shown && <IconButton is_small icon="close" label="Hide the grips" press={() => active.set(null)} />}
       </header>
       {shown && shown.fields.length > 0 && (
@@ -47,6 +50,21 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
       {shown && <Refused group={shown} />}
     </section>
   );
+}
+
+/// The button is gone then, so the keyboard goes to the view.
+function look_at({ view }: Studio, group: BoundGroup): void {
+  view?.fit(places_of(group));
+  document.querySelector<HTMLElement>('.centre .view canvas')?.focus();
+}
+
+function places_of({ at, lines }: BoundGroup): Vec[] {
+  return [at, ...lines.flat()];
+}
+
+/// Whether some of it lies beyond the edges of the view.
+function is_out_of_sight({ view }: Studio, group: BoundGroup): boolean {
+  return view !== null && places_of(group).some((place) => !view.eye.sees(place));
 }
 
 /// Why the grip that a hand has tried last does not move, and what would free it.

@@ -86,10 +86,16 @@ struct OrganSums {
 
 OrganSums sums_of(const Plant& plant, const std::vector<std::uint32_t>& members,
                   const std::vector<std::shared_ptr<const Mesh>>& meshes) {
-  std::map<std::uint32_t, double> counts;
-  for (const std::uint32_t organ : members) ++counts[plant.organs[organ].prototype];
+  // A component's prototypes stand together.
+  const auto prototype_of = [&](std::uint32_t organ) { return plant.organs[organ].prototype; };
   OrganSums sums;
-  for (const auto& [prototype, count] : counts) {
+  if (members.empty()) return sums;
+  const auto [first, last] = std::ranges::minmax(members, {}, prototype_of);
+  std::vector<double> counts(prototype_of(last) - prototype_of(first) + 1);
+  for (const std::uint32_t organ : members) ++counts[prototype_of(organ) - prototype_of(first)];
+  for (std::uint32_t prototype = prototype_of(first); prototype <= prototype_of(last); ++prototype) {
+    const double count = counts[prototype - prototype_of(first)];
+    if (count == 0) continue;
     const Mesh& before = *plant.prototypes[prototype].mesh;
     const Mesh& mesh = *meshes[prototype];
     sums.triangles_before += count * static_cast<double>(before.triangle_count());

@@ -2,6 +2,7 @@
 #include "meristem/shape/mesh/coarsen.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,28 @@ TEST(EvenOrder, EachBeginningIsSpreadEvenly) {
   // But not always the same one: as many even as odd.
   const auto even = std::count_if(order.begin(), order.begin() + kCount / 2, [](auto k) { return k % 2 == 0; });
   EXPECT_NEAR(static_cast<double>(even), kCount / 4, 4 * 23);  // four deviations of a binomial
+}
+
+/// How often a thing wins, asked for it alone: its half of each group against the other half.
+int rounds_of(std::uint64_t thing, std::size_t count, const RandomKey& key) {
+  for (unsigned round = 0; (std::uint64_t{1} << round) < count; ++round) {
+    const std::uint64_t pair = thing >> (round + 1);
+    const bool is_alone = (2 * pair + 1) << round >= count;
+    const bool later_wins = !is_alone && key.child(std::uint64_t{round}).uniform(pair) < 0.5;
+    if (((thing >> round & 1) != 0) != later_wins) return static_cast<int>(round);
+  }
+  return 64;
+}
+
+TEST(EvenOrder, GoesByRoundsWonAndThenByLot) {
+  const RandomKey key(5);
+  for (const std::size_t count : {2U, 3U, 64U, 100U, 129U}) {
+    const auto rank = [&](std::uint32_t thing) {
+      return std::tuple(-rounds_of(thing, count, key), key.uniform(thing, 1), thing);
+    };
+    const std::vector<std::uint32_t> order = even_order(count, key);
+    EXPECT_TRUE(std::ranges::is_sorted(order, {}, rank)) << count;
+  }
 }
 
 TEST(EvenOrder, HasAllOfAnyCount) {

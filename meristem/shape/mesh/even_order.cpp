@@ -6,24 +6,45 @@
 
 namespace meristem {
 
-std::vector<std::uint32_t> even_order(std::size_t count, const RandomKey& key) {
-  std::vector<std::uint8_t> rounds(count, 0);  // that each thing wins
-  for (std::uint64_t thing = 0; thing < count; ++thing) {
-    for (unsigned round = 0; (std::uint64_t{1} << round) < count; ++round) {
-      const std::uint64_t pair = thing >> (round + 1);
-      const bool is_alone = (2 * pair + 1) << round >= count;
-      const bool later_wins = !is_alone && key.child(round).uniform(pair) < 0.5;
-      if (((thing >> round & 1) != 0) != later_wins) break;
-      ++rounds[thing];
+namespace {
+
+/// How often each thing wins: of each two neighbours one by lot, then of each two winners, until one is left. Who has
+/// no neighbour wins without one.
+std::vector<std::uint8_t> rounds_won(std::size_t count, const RandomKey& key) {
+  std::vector<std::uint8_t> rounds(count, 0);
+  std::vector<std::uint32_t> winners(count);
+  std::iota(winners.begin(), winners.end(), 0);
+  for (std::uint64_t round = 0; winners.size() > 1; ++round) {
+    const RandomKey lots = key.child(round);
+    const std::size_t pairs = (winners.size() + 1) / 2;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      const bool is_alone = 2 * pair + 1 == winners.size();
+      const bool later_wins = !is_alone && lots.uniform(pair) < 0.5;
+      winners[pair] = winners[2 * pair + (later_wins ? 1 : 0)];
+      ++rounds[winners[pair]];
     }
+    winners.resize(pairs);
   }
-  std::vector<double> lot(count);
-  for (std::size_t thing = 0; thing < count; ++thing) lot[thing] = key.uniform(thing, 1);
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return rounds[a] != rounds[b] ? rounds[a] > rounds[b] : lot[a] < lot[b];
+  return rounds;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> even_order(std::size_t count, const RandomKey& key) {
+  struct Place {
+    double lot;
+    std::uint32_t thing;
+    std::uint8_t rounds;
+  };
+  const std::vector<std::uint8_t> rounds = rounds_won(count, key);
+  std::vector<Place> places(count);
+  for (std::uint32_t thing = 0; thing < count; ++thing) places[thing] = {key.uniform(thing, 1), thing, rounds[thing]};
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    if (a.rounds != b.rounds) return a.rounds > b.rounds;
+    return a.lot != b.lot ? a.lot < b.lot : a.thing < b.thing;
   });
+  std::vector<std::uint32_t> order(count);
+  std::transform(places.begin(), places.end(), order.begin(), [](const Place& place) { return place.thing; });
   return order;
 }
 

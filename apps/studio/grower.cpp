@@ -13,6 +13,7 @@
 #include "meristem/document/json.h"
 #include "meristem/graph/instances.h"
 #include "meristem/output/picture/obstacle_meshes.h"
+#include "meristem/plant/plant_variant.h"
 #include "written_values.h"
 
 namespace meristem::studio {
@@ -343,6 +344,7 @@ void Grower::show() {
       meshes = with_shown_pictures(*sight.grown, std::move(meshes));
     }
     const std::uint64_t all = full_of_ == sight.grown ? full_->triangle_count() : triangles_of(*sight.grown);
+    const PlantTotals totals = totals_of(sight.grown->plant);
     std::string packet =
         packets_.next({.meshes = meshes.get(),
                        .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
@@ -353,9 +355,7 @@ void Grower::show() {
                        .is_draft = sight.is_draft,
                        .fits = fits,
                        .share = share,
-                       .all = {.triangles = all,
-                               .instances = sight.grown->plant.organs.size() + sight.grown->plant.stems.size(),
-                               .nodes = sight.grown->plant.node_count()}},
+                       .all = {.triangles = all, .instances = totals.organs + totals.stems, .nodes = totals.nodes}},
                       news.progress());
     std::vector<std::pair<std::string, double>> stages = std::exchange(stages_, {});
     for (auto& stage : news.stages()) stages.push_back(std::move(stage));
@@ -378,9 +378,10 @@ void Grower::show() {
 }
 
 Value::Object Grower::counts_value(const GrownWish& grown) const {
-  Value::Object counts{{"nodes", number_value(grown.plant.node_count())}};
+  const PlantTotals totals = totals_of(grown.plant);
+  Value::Object counts{{"nodes", number_value(totals.nodes)}};
   const bool is_known = full_of_.get() == &grown;
-  counts.emplace_back("instances", number_value(is_known ? full_->instance_count() : grown.plant.organs.size()));
+  counts.emplace_back("instances", number_value(is_known ? full_->instance_count() : totals.organs));
   counts.emplace_back("triangles", is_known ? number_value(full_->triangle_count()) : Value());
   Value::Object placed;
   for (std::size_t k = 0; k < grown.placed.size(); ++k) {

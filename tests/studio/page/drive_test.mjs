@@ -447,7 +447,7 @@ test('all has room on small and large screens, and can be read in both themes', 
   const wrong = await page.addStyleTag({ content: '.view-axes { right: auto; left: 12px; } .top-bar h1 { font-size: 9px; }' });
   const faults = (await box_faults(page)).join('\n');
   assert.match(faults, /one over the other: div\.view-tools.*view-axes/);
-  assert.match(faults, /tiny: h1/);
+  assert.match(faults, /tiny: span.*"Sapling"/);
   await wrong.evaluate((element) => element.remove());
 });
 

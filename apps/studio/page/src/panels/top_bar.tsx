@@ -62,6 +62,7 @@ function first_format(studio: Studio): string {
 function DocumentTitle(): ReactElement {
   const { name, path, model, hash, base, tree } = use_document();
   const title = member_of(tree?.value, 'name');
+  const shown = typeof title === 'string' && title !== '' ? title : name || 'Meristem';
   const is_changed = hash !== base;
   const from = path ?? (model !== null ? 'shipped plant' : 'not saved yet');
   return (
@@ -71,7 +72,7 @@ function DocumentTitle(): ReactElement {
       </span>
       <div>
         <h1>
-          {typeof title === 'string' && title !== '' ? title : name || 'Meristem'}
+          <span data-tip={shown}>{shown}</span>
           {is_changed && <span className="changed" role="img" aria-label="not saved" data-tip="Not saved yet; kept in this browser" />}
         </h1>
         <p data-tip={path ?? undefined}>{from}</p>

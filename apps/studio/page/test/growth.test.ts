@@ -4,6 +4,7 @@ import { test } from 'node:test';
 
 import { view_layer } from '../src/growth/layers.ts';
 import type { ArrayPlace, PacketArrays } from '../src/server/packet.ts';
+import { floats, is_answer, read_packed, read_packet } from '../src/server/packet.ts';
 import { arrow_lines } from '../src/view/overlays.ts';
 
 /// Arrays one after another, and their places.
@@ -22,6 +23,21 @@ function packed(...numbers: (Float32Array | Uint8Array)[]): { arrays: PacketArra
 
 const kNone: ArrayPlace = [0, 0];
 const nothing = { positions: kNone, colours: kNone };
+
+test('an answer comes as a packet of its own kind, and is no scene', () => {
+  const head = new TextEncoder().encode(JSON.stringify({ is: 'done', re: 7 }).padEnd(24));
+  const buffer = new ArrayBuffer(8 + head.length + 4);
+  new Uint8Array(buffer).set(new TextEncoder().encode('MSA1'));
+  new DataView(buffer).setUint32(4, head.length, true);
+  new Uint8Array(buffer).set(head, 8);
+  new Float32Array(buffer, 8 + head.length)[0] = 2.5;
+  assert.ok(is_answer(buffer));
+  assert.throws(() => read_packet(buffer), /no scene packet/);
+  const answer = read_packed<{ re: number }>(buffer);
+  assert.equal(answer.head.re, 7);
+  assert.deepEqual([...floats(answer, [0, 1])], [2.5]);
+  assert.ok(!is_answer(new ArrayBuffer(3)));
+});
 
 test('places come from the arrays as they were', () => {
   const { arrays, places } = packed(new Float32Array([1, -2.5, 3]), new Uint8Array([10, 20, 30, 255]));

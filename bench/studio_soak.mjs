@@ -7,11 +7,12 @@
 // fast, and the last ones before a fault are told. Memory is measured each minute with a small document at rest: of the
 // page after its garbage was collected, of the view's buffers, and of the server. It begins when each document has been
 // open, each deed has been done, and a sixth of the time is over, so that all that is made once is there. How much memory
-// rises is told by the least of the first and of the last third of these figures: the server's allocator and the
-// system's large pages keep now more and now less of what was freed, up to as much again, and a leak raises the least too. The table's lines go to the file that MERISTEM_BENCH_TABLE names.
-// MERISTEM_BENCH=small does a few deeds. MERISTEM, MERISTEM_CHROMIUM: as for the page's tests; MERISTEM_SOAK_MINUTES,
-// MERISTEM_SOAK_SEED: for words that are not given; MERISTEM_SOAK_TELLS=1 prints each deed; MERISTEM_SOAK_SNAPSHOTS:
-// a folder for the page's heap at the first and at the last of these moments, which the browser's tools can compare.
+// rises is told by the least of the first and of the last third of these figures: the server's allocator and the system's
+// large pages keep now more and now less of what was freed, up to as much again, and a leak raises the least too. The
+// table's lines go to the file that MERISTEM_BENCH_TABLE names. MERISTEM_BENCH=small does a few deeds and measures nothing.
+// MERISTEM, MERISTEM_CHROMIUM: as for the page's tests; MERISTEM_SOAK_MINUTES, MERISTEM_SOAK_SEED: for words that are not
+// given; MERISTEM_SOAK_TELLS=1 prints each deed; MERISTEM_SOAK_SNAPSHOTS: a folder for the page's heap at the first and
+// at the last of these moments, which the browser's tools can compare.
 import { appendFile, mkdir, readFile } from 'node:fs/promises';
 import { createWriteStream, existsSync } from 'node:fs';
 import os from 'node:os';
@@ -24,9 +25,10 @@ import { leave_fields, open_file, open_model, undo_all } from '../tests/studio/p
 import { kSource, open_page, settled, start_browser, start_server, temporary_folder, text_of, write_document } from '../tests/studio/page/support.mjs';
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
-const minutes = is_small ? 0.15 : Number(process.argv[2] ?? process.env.MERISTEM_SOAK_MINUTES ?? 3);
+const minutes = Number(process.argv[2] ?? process.env.MERISTEM_SOAK_MINUTES ?? 3);
 const seed = Number(process.argv[3] ?? process.env.MERISTEM_SOAK_SEED ?? 1);
 const kSmall = { meristem: 1, components: { stem: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 0.1, width: 0.05 } }, links: [{ from: 'stem', to: 'leaf', kind: 'branch', count: 8 }] };
+const kSmallDeeds = 6;
 const kMostFaults = 10;
 const kFlat = 10; // percent that memory may rise
 const kRests = 0.25; // share of deeds after which the page must come to rest
@@ -176,7 +178,7 @@ const load = os.loadavg()[0];
 try {
   await write_document(place.folder, 'small.json', JSON.stringify(kSmall));
   await write_document(place.folder, 'own.json', await readFile(path.join(kSource, 'models', 'oak.json'), 'utf8'));
-  const server = await start_server(place.folder, 'own.json');
+  const server = await start_server(place.folder, is_small ? 'small.json' : 'own.json');
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
   await context.addInitScript(prepare, seed);
   const page = await open_page(context, server.address);
@@ -218,16 +220,16 @@ try {
       }
     }
     let next_minute = 0;
-    while (share() < 1 && faults.length < kMostFaults) {
+    while ((is_small ? deeds < kSmallDeeds : share() < 1) && faults.length < kMostFaults) {
       await do_one(next_deed(chance));
-      if (share() >= 1 / 6 && Date.now() - began > next_minute * 60_000) {
+      if (!is_small && share() >= 1 / 6 && Date.now() - began > next_minute * 60_000) {
         figures.push(await measure());
         if (figures.length === 1) await write_snapshot(session, 'first');
         next_minute = Math.floor((Date.now() - began) / 60_000) + 1;
       }
     }
-    const end = await measure();
-    if (figures.length < 2 || Date.now() - began > (next_minute - 0.7) * 60_000) figures.push(end);
+    const end = is_small ? null : await measure();
+    if (end && (figures.length < 2 || Date.now() - began > (next_minute - 0.7) * 60_000)) figures.push(end);
     await write_snapshot(session, 'last');
   } catch (fault) {
     add_fault(String(fault.message));

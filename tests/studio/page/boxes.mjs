@@ -36,6 +36,13 @@ export function box_faults(page) {
       if (box.left < view.left || box.right > view.right + 1 || box.top < view.top || box.bottom > view.bottom + 1) faults.push(`out of the view: ${name(one)}`);
       for (const other of lying.slice(k + 1)) if (!apart(box, box_of(other))) faults.push(`one over the other: ${name(one)}, ${name(other)}`);
     });
+    const editors = all('.curve-editor');
+    editors.forEach((one, k) => editors.slice(k + 1).forEach((other) => apart(box_of(one), box_of(other)) || one.closest('.panel') || faults.push(`one over the other: ${name(one)}, ${name(other)}`)));
+    for (const editor of editors) {
+      const parts = [...editor.children].filter(box_of);
+      parts.forEach((one, k) => parts.slice(k + 1).forEach((other) => apart(box_of(one), box_of(other)) || faults.push(`one over the other: ${name(one)}, ${name(other)}`)));
+      for (const one of editor.querySelectorAll('.curve-tools > *')) if (box_of(one) && box_of(one).right > box_of(one.parentElement).right + 1) faults.push(`over the edge of its row: ${name(one)}`);
+    }
     return faults;
   });
 }

@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 
+import { box_faults } from './boxes.mjs';
 import { choose, leave_fields, open_file, row, step, type_into, undo_all } from './hands.mjs';
 import { kAxe, meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
@@ -498,6 +499,7 @@ test('a measured leaf is shown over its points, and drawn by hand', async () => 
     await page.keyboard.press('ArrowUp');
   });
   assert.notDeepEqual((await tree_of()).components.leaf.midrib_points, leaf.midrib_points);
+  assert.deepEqual(await box_faults(page), []);
   await axe_finds_nothing();
   await undo_all(page);
   await settled(page);

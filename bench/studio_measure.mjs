@@ -23,7 +23,7 @@ export async function snapshot_of(session) {
   return chunks.join('');
 }
 
-/// Of a heap what the page's script holds, MB: without the code that the engine compiles the more a function is used, and
+/// What the page's script holds by such a text, MB: without the code that the engine compiles the more a function is used, and
 /// without what the browser's tools keep of all that was loaded.
 export function objects_in(snapshot) {
   const { nodes, strings, snapshot: { meta } } = JSON.parse(snapshot);

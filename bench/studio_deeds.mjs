@@ -306,7 +306,7 @@ async function work_on_the_board(page, chance) {
 async function draw_anew(page, chance) {
   await leave_fields(page);
   if (chance.happens(0.5)) await page.keyboard.press('r');
-  else if (await page.getByRole('button', { name: 'Surprise me' }).isVisible()) await page.getByRole('button', { name: 'Surprise me' }).click(kPatience);
+  else if (await page.getByRole('button', { name: 'Surprise me', exact: true }).isVisible()) await page.getByRole('button', { name: 'Surprise me', exact: true }).click(kPatience);
   return true;
 }
 

@@ -13,6 +13,29 @@ export async function heap_of(session) {
   return (await session.send('Runtime.getHeapUsage')).usedSize / 1e6;
 }
 
+/// The page's heap as the browser's tools read it, a text.
+export async function snapshot_of(session) {
+  const chunks = [];
+  const take = ({ chunk }) => chunks.push(chunk);
+  session.on('HeapProfiler.addHeapSnapshotChunk', take);
+  await session.send('HeapProfiler.takeHeapSnapshot', { reportProgress: false });
+  session.off('HeapProfiler.addHeapSnapshotChunk', take);
+  return chunks.join('');
+}
+
+/// What the page's script holds by such a text, MB: without the code that the engine compiles the more a function is used, and
+/// without what the browser's tools keep of all that was loaded.
+export function objects_in(snapshot) {
+  const { nodes, strings, snapshot: { meta } } = JSON.parse(snapshot);
+  const [type, name, size] = ['type', 'name', 'self_size'].map((field) => meta.node_fields.indexOf(field));
+  const kinds = meta.node_types[type];
+  let sum = 0;
+  for (let k = 0; k < nodes.length; k += meta.node_fields.length) {
+    if (kinds[nodes[k + type]] !== 'code' && !/NetworkResourcesData|Performance\w*Timing/.test(strings[nodes[k + name]])) sum += nodes[k + size];
+  }
+  return sum / 1e6;
+}
+
 /// What the view holds on the card: buffers, textures, and what these are made for.
 export const buffers_of = (page) => page.evaluate(async () => {
   for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);

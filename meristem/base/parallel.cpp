@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -163,20 +164,40 @@ std::shared_ptr<void> exchange_crew(const std::shared_ptr<void>& crew) {
   return std::exchange(kept_crew, std::static_pointer_cast<Crew>(crew));
 }
 
+// All threads compute as the caller does. TBB's own context flushes the smallest numbers to zero where Embree was the
+// first to use TBB, and one thread alone does not.
+using Context = tbb::task_group_context;
+constexpr auto kTraits = Context::default_traits | Context::fp_settings;
+
+/// Whether this thread computes as a program does at its start: to the nearest number, the smallest ones kept.
+bool rounds_as_usual() {
+  const volatile float smallest_normal = std::numeric_limits<float>::min();
+  return std::fegetround() == FE_TONEAREST && smallest_normal / 2 > 0;
+}
+
+/// The context of the loops of all threads that compute as usual; blocks do not throw, so nothing ever cancels it. It
+/// outlives all loops: what Embree builds in a block may outlive its loop, and TBB looks at the context that it was
+/// built in whenever something is cancelled.
+Context& lasting_context() {
+  static Context& context = *new Context(Context::isolated, kTraits);
+  return context;
+}
+
 void run_together(Blocks& blocks, int threads) {
   const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) blocks.run(block);
   };
-  // All threads compute as the caller does. TBB's own context flushes the smallest numbers to zero where Embree was the
-  // first to use TBB, and one thread alone does not.
-  using Context = tbb::task_group_context;
-  Context context(Context::isolated, Context::default_traits | Context::fp_settings);
   // Isolated: a thread that waits for an inner loop never begins a block of the outer one in the middle of another.
-  const auto run_all = [&] {
+  const auto run_in = [&](Context& context) {
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), run_range, tbb::simple_partitioner(),
                         context);
     });
+  };
+  const auto run_all = [&] {
+    if (rounds_as_usual()) return run_in(lasting_context());
+    Context own(Context::isolated, kTraits);
+    run_in(own);
   };
   const bool is_whole_machine = thread_limit == 0 && threads == machine_cores();
   if (is_whole_machine || tbb::this_task_arena::max_concurrency() == threads) return run_all();

@@ -276,7 +276,7 @@ async function strip_time(page, count) {
 }
 
 const place = await temporary_folder();
-const browser = await start_browser({ measures: true });
+const browser = await start_browser({ as_users_do: true });
 const load = os.loadavg()[0];
 try {
   const model = async (name) => readFile(path.join(kSource, 'models', `${name}.json`), 'utf8');

@@ -33,7 +33,7 @@ before(async () => {
   place = await temporary_folder();
   const python = process.env.MERISTEM_PYTHON ?? '/usr/bin/python3';
   wanted = JSON.parse((await promisify(execFile)(python, ['-B', '-c', kProgram], { cwd: place.folder })).stdout);
-  browser = await start_browser();
+  browser = await start_browser({ as_users_do: true });
   context = await browser.newContext({ viewport: { width: 700, height: 600 } });
 });
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/markdown.h"
 #include "meristem/document/json.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/link.h"
@@ -36,16 +37,6 @@ enum class Variation { none, as_stated };
 std::string variation_of(const Parameter& row) {
   if (!row.may_vary()) return "";
   return row.form.per_child ? "per child" : "yes";
-}
-
-/// A table's cell, in which a bar would begin the next.
-std::string cell(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '|') out += '\\';
-    out += c;
-  }
-  return out;
 }
 
 class Page {
@@ -82,7 +73,7 @@ class Page {
       }
       write({"`" + above + row.name + "`", value(row), std::move(fallback)});
       if (has_column_) write_cell(variation == Variation::as_stated ? variation_of(row) : "");
-      fmt::format_to(std::back_inserter(out_), "{} |\n", cell(row.doc));
+      fmt::format_to(std::back_inserter(out_), "{} |\n", markdown_cell(row.doc));
       if (!is_nested) continue;
       // The rows of a table that contains itself stand above.
       if (std::find(open_.begin(), open_.end(), &row.nested()) != open_.end()) continue;
@@ -111,7 +102,7 @@ class Page {
     out_ += "| ";
     for (const std::string& text : cells) write_cell(text);
   }
-  void write_cell(const std::string& text) { fmt::format_to(std::back_inserter(out_), "{} | ", cell(text)); }
+  void write_cell(const std::string& text) { fmt::format_to(std::back_inserter(out_), "{} | ", markdown_cell(text)); }
 
   std::string out_;
   bool has_column_ = false;                  // that says what varies

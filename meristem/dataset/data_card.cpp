@@ -15,6 +15,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/function_ref.h"
+#include "meristem/base/markdown.h"
 #include "meristem/base/version.h"
 #include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/manifest.h"
@@ -103,16 +104,6 @@ struct FilesOfKind {
 
 std::string megabytes(std::uint64_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
 
-/// A text that cannot end a cell of a table.
-std::string cell(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '|') escaped += '\\';
-    escaped += letter;
-  }
-  return escaped;
-}
-
 std::string bar(std::uint64_t count, std::uint64_t most) {
   const auto length = static_cast<std::size_t>(std::ceil(static_cast<double>(kBarLength) * static_cast<double>(count) /
                                                          static_cast<double>(std::max<std::uint64_t>(1, most))));
@@ -138,7 +129,7 @@ std::string histogram(const ColumnSummary& column) {
     }
   }
   for (const auto& [value, count] : column.others) {
-    fmt::format_to(std::back_inserter(rows), "| {} | {} | {} |\n", cell(value), count, "");
+    fmt::format_to(std::back_inserter(rows), "| {} | {} | {} |\n", markdown_cell(value), count, "");
   }
   if (column.further > 0) rows += fmt::format("| other values | {} | |\n", column.further);
   if (!rows.empty())
@@ -193,8 +184,8 @@ std::string data_card(const DatasetPlan& plan, const std::string& folder, Progre
   std::string card = fmt::format("# {}\n\n", plan.name.empty() ? "Data set of plants" : plan.name);
   if (!plan.description.empty()) card += plan.description + "\n\n";
   card += fmt::format("| | |\n| --- | --- |\n| Plants | {} |\n| of them failed | {} |\n", plan.count(), failed);
-  card += fmt::format("| Author | {} |\n| Licence | {} |\n", cell(std::string(or_none(plan.author))),
-                      cell(std::string(or_none(plan.licence))));
+  card += fmt::format("| Author | {} |\n| Licence | {} |\n", markdown_cell(or_none(plan.author)),
+                      markdown_cell(or_none(plan.licence)));
   card += fmt::format("| Grown by | Meristem {} |\n", fmt::join(versions, ", "));
   card += fmt::format("| Plan | `plan.json`, {} |\n", plan.hash);
   card += fmt::format("| Manifest | `manifest/`, {} rows per table |\n", plan.rows);
@@ -206,9 +197,8 @@ std::string data_card(const DatasetPlan& plan, const std::string& folder, Progre
       "missing. The same plan and version give the same bytes on every machine of one kind.\n\n";
   card += "| Document | Name | Licence | Plants |\n| --- | --- | --- | ---: |\n";
   for (const PlannedDocument& document : plan.documents) {
-    card +=
-        fmt::format("| `documents/{}` | {} | {} | {} |\n", document.name, cell(std::string(or_none(document.title))),
-                    cell(std::string(or_none(document.licence))), plants_of[document.name]);
+    card += fmt::format("| `documents/{}` | {} | {} | {} |\n", document.name, markdown_cell(or_none(document.title)),
+                        markdown_cell(or_none(document.licence)), plants_of[document.name]);
   }
   if (!kinds.empty()) card += "\n## Files\n\n| Ending | Files | Size |\n| --- | ---: | ---: |\n";
   for (const auto& [ending, kind] : kinds) {

@@ -24,11 +24,13 @@ export function OperationList({ component }: { component: string }): ReactElemen
     <>
       <TrainedList component={component} />
       {operations.length === 0 && <p className="empty">No operations of its own yet. Click a shoot of {component} in the view, or press Enter there, to cut, bend, tie or mark it.</p>}
-      <ol className="plan-list" aria-label={`Operations of ${component}`}>
-        {operations.map((operation, index) => (
-          <OperationItem key={index} component={component} operation={operation} index={index} count={operations.length} />
-        ))}
-      </ol>
+      {operations.length > 0 && (
+        <ol className="plan-list" aria-label={`Operations of ${component}`}>
+          {operations.map((operation, index) => (
+            <OperationItem key={index} component={component} operation={operation} index={index} count={operations.length} />
+          ))}
+        </ol>
+      )}
     </>
   );
 }
@@ -49,19 +51,28 @@ function TrainedList({ component }: { component: string }): ReactElement | null 
           const times = times_of(told?.operations.acts ?? [], path);
           return (
             <li key={index} className={`plan-item${looked_at?.path === path ? ' chosen' : ''}`}>
-              <button type="button" className="plan-choice" aria-pressed={looked_at?.path === path} onClick={() => pruning.look_at(path, null)}>
-                <span className="plan-name">{what_of(operation)}</span>
-                <span className="quiet">
-                  {when_of(operation)}
-                  {times > 0 && `; ${counted_times(times)}`}
-                </span>
-              </button>
+              <OperationChoice operation={operation} path={path} state={times > 0 ? counted_times(times) : ''} />
             </li>
           );
         })}
       </ol>
       <h3>Its own</h3>
     </>
+  );
+}
+
+/// An operation in words, to be looked at in the view; `opens`: its rows as well.
+function OperationChoice({ operation, path, state, opens = false }: { operation: Json; path: string; state: string; opens?: boolean }): ReactElement {
+  const { pruning } = use_studio().bench;
+  const is_chosen = use_store(pruning.looked_at)?.path === path;
+  return (
+    <button type="button" className="plan-choice" {...(opens ? { 'aria-expanded': is_chosen } : { 'aria-pressed': is_chosen })} onClick={() => pruning.look_at(path, null)}>
+      <span className="plan-name">{what_of(operation)}</span>
+      <span className="quiet">
+        {when_of(operation)}
+        {state !== '' && `; ${state}`}
+      </span>
+    </button>
   );
 }
 
@@ -91,13 +102,7 @@ function OperationItem({ component, operation, index, count }: OperationItemProp
   return (
     <li className={`plan-item${is_chosen ? ' chosen' : ''}${is_dim ? ' off' : ''}`}>
       <div className="plan-line">
-        <button type="button" className="plan-choice" aria-expanded={is_chosen} onClick={() => pruning.look_at(path, null)}>
-          <span className="plan-name">{what_of(operation)}</span>
-          <span className="quiet">
-            {when_of(operation)}
-            {is_dim ? '; off' : times === null ? '' : times === 0 ? '; has not acted' : `; ${counted_times(times)}`}
-          </span>
-        </button>
+        <OperationChoice operation={operation} path={path} state={is_dim ? 'off' : times === null ? '' : times === 0 ? 'has not acted' : counted_times(times)} opens />
         <span className="plan-buttons">
           <IconButton is_small icon="up" label={`Move ${name} up`} is_off={index === 0} press={() => pruning.move(component, index, index - 1)} />
           <IconButton is_small icon="down" label={`Move ${name} down`} is_off={index === count - 1} press={() => pruning.move(component, index, index + 1)} />

@@ -186,12 +186,12 @@ TEST(CachedExpansion, GivesTheSameBytesAfterAnyEditsOnAnyNumberOfThreads) {
     Cache cache;
     Settings settings;
     std::uint64_t reused = 0;
-    for (std::uint64_t edit = 0; edit < 40; ++edit) {
+    for (std::uint64_t edit = 0; edit < 15; ++edit) {
       settings = changed(settings, RandomKey(edit));
       ASSERT_EQ(hash_of(grow(settings, &cache)), hash_of(grow(settings))) << edit;
       reused += cache.reuse<BatchResult>().reused;
     }
-    EXPECT_GT(reused, 10'000U);
+    EXPECT_GT(reused, 3'000U);
   }
 }
 

@@ -21,7 +21,7 @@ MeshScene low_poly_tree() {
     scene.meshes.push_back({component, std::make_shared<const Mesh>(std::move(mesh)), material, std::move(frames), {}});
   };
   add("trunk", 0, make_cone(0.15, 2, 12), {Frame{}});
-  add("crown", 1, flat_shaded(make_sphere(1, 20), progress), {Frame{.origin = {0, 2, 0}}});
+  add("crown", 1, flat_shaded(make_sphere(1, 12), progress), {Frame{.origin = {0, 2, 0}}});
   std::vector<Frame> fruits;
   for (std::uint64_t k = 0; k < 6; ++k) fruits.push_back({.origin = Vec3(0, 2, 0) + RandomKey(3).direction(k)});
   add("fruit", 2, flat_shaded(make_sphere(0.05, 6), progress), fruits);

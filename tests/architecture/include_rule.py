@@ -30,7 +30,7 @@ LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE", "TESTED_WITH")
 
 DECLARATION = re.compile(r"(?!(inline )?namespace\b)(//|[A-Za-z])")
 OWN_NAME = re.compile(r"(?:inline )?(?:constexpr|const) [^=;({]*?\b(?P<constant>k[A-Z]\w*)\b|"
-                      r"(?:struct|class|enum class|enum) (?P<type>\w+)(?!.*;$)")
+                      r"(?:struct|class|enum class|enum) (?P<type>\w+)(?!.*;$)|using (?P<alias>\w+) =")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<kind>["<])(?P<name>[^">]+)[">]')
 
 
@@ -233,8 +233,9 @@ def reached_from(edges: dict[str, dict[str, tuple[Path, int]]], begin: str) -> s
     return reached
 
 
-def names_of_its_own(path: Path) -> Iterator[tuple[int, str]]:
-    """The constants and types that a source defines at the left margin of an unnamed namespace, with their lines."""
+def names_of_its_own(path: Path) -> Iterator[tuple[int, str, str]]:
+    """The constants and types that a source defines at the left margin of an unnamed namespace, with the numbers of their
+    lines and, for an alias, what it stands for."""
     inside = False
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         if line == "namespace {":
@@ -244,16 +245,17 @@ def names_of_its_own(path: Path) -> Iterator[tuple[int, str]]:
         elif inside:
             found = OWN_NAME.match(line)
             if found:
-                yield number, found["constant"] or found["type"]
+                name = found["constant"] or found["type"] or found["alias"]
+                yield number, name, line if found["alias"] else ""
 
 
 def check_batches(root: Path, sources: list[Path]) -> Iterator[Fault]:
-    """In a batch of sources, two unnamed namespaces are one."""
-    first: dict[str, Path] = {}
+    """In a batch of sources, two unnamed namespaces are one. Aliases of one name may stand for one type."""
+    first: dict[str, tuple[Path, str]] = {}
     for path in sources:
-        for line, name in names_of_its_own(path):
-            other = first.setdefault(name, path)
-            if other != path:
+        for line, name, alias in names_of_its_own(path):
+            other, other_alias = first.setdefault(name, (path, alias))
+            if other != path and (not alias or alias != other_alias):
                 yield Fault(path, line, f"{name} has the name of one in {other.relative_to(root)}; in a batch of "
                                         "sources they clash")
 

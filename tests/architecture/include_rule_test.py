@@ -139,7 +139,8 @@ class IncludeRule(unittest.TestCase):
     def test_sources_of_a_batch_have_names_of_their_own(self) -> None:
         own = '#include "meristem/shape/%s.h"\n\nnamespace {\n\n%s\n\n}  // namespace\n'
         for first, second in (("constexpr double kStep = 1;", "constexpr int kStep = 2;"),
-                              ("struct Walk {\n};", "class Walk {\n};")):
+                              ("struct Walk {\n};", "class Walk {\n};"),
+                              ("using Walk = int;", "using Walk = double;")):
             self.write("meristem/shape/CMakeLists.txt", "meristem_room(shape HEADERS a.h SOURCES b.cpp c.cpp)")
             for name, text in (("b", first), ("c", second)):
                 self.write(f"meristem/shape/{name}.h", "#pragma once\n")
@@ -147,6 +148,9 @@ class IncludeRule(unittest.TestCase):
             self.assert_only_fault("meristem/shape/c.cpp:5:", "meristem/shape/b.cpp")
             self.write("meristem/shape/c.cpp", own % ("c", first.replace("kStep", "kOther").replace("Walk", "Way")))
             self.assertEqual(self.faults(), [])
+        self.write("meristem/shape/b.cpp", own % ("b", "using Walk = int;"))
+        self.write("meristem/shape/c.cpp", own % ("c", "using Walk = int;"))
+        self.assertEqual(self.faults(), [])
 
     def test_a_test_has_a_namespace_of_its_name(self) -> None:
         self.write("meristem/shape/CMakeLists.txt", "meristem_room(shape HEADERS a.h TESTS b_test.cpp)")

@@ -73,12 +73,12 @@ class SkeletonReader {
 
   /// Lengths of all vertices, NaN where there is none. Those that are metres already are rounded once.
   std::vector<double> metres(std::uint32_t feature, double unit) const {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> lengths;
     lengths.reserve(tree_.vertex_count());
     for (const std::string_view text : tree_.texts(feature)) {
       const auto exact = unit == 1 ? to_float(text) : std::nullopt;
-      lengths.push_back(exact ? *exact : unit * to_number(text).value_or(kNan));
+      lengths.push_back(exact ? *exact : unit * to_number(text).value_or(kMissing));
     }
     return lengths;
   }

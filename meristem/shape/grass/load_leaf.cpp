@@ -38,9 +38,9 @@ constexpr double kAgreed = 0.01;  // of the turn asked for
 using Vec = glm::dvec2;
 
 /// The chain of a leaf. Lengths are in those of the leaf, forces in its weight per area times squared length.
-class Chain {
+class LoadedChain {
  public:
-  Chain(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads) : angles_(piece_angles(leaf)) {
+  LoadedChain(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads) : angles_(piece_angles(leaf)) {
     const double ratio = leaf.width / leaf.length;
     for (std::size_t k = 0; k < angles_.size(); ++k) {
       const Vec along(leaf.x[k + 1] - leaf.x[k], leaf.y[k + 1] - leaf.y[k]);
@@ -218,7 +218,7 @@ void check(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads
 
 GrassLeaf loaded(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads) {
   check(leaf, strip, loads);
-  Chain chain(leaf, strip, loads);
+  LoadedChain chain(leaf, strip, loads);
   std::vector<double> angles = chain.given();
   for (int k = 1; k <= kLoadSteps; ++k) {
     if (!chain.settle(angles, scaled(loads, static_cast<double>(k) / kLoadSteps))) {
@@ -237,7 +237,7 @@ double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLo
   if (angle == 0) return 0;
   LeafLoads growing = loads;
   growing.gravity = loads.measured_gravity;
-  Chain chain(leaf, strip, growing);
+  LoadedChain chain(leaf, strip, growing);
   const double given = angle_along(leaf, chain.given(), place);
   std::vector<double> angles = chain.given(), tried;
   double turn = 0;

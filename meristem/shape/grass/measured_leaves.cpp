@@ -62,13 +62,13 @@ void check_points(const MeasuredCurve& curve, const char* what, CurveFaults& fau
 }
 
 /// What tells curves of one file apart.
-using Name = std::tuple<std::optional<int>, std::optional<int>, std::optional<double>>;
+using CurveName = std::tuple<std::optional<int>, std::optional<int>, std::optional<double>>;
 
 struct CurveColumns {
   std::size_t rank, lindex, age, first, second;
 };
 
-std::string shown(const Name& name) {
+std::string shown(const CurveName& name) {
   std::string text;
   const auto add = [&](const char* word, const auto& number) {
     if (number) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word, *number);
@@ -92,11 +92,11 @@ std::optional<int> whole(const Columns& columns, std::size_t column, std::size_t
 /// Parts the rows into curves.
 std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns& at, std::vector<Diagnostic>& faults) {
   std::vector<MeasuredCurve> curves;
-  std::set<Name> known;
-  Name last;
+  std::set<CurveName> known;
+  CurveName last;
   for (std::size_t row = 0; row < columns.row_count() && faults.size() < kMostFaults; ++row) {
-    const Name name{whole(columns, at.rank, row, faults), whole(columns, at.lindex, row, faults),
-                    columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
+    const CurveName name{whole(columns, at.rank, row, faults), whole(columns, at.lindex, row, faults),
+                         columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
     if (curves.empty() || name != last) {
       if (!known.insert(name).second) {
         faults.push_back({.message = fmt::format("{} appears a second time", shown(name)),

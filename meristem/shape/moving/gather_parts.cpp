@@ -12,13 +12,13 @@ namespace meristem {
 
 namespace {
 
-using Kind = MeshMotion::Kind;
+using Motion = MeshMotion::Kind;
 
 /// What the instances of one mesh have in common.
 struct PartGroup {
   std::uint32_t component = 0;
   std::uint32_t material = 0;
-  Kind kind = Kind::still;
+  Motion kind = Motion::still;
   bool has_tints = false;           ///< that change
   std::size_t shown_at = 0;         ///< key
   std::vector<const Mesh*> meshes;  ///< by key, or the only one
@@ -50,7 +50,7 @@ class PartGatherer {
   }
   void cut_alike(MovingPart& part);
   void count_rigid();
-  Kind kind_of(const MovingPart& part) const;
+  Motion kind_of(const MovingPart& part) const;
   bool can_be_rigid(const MovingPart& part) const;
   bool changes_tint(const MovingPart& part) const;
   void add(const MovingPart& part);
@@ -93,7 +93,7 @@ bool PartGatherer::changes_tint(const MovingPart& part) const {
   return false;
 }
 
-Kind PartGatherer::kind_of(const MovingPart& part) const {
+Motion PartGatherer::kind_of(const MovingPart& part) const {
   const PartKey& first = part.keys[part.nearest().front()];
   bool is_still = !changes_tint(part);
   bool is_one_mesh = true;
@@ -101,10 +101,10 @@ Kind PartGatherer::kind_of(const MovingPart& part) const {
     is_still = is_still && key.mesh == first.mesh && are_one_frame(key.frame, first.frame);
     if (key.mesh == nullptr || key.mesh == first.mesh) continue;
     is_one_mesh = false;
-    if (!are_of_one_form(*key.mesh, *first.mesh)) return Kind::shown;
+    if (!are_of_one_form(*key.mesh, *first.mesh)) return Motion::shown;
   }
-  if (is_still) return Kind::still;
-  return is_one_mesh ? Kind::rigid : Kind::shape;
+  if (is_still) return Motion::still;
+  return is_one_mesh ? Motion::rigid : Motion::shape;
 }
 
 bool PartGatherer::can_be_rigid(const MovingPart& part) const {
@@ -118,7 +118,7 @@ void PartGatherer::count_rigid() {
   std::map<MovingLook, std::size_t> wanted;
   for (const MovingPart& part : parts_.parts) {
     progress_.check();
-    if (kind_of(part) == Kind::rigid && can_be_rigid(part)) ++wanted[part.look];
+    if (kind_of(part) == Motion::rigid && can_be_rigid(part)) ++wanted[part.look];
   }
   std::size_t room = rigid_instances_;
   for (const auto& [look, count] : wanted) {
@@ -142,10 +142,10 @@ MovingMesh& PartGatherer::group(PartGroup key, const SharedMesh& mesh) {
 
 void PartGatherer::add(const MovingPart& part) {
   PartGroup key{.component = part.look.component, .material = part.look.material, .kind = kind_of(part), .meshes = {}};
-  if (key.kind == Kind::shown) return add_shown(part);
-  if (key.kind == Kind::rigid && !(rigid_.contains(part.look) && can_be_rigid(part))) key.kind = Kind::shape;
-  key.has_tints = key.kind == Kind::shape && changes_tint(part);
-  const bool is_still = key.kind == Kind::still;
+  if (key.kind == Motion::shown) return add_shown(part);
+  if (key.kind == Motion::rigid && !(rigid_.contains(part.look) && can_be_rigid(part))) key.kind = Motion::shape;
+  key.has_tints = key.kind == Motion::shape && changes_tint(part);
+  const bool is_still = key.kind == Motion::still;
   const bool has_tints = key.has_tints;
   const std::vector<std::size_t> nearest = part.nearest();
   const std::size_t last = nearest.back();
@@ -190,7 +190,7 @@ void PartGatherer::add_shown(const MovingPart& part) {
     if (then.mesh == nullptr) continue;
     MovingMesh& all = group({.component = part.look.component,
                              .material = part.look.material,
-                             .kind = Kind::shown,
+                             .kind = Motion::shown,
                              .shown_at = k,
                              .meshes = {then.mesh.get()}},
                             then.mesh);

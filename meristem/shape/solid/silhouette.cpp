@@ -17,7 +17,7 @@ namespace meristem {
 namespace {
 
 using Point = glm::dvec2;
-using Chain = std::vector<SilhouetteCorner>;
+using CornerChain = std::vector<SilhouetteCorner>;
 
 constexpr std::size_t kMostPoints = 500;
 constexpr double kNearest = 1e-5;        // of the silhouette's length: what is nearer counts as the same point
@@ -83,9 +83,9 @@ std::vector<double> sampled_places(const Spline& spline, std::size_t points, int
   return places;
 }
 
-Chain spline_chain(const SolidOfRevolution& solid) {
+CornerChain spline_chain(const SolidOfRevolution& solid) {
   const Spline spline(solid.silhouette);
-  Chain chain;
+  CornerChain chain;
   for (const double place : sampled_places(spline, solid.silhouette.size(), solid.rings)) {
     const Point slope = spline.slope(place);
     const double steepness = glm::length(slope);
@@ -101,8 +101,8 @@ void smooth_over(SilhouetteCorner& corner) {
   corner.arriving = corner.leaving = glm::normalize(corner.arriving + corner.leaving);
 }
 
-Chain line_chain(const SolidOfRevolution& solid) {
-  Chain chain;
+CornerChain line_chain(const SolidOfRevolution& solid) {
+  CornerChain chain;
   for (const Vec2 point : solid.silhouette) chain.push_back({Point(point)});
   for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
     chain[k].leaving = chain[k + 1].arriving = direction(chain[k].at, chain[k + 1].at);
@@ -112,7 +112,7 @@ Chain line_chain(const SolidOfRevolution& solid) {
 }
 
 /// Ends near the axis come to lie on it; a blunt one is round there. Other ends get their disc.
-void close_ends(Chain& chain, double nearest) {
+void close_ends(CornerChain& chain, double nearest) {
   const auto is_on_axis = [&](const SilhouetteCorner& corner) { return corner.at.x <= nearest; };
   const auto mirrored = [](Point direction) { return Point(direction.x, -direction.y); };
   SilhouetteCorner& first = chain.front();
@@ -137,7 +137,7 @@ void close_ends(Chain& chain, double nearest) {
 }  // namespace
 
 std::vector<SilhouetteCorner> silhouette_chain(const SolidOfRevolution& solid) {
-  Chain chain = solid.kind == CurveKind::linear ? line_chain(solid) : spline_chain(solid);
+  CornerChain chain = solid.kind == CurveKind::linear ? line_chain(solid) : spline_chain(solid);
   close_ends(chain, resolution(solid.silhouette));
   // Where few edges follow a tight bend, normals must still lie on the front of their triangles.
   for (std::size_t k = 0; k + 1 < chain.size(); ++k) {

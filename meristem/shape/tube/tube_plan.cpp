@@ -10,6 +10,8 @@ namespace meristem {
 namespace {
 
 constexpr float kRunsOn = 0.94F;  // cosine of the angle, 20 degrees, up to which one axis goes on another
+constexpr float kAsThick =
+    0.7F;  // of a tip's radius, from which an axis that goes on there is one piece of wood with it
 constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
 constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
 constexpr float kHidden = 0.95F;           // of the parent's inner radius that a lateral's first ring may fill
@@ -71,6 +73,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
       choose_sides(static_cast<AxisIndex>(axis));
     }
   });
+  find_successors();
   parallel_for(plans_.size(), kPlannedAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) count_rings(static_cast<AxisIndex>(axis));
   });
@@ -122,6 +125,29 @@ bool TubePlan::find_whether_it_goes_on(AxisIndex axis) const {
   const Vec3 theirs = unit_or(skeleton_->position[parent] - skeleton_->position[before], Vec3(0));
   const Vec3 own = unit_or(skeleton_->position[first] - skeleton_->position[parent], Vec3(0));
   return glm::dot(theirs, own) > kRunsOn;
+}
+
+/// Finds the tubes that are one piece of wood: where an axis ends, as a leader that was cut back to a lateral, the
+/// thickest of those that go on there nearly as thick succeeds it, if both are clothed alike.
+void TubePlan::find_successors() {
+  for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
+    if (goes_on_[axis] == 0 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) continue;
+    const NodeIndex first = axes_.of(static_cast<AxisIndex>(axis))[0];
+    const NodeIndex tip = skeleton_->parent[first];
+    const AxisIndex before = skeleton_->axis[tip];
+    const bool is_as_thick = radii_[first] >= kAsThick * radii_[tip] && base_radius_[axis] <= radii_[tip];
+    if (!is_as_thick || wear(axis) != wear(before)) continue;
+    AxisIndex& successor = plans_[before].successor;
+    if (successor == AxisPlan::kNoAxis || radii_[axes_.of(successor)[0]] < radii_[first]) {
+      successor = static_cast<AxisIndex>(axis);
+    }
+  }
+  for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
+    const AxisIndex successor = plans_[axis].successor;
+    if (successor == AxisPlan::kNoAxis) continue;
+    plans_[successor].succeeds = true;
+    base_radius_[successor] = radii_[axes_.of(static_cast<AxisIndex>(axis)).back()];
+  }
 }
 
 float TubePlan::roundness(std::size_t axis) const {
@@ -240,6 +266,8 @@ void TubePlan::count_rings(AxisIndex axis) {
 }
 
 Surface::Cap TubePlan::cap(AxisIndex axis) const {
+  // A cone stays hidden in the tube that goes on.
+  if (plans_[axis].successor != AxisPlan::kNoAxis) return Surface::Cap::pointed;
   const auto cut = skeleton_->extra.find(kCutColumn);
   const bool is_cut = cut != skeleton_->extra.end() && cut->second[axes_.of(axis).back()] != 0;
   return is_cut ? Surface::Cap::flat : surface(axis).cap;
@@ -254,6 +282,7 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
     if (flares) plan.flare_rings = AxisPlan::kFlareRings;
     return;
   }
+  if (plan.succeeds) return;
   // What goes on where its parent ends, and is no thicker than that is there, needs no room inside it.
   if (goes_on_[axis] != 0 && plan.start_radius <= radii_[points.parent]) return;
   const float hollow = roundness(skeleton_->axis[points.parent]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ struct AxisPlan {
   static constexpr std::uint32_t kCollarRings = 5;  ///< hidden, on the bark, two in the fillet, free
   static constexpr std::uint32_t kFlareRings = 3;   ///< between a root's first two nodes
   static constexpr std::uint32_t kDomeRings = 2;    ///< of a round cap, beyond the last node
+  static constexpr AxisIndex kNoAxis = std::numeric_limits<AxisIndex>::max();
 
   std::uint32_t sides = 0;
   std::uint32_t rings = 0;
@@ -25,6 +27,8 @@ struct AxisPlan {
   float start_radius = 0;
   float sink = 0;  ///< metres: how far the parent's flats may lie below its bark
   std::optional<Collar> collar;
+  AxisIndex successor = kNoAxis;             ///< the axis whose tube goes on in this one's, from the same last ring
+  bool succeeds = false;                     ///< whether this tube goes on in another's
   Surface::Cap cap = Surface::Cap::pointed;  ///< flat where the axis has been cut off
   std::uint32_t mesh = 0;                    ///< in which it stands
   std::uint64_t first_vertex = 0;            ///< of that mesh
@@ -81,6 +85,7 @@ class TubePlan {
   void find_start(AxisIndex axis);
   float base_radius(AxisIndex axis, bool goes_on) const;
   bool find_whether_it_goes_on(AxisIndex axis) const;
+  void find_successors();
   void smooth_radii(AxisIndex axis);
   void choose_rings(AxisIndex axis);
   bool is_straight(std::span<const Vec3> positions, std::span<const NodeIndex> nodes, std::size_t from, std::size_t to,

@@ -8,7 +8,9 @@
 // gets a fan of rings about its node. On the inner side of a bend rings reach back no farther than their segments let
 // them, so that neighbours never cross.
 //
-// A lateral grows out of its parent with a collar (collar.h), a root flares toward the ground.
+// A lateral grows out of its parent with a collar (collar.h), a root flares toward the ground. Axes that are one piece
+// of wood, as a leader and the lateral that leads on where it was cut, are written one after another: the next tube
+// begins with the last ring of the one before, as a bend of one tube would have it.
 //
 // Deliberately left to others: smoothing of the axis (plant/finish.h).
 //
@@ -22,6 +24,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -39,6 +42,7 @@ constexpr float kSharpestMitre = 0.25881905F;  // of half a bend: the sharpest m
 constexpr float kInnerReach = 0.45F;           // of the shorter segment; two neighbours leave a tenth of it free
 constexpr float kFanSpacing = 0.05F;           // between a fan's rings, in radii
 constexpr float kStartDepth = 0.5F;            // how far a lateral's closed start reaches back, in radii
+constexpr float kInJoint = 0.999F;             // of a joint's radius: two closed bodies share no edges there
 constexpr float kHiddenFillet = 0.3F;          // of a fillet that runs on below the parent's bark
 constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
 constexpr float kSqrt2 = 1.4142135F;
@@ -88,25 +92,41 @@ struct Mitre {
   }
 };
 
+/// The ring from which one tube goes on in another.
+struct Joint {
+  Mitre mitre;
+  float slope_before, slope_after;  // of the radius
+  Vec3 x;                           // the first corner's direction before the ring
+  float tiles, v;
+};
+
 /// Writes one axis into its part of the mesh.
 class AxisMesher {
  public:
-  AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, Mesh& mesh)
+  /// `joint` is the last ring of the axis that this one succeeds.
+  AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, const std::optional<Joint>& joint,
+             Mesh& mesh)
       : tubes_(tubes),
         path_(tubes.path(axis)),
         plan_(tubes[axis]),
         surface_(tubes.surface(axis)),
         corners_(corners),
+        joint_(joint),
         mesh_(mesh) {
     next_vertex_ = static_cast<std::uint32_t>(plan_.first_vertex);
     next_triangle_ = plan_.first_triangle;
     const double around = 2 * kPi * path_.radius(0);
     tiles_ = static_cast<float>(std::max(1.0, std::floor(around / surface_.uv_scale + 0.5)));
+    if (joint_) {
+      tiles_ = joint_->tiles;
+      v_ = joint_->v;
+    }
   }
 
-  void run(const Progress& progress) {
+  /// Returns the joint with the axis that succeeds this one, if one does.
+  std::optional<Joint> run(const Progress& progress) {
     Vec3 before = plan_.collar ? plan_.collar->direction : path_.direction(0, kUp);
-    x_ = any_perpendicular(before);
+    x_ = joint_ ? joint_->x : any_perpendicular(before);
     start(before);
     const std::size_t last = path_.size() - 1;
     for (std::size_t i = plan_.collar ? plan_.collar->next_point : 1; i < last; ++i) {
@@ -117,9 +137,15 @@ class AxisMesher {
       if (i % kRingsPerCheck == 0) progress.check();
     }
     advance_v(last);
-    finish(before);
+    std::optional<Joint> joint;
+    if (plan_.successor == AxisPlan::kNoAxis) {
+      finish(before);
+    } else {
+      joint = finish_in_successor(before);
+    }
     assert(next_triangle_ == plan_.first_triangle + plan_.triangles());
     assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral()));
+    return joint;
   }
 
  private:
@@ -147,6 +173,7 @@ class AxisMesher {
     if (path_.is_lateral()) {
       const std::uint32_t point = add_vertex(centre - kStartDepth * radius(0) * direction, -direction, {0.5F, 0});
       close_start(point);
+      if (joint_) return ring(centre, kInJoint * radius(0), joint_->mitre, joint_->slope_before, joint_->slope_after);
       ring(centre, radius(0), Mitre(direction), 1 / kStartDepth, slope(0));
       return;
     }
@@ -310,12 +337,16 @@ class AxisMesher {
     }
   }
 
-  /// How far a ring may reach towards the inside of its bend, in radii: to the mitre, unless a segment is too short.
   float inner_stretch(std::size_t i, float half_cosine) const {
+    return inner_stretch(std::min(length(i - 1), length(i)), radius(i), half_cosine);
+  }
+  /// How far a ring may reach towards the inside of its bend, in radii: to the mitre, unless the shorter segment beside
+  /// it is too short.
+  static float inner_stretch(float shorter, float ring_radius, float half_cosine) {
     const float half_sine = std::sqrt(std::max(0.0F, 1 - half_cosine * half_cosine));
-    const float room = kInnerReach * std::min(length(i - 1), length(i));
+    const float room = kInnerReach * shorter;
     const float mitre = 1 / std::max(half_cosine, kSharpestMitre);
-    return room < mitre * radius(i) * half_sine ? room / (radius(i) * half_sine) : mitre;
+    return room < mitre * ring_radius * half_sine ? room / (ring_radius * half_sine) : mitre;
   }
 
   /// The last ring and the cap.
@@ -348,6 +379,23 @@ class AxisMesher {
         join();
         close_end(centre, direction);
     }
+  }
+
+  /// The last ring where the successor's first one stands, and a cone that is hidden inside it.
+  Joint finish_in_successor(Vec3 before) {
+    const std::size_t last = path_.size() - 1;
+    const AxisPath successor = tubes_.path(plan_.successor);
+    const Vec3 after = successor.direction(0, before);
+    const float width = radius(last);
+    const float metres = glm::distance(successor.position(0), successor.position(1));
+    const float slope_after = (successor.radius(1) - width) / std::max(metres, kThinnestTube);
+    Mitre mitre(before, after, glm::normalize(before + after), unit_or(before - after, Vec3(0)));
+    mitre.inner_stretch = inner_stretch(std::min(length(last - 1), metres), width, mitre.half_cosine);
+    const Joint joint{mitre, slope(last - 1), slope_after, x_, tiles_, v_};
+    ring(position(last), width, mitre, joint.slope_before, joint.slope_after);
+    join();
+    close_tip(position(last) + width * before, before, width * kSqrt2);
+    return joint;
   }
 
   /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex per side, as each has its own
@@ -443,6 +491,7 @@ class AxisMesher {
   const AxisPlan& plan_;
   const Surface& surface_;
   std::span<const Turn> corners_;
+  std::optional<Joint> joint_;
   Mesh& mesh_;
   std::uint32_t next_vertex_ = 0;
   std::uint64_t next_triangle_ = 0;
@@ -474,11 +523,15 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
   const CornerTable corners(plan.most_sides());
   parallel_for(plan.axis_count(), kMeshedAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
-      const auto index = static_cast<AxisIndex>(axis);
-      if (plan[axis].rings > 0) {
-        AxisMesher(plan, index, corners.of(plan[axis].sides), meshes[plan[axis].mesh]).run(progress);
+      // A successor is written after the axis that it succeeds.
+      if (plan[axis].succeeds) continue;
+      std::optional<Joint> joint;
+      for (auto index = static_cast<AxisIndex>(axis); index != AxisPlan::kNoAxis; index = plan[index].successor) {
+        if (plan[index].rings > 0) {
+          joint = AxisMesher(plan, index, corners.of(plan[index].sides), joint, meshes[plan[index].mesh]).run(progress);
+        }
+        progress.advance(plan.node_count(index));
       }
-      progress.advance(plan.node_count(index));
     }
   });
   return meshes;

@@ -2,7 +2,8 @@
 // Tubes along the axes of a skeleton: one ring of vertices a node, in the plane that halves the bend (mitred), carried
 // along without twist, joined by triangles, closed at both ends. A lateral tube grows out of its parent with a collar
 // (collar.h); where that is not wanted or has no room it starts inside it with its own first node's radius, or as much
-// of it as that can hide. Steps in thickness are levelled along the axis and roots flare, as the surface says.
+// of it as that can hide. Where an axis ends and another goes on in its direction, nearly as thick, both tubes have one
+// ring, and the texture runs on. Steps in thickness are levelled along the axis and roots flare, as the surface says.
 #pragma once
 
 #include <cstdint>

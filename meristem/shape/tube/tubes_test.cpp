@@ -218,6 +218,49 @@ TEST(Tubes, ALateralStartsInsideItsParent) {
   }
 }
 
+/// A stem of two segments that another axis succeeds, or one axis along the same nodes.
+Skeleton succeeded_stem(double angle_deg, float successor_radius, AxisIndex successor) {
+  Builder builder;
+  NodeIndex last = builder.add(kNoNode, Vec3(0), 0.1F, 0);
+  last = builder.add(last, {0, 1, 0}, 0.1F, 0);
+  last = builder.add(last, {0, 2, 0}, 0.1F, 0);
+  for (int k = 1; k <= 2; ++k) {
+    last = builder.add(last, Vec3(0, 2, 0) + static_cast<float>(k) * tilted(angle_deg), successor_radius, successor);
+  }
+  return builder.skeleton;
+}
+
+TEST(Tubes, WhatSucceedsAnAxisGoesOnWithItsRingFrameAndTexture) {
+  const Surface surface = bare(10, 0.1F);
+  for (const double angle : {0.0, 5.0, 15.0}) {
+    const Mesh one = tubes(succeeded_stem(angle, 0.1F, 0), surface);
+    const Mesh two = tubes(succeeded_stem(angle, 0.1F, 1), surface);
+    EXPECT_TRUE(check_mesh(two)) << angle;
+    EXPECT_EQ(euler_number(two), 4);
+    // A disc of 11 vertices and rings of 11: the stem's third, and the first of its successor after the stem's cone and
+    // the successor's own hidden point.
+    const std::size_t stem_ring = 11 + 2 * 11;
+    const std::size_t successor_ring = stem_ring + 11 + 10 + 1;
+    for (std::size_t k = 0; k < 3 * 11; ++k) {
+      // The ring at the joint lies a thousandth inside the stem's, so that both bodies are closed.
+      const float inside = k < 11 ? 1.1e-4F : 1e-6F;
+      EXPECT_LT(glm::distance(two.positions[successor_ring + k], one.positions[stem_ring + k]), inside) << angle;
+      EXPECT_LT(glm::distance(two.normals[successor_ring + k], one.normals[stem_ring + k]), 1e-5F) << angle;
+      EXPECT_LT(glm::distance(two.uvs[successor_ring + k], one.uvs[stem_ring + k]), 1e-4F) << angle;
+      if (k >= 11) continue;
+      EXPECT_EQ(two.positions[stem_ring + k], one.positions[stem_ring + k]) << angle;
+      EXPECT_EQ(two.normals[stem_ring + k], two.normals[successor_ring + k]) << angle;
+    }
+  }
+}
+
+TEST(Tubes, AThinShootAtATipStartsInsideIt) {
+  const Mesh mesh = tubes(succeeded_stem(5, 0.03F, 1), bare(10));
+  EXPECT_TRUE(check_mesh(mesh));
+  // The stem keeps its cone: the last ring's normals lean toward the tip.
+  EXPECT_GT(mesh.normals[11 + 2 * 11].y, 0.3F);
+}
+
 TEST(Tubes, EachAxisIsABodyOfItsOwn) {
   const Skeleton skeleton = random_tree(5, 400);
   const Mesh mesh = tubes(skeleton);

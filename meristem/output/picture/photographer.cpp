@@ -16,14 +16,15 @@ constexpr float kSharpness = 0.6F;  // width of textures' means over a pixel's; 
 constexpr int kNeighbours = 2;      // squares to each side that decide
 constexpr int kFirstRound = 8;      // the share of the samples that all squares take
 constexpr int kLeastSamples = 4;
-// The noise that is borne where 64 samples are asked for: variance of brightness from 0 to 1 as it is shown. Grain
-// shows on plain ground and not among leaves, so more is borne where brightness varies from pixel to pixel. Against 64
-// even samples that count in one pixel each, the oak takes half the rays and its crown has a quarter less noise; the
-// wheat takes a sixth of the rays and has a quarter more noise. Fewer samples everywhere are quicker for the noise of
-// all pixels, but leave grain where it shows: 24 of the oak take 0.78 of the time and leave a root mean square of 4.9
-// bytes in the crown and 5.0 on plain ground, where ours leave 5.3 and 3.1, and the low-poly oak's shade gets spotted.
-constexpr float kNoiseOfPlain = 0.015F * 0.015F;
-constexpr float kNoiseByContrast = 0.2F;  // of the variance among squares
+// The noise that is borne after 16 of 64 samples: variance of brightness from 0 to 1 as it is shown. After 32 twice as
+// much is borne, as one more sample takes half as much away; after 8, half as much among leaves. So crowns do not stop
+// at a few samples while the shade beside them takes all. Grain shows on plain ground and not among leaves, so more is
+// borne where brightness varies from pixel to pixel. Fewer samples everywhere are quicker for the noise of all pixels,
+// but leave grain where it shows: 24 for every pixel of the oak leave a root mean square of 4.7 bytes in the crown, and
+// 2.6 and 4.5 on plain ground and where its shade begins, where ours, 30 and 29, leave 4.6, 2.4 and 3.8.
+constexpr float kUsualSamples = 16;
+constexpr float kNoiseOfPlain = 0.0125F * 0.0125F;
+constexpr float kNoiseByContrast = 0.14F;  // of the variance among squares
 constexpr float kMostNoise = 0.045F * 0.045F;
 
 struct Mean {
@@ -151,7 +152,9 @@ bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
       }
       const float contrast =
           std::max(0.0F, squared_brightness.value() - brightness.value() * brightness.value() - noise.value());
-      const float bearable = std::min(kNoiseOfPlain + kNoiseByContrast * contrast, kMostNoise);
+      const float taken = scale * static_cast<float>(square.samples) / kUsualSamples;
+      const float borne_here = (kNoiseOfPlain + kNoiseByContrast * contrast) * std::max(1.0F, taken);
+      const float bearable = std::min(borne_here, kMostNoise * taken);
       square.goes_on = noise.value() > scale * bearable;
       any_goes_on = any_goes_on || square.goes_on;
     }

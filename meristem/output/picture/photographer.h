@@ -2,9 +2,10 @@
 // How much light comes to each pixel of a tile. Samples are spread over squares around the pixels' middles, and each
 // counts in the four pixels that it lies between, as much as it is near (a tent): so a pixel is the mean of more than
 // twice the paths that are followed for it. They are taken in rounds, each as many as all before. After a round a
-// square goes on if the first and the second half of the samples of those around it differ, as the eye sees it, by more
-// than is bearable: even sky and sunlit ground end early, and crowns take what they need. A square has no say in its
-// own case: one that by chance has missed the few bright paths would stop too early, and the picture would darken.
+// square goes on if the first and the second half of the samples of those around it differ, as the eye sees it, by so
+// much that more samples are worth their time: even sky and sunlit ground end early, and crowns take what they need. A
+// square has no say in its own case: one that by chance has missed the few bright paths would stop too early, and the
+// picture would darken.
 //
 // Based on: F. Rousselle, C. Knaus and M. Zwicker: Adaptive rendering with non-local means filtering (2012) for the two
 // halves; D. Kirk and J. Arvo: Unbiased sampling techniques for image synthesis (1991) for the bias.

@@ -8,10 +8,12 @@
 #include "meristem/base/mesh.h"
 #include "meristem/base/vec.h"
 #include "meristem/plant/material.h"
+#include "meristem/shape/texture/pixel_neighbours.h"
 
 namespace meristem {
 
-/// Where a masked texture has holes. By itself, as rays ask for it at every leaf they meet.
+/// Where a masked texture has holes. By itself, as rays ask for it at every leaf they meet: a small map of blocks,
+/// which stays at hand, answers most of them, and only along the edges of holes are pixels looked up.
 class AlphaMask {
  public:
   explicit AlphaMask(const Image& image);
@@ -19,9 +21,16 @@ class AlphaMask {
   bool is_hole(Vec2 uv) const;
 
  private:
+  enum class Block : std::uint8_t { solid, hole, edge };
+
+  bool is_hole_at(const PixelNeighbours& columns, const PixelNeighbours& rows) const;
+  Block block_at(int column, int row) const;
+
   int width_;
   int height_;
+  int blocks_across_;
   std::vector<std::uint8_t> alpha_;
+  std::vector<Block> blocks_;  ///< what all positions in a square of 8 pixels are, row by row
 };
 
 /// The texture whose mask cuts holes into a mesh of this material; null where there are none.

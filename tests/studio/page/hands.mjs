@@ -109,12 +109,9 @@ export async function step(page, act) {
 
 /// Undoes by the keyboard until nothing is left to undo.
 export async function undo_all(page) {
-  for (;;) {
-    const count = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
-    if (count === 0) return;
-    await page.keyboard.press('Control+z');
-    await page.waitForFunction((known) => window.studio.document.state.get().undo.done.length < known, count);
-  }
+  const count = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
+  for (let k = 0; k < count; k += 1) await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
 }
 
 /// Finds a word in the editor of the text and types in its place.

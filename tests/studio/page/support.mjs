@@ -18,6 +18,7 @@ export const kAxe = require.resolve('axe-core/axe.min.js');
 export const validator = require('gltf-validator');
 
 export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/dev/bin/meristem');
+const kOften = 20; // ms between looks at whether what is waited for has come
 const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
 // Where a processor draws in place of a graphics card, panels are painted without it: that is three times as fast.
 const kArguments = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-gpu-rasterization'];
@@ -60,15 +61,23 @@ export async function start_server(folder, ...words) {
   return { address, stop, pid: child.pid };
 }
 
-/// A browser that puts its pages together without the graphics card as well, which costs tests less; `as_users_do`: with
-/// it, where the page's speed is measured, or all that the browser says counts.
+/// A browser that puts its pages together without the graphics card as well, and shows them on half as many pixels each
+/// way as they have, which costs tests less; `as_users_do`: as where the page's speed is measured, or all that the browser
+/// says counts. Contexts that are looked at ask for a `deviceScaleFactor` of 1.
 export async function start_browser({ as_users_do = false } = {}) {
-  return chromium.launch({ executablePath: kBrowser, args: as_users_do ? kArguments : [...kArguments, '--disable-gpu-compositing'] });
+  if (as_users_do) return chromium.launch({ executablePath: kBrowser, args: kArguments });
+  const browser = await chromium.launch({ executablePath: kBrowser, args: [...kArguments, '--disable-gpu-compositing'] });
+  const make = browser.newContext.bind(browser);
+  browser.newContext = (wishes) => make({ deviceScaleFactor: 0.5, reducedMotion: 'reduce', ...wishes });
+  return browser;
 }
 
 /// A page of the studio, with what it complained about.
 export async function open_page(context, address) {
   const page = await context.newPage();
+  // Asked now and then, since each look at a picture's time has the browser make the next picture.
+  const wait = page.waitForFunction.bind(page);
+  page.waitForFunction = (wanted, fact, wishes) => wait(wanted, fact, { polling: kOften, ...wishes });
   page.faults = [];
   page.on('pageerror', (fault) => page.faults.push(String(fault)));
   page.on('console', (message) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person does with mouse and keyboard. The page's own functions are asked what came of it, and never called.
-import { settled, text_of } from './support.mjs';
+import { changes, settled, text_of } from './support.mjs';
 
 export const slider = (page, name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
 export const field = (page, name) => page.getByRole('textbox', { name, exact: true });
@@ -101,16 +101,16 @@ export async function pick(page, target, entry) {
 
 /// Does something that is a step, and waits until the text has it and the plant shows it.
 export async function step(page, act) {
-  const text = await text_of(page);
-  await act();
-  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 20000 });
+  await changes(page, act);
   await settled(page);
 }
 
 /// Undoes by the keyboard until nothing is left to undo.
 export async function undo_all(page) {
   const count = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
-  for (let k = 0; k < count; k += 1) await page.keyboard.press('Control+z');
+  await page.keyboard.down('Control');
+  await Promise.all(Array.from({ length: count }, () => page.keyboard.press('z')));
+  await page.keyboard.up('Control');
   await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
 }
 

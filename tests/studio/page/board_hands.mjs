@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person does on the board, with the mouse and with the keyboard alone.
 import { field, type_into } from './hands.mjs';
-import { text_of } from './support.mjs';
+import { changes } from './support.mjs';
 
 export const node = (page, id) => page.locator(`.board-canvas [data-node="${id}"]`);
 export const tool = (page, name) => page.locator('.board-tools').getByRole('button', { name, exact: true });
@@ -10,16 +10,6 @@ export async function open_board(page) {
   if (await page.locator('.board-canvas').isVisible()) return;
   await page.getByRole('group', { name: 'Outline or board' }).getByRole('button', { name: 'Board', exact: true }).click();
   await page.locator('.board-canvas').waitFor();
-}
-
-/// Does something that changes the text, and waits for that alone.
-export async function changes(page, act) {
-  const text = await text_of(page);
-  await act();
-  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 20000 }).catch(async () => {
-    const state = await page.evaluate(() => [window.studio.chosen.get(), document.activeElement.outerHTML.slice(0, 200), ...window.studio.toasts.shown.get().map((one) => one.text), window.studio.document.state.get().text]);
-    throw new Error(`the text stays what it is: ${state.join('\n')}`);
-  });
 }
 
 export const chosen = (page) => page.evaluate(() => window.studio.chosen.get());

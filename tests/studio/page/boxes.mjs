@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether what a page shows has room: nothing lies over the edge, over something else, or is cut, and no text is tiny.
+// Whether what a page shows has room: nothing lies over the edge, over something else, or is cut, and no text is tiny; and
+// whether all can use it.
+import { readFile } from 'node:fs/promises';
+
+import { kAxe } from './support.mjs';
 
 /// What is wrong, in words; nothing where all is well.
 export function box_faults(page) {
@@ -45,6 +49,20 @@ export function box_faults(page) {
     }
     return faults;
   });
+}
+
+/// What axe finds that keeps people from using the page, in words. `colours_only`: what another theme of the same page can
+/// change, where that page was looked at in full.
+export async function serious_faults(page, { colours_only = false } = {}) {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(await readFile(kAxe, 'utf8'));
+  return page.evaluate(
+    async (rules) => {
+      const { violations } = await window.axe.run(document, { resultTypes: ['violations'], ...(rules && { runOnly: rules }) });
+      const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+      return serious.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => `${node.html.slice(0, 160)} ${node.any[0]?.message ?? ''}`).join('; ')}`);
+    },
+    colours_only ? ['color-contrast', 'link-in-text-block'] : null,
+  );
 }
 
 /// Texts that are hard to read on what is behind them.

@@ -2,12 +2,13 @@
 // Editors of curves, polygons, silhouettes, axes, selections, colours and pictures, by hand: each gesture is one step,
 // and undoing all of them gives the first bytes.
 import assert from 'node:assert/strict';
-import { cp, readFile } from 'node:fs/promises';
+import { cp } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { serious_faults } from './boxes.mjs';
 import { choose, drag, leave_fields, open_file, pick, point_at, row, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, kSource, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { kSource, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kShapes = `{
   "meristem": 1, // shapes of all forms
@@ -301,13 +302,11 @@ test('the large editor goes with Escape and with what it edits', async () => {
 });
 
 test('axe finds nothing serious in the editors, light and dark', async () => {
-  await page.evaluate(await readFile(kAxe, 'utf8'));
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
     for (const [component, name] of [['stem', 'taper'], ['stem', 'axis'], ['rod', 'outline'], ['cup', 'silhouette'], ['leaf', 'colour'], ['leaf', 'omit']]) {
       await enlarge(component, name);
-      const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map((one) => ({ id: one.id, impact: one.impact, nodes: one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + ' ' + (node.any[0]?.message ?? '')) })));
-      assert.deepEqual(found.filter((one) => one.impact === 'serious' || one.impact === 'critical'), [], `${theme}, ${component}.${name}`);
+      assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], `${theme}, ${component}.${name}`);
     }
   }
   await page.emulateMedia({ colorScheme: null });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finding by looking: strips of plants under rows, nine by chance, pinned states.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { serious_faults } from './boxes.mjs';
 import { choose, drag, field, leave_fields, open_file, open_model, row, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kSmall = `{
   "meristem": 1,
@@ -210,15 +210,13 @@ test('a shipped plant that reads files beside it is pinned as it is', async () =
 
 test('axe finds nothing serious, light and dark', async () => {
   await open_model(page, 'sunflower');
-  await page.evaluate(await readFile(kAxe, 'utf8'));
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
     await leave_fields(page);
     await page.keyboard.press('p');
     await page.keyboard.press('n');
     await pictures('.nine', 9);
-    const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map((one) => ({ id: one.id, impact: one.impact, nodes: one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + ' ' + (node.any[0]?.message ?? '')) })));
-    assert.deepEqual(found.filter((one) => one.impact === 'serious' || one.impact === 'critical'), [], theme);
+    assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Let state A go' }).click();
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Grammars by hand: typed without losing a key, faults at their line, derived step by step beside the plant.
 import assert from 'node:assert/strict';
-import { readFile, writeFile } from 'node:fs/promises';
+import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { serious_faults } from './boxes.mjs';
 import { leave_fields, open_file, step, undo_all } from './hands.mjs';
-import { kAxe, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const document_of = (grammar, more = '') => `{
   "meristem": 1,
@@ -241,12 +242,10 @@ test('a grammar in a file is read, and taken into the document', async () => {
 });
 
 test('axe finds nothing serious in the grammar, light and dark', async () => {
-  await page.evaluate(await readFile(kAxe, 'utf8'));
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
     await page.waitForTimeout(250);
-    const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map((one) => ({ id: one.id, impact: one.impact, nodes: one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + ' ' + (node.any[0]?.message ?? '')) })));
-    assert.deepEqual(found.filter((one) => one.impact === 'serious' || one.impact === 'critical'), [], theme);
+    assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
   }
   await page.emulateMedia({ colorScheme: null });
 });

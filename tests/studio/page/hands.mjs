@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person does with mouse and keyboard. The page's own functions are asked what came of it, and never called.
-import { settled, text_of } from './support.mjs';
+import { changes, settled, text_of } from './support.mjs';
 
 export const slider = (page, name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
 export const field = (page, name) => page.getByRole('textbox', { name, exact: true });
@@ -101,20 +101,17 @@ export async function pick(page, target, entry) {
 
 /// Does something that is a step, and waits until the text has it and the plant shows it.
 export async function step(page, act) {
-  const text = await text_of(page);
-  await act();
-  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 20000 });
+  await changes(page, act);
   await settled(page);
 }
 
 /// Undoes by the keyboard until nothing is left to undo.
 export async function undo_all(page) {
-  for (;;) {
-    const count = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
-    if (count === 0) return;
-    await page.keyboard.press('Control+z');
-    await page.waitForFunction((known) => window.studio.document.state.get().undo.done.length < known, count);
-  }
+  const count = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
+  await page.keyboard.down('Control');
+  await Promise.all(Array.from({ length: count }, () => page.keyboard.press('z')));
+  await page.keyboard.up('Control');
+  await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
 }
 
 /// Finds a word in the editor of the text and types in its place.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures beside the plant: as the command line has them, beside real plants, over a handle.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { serious_faults } from './boxes.mjs';
 import { field, leave_fields, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kTree = `{
   "meristem": 1,
@@ -94,12 +94,10 @@ test('a measure is drawn over a handle, and a point of the plot takes its value'
 });
 
 test('axe finds nothing serious in the measures, light and dark', async () => {
-  await page.evaluate(await readFile(kAxe, 'utf8'));
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
     await page.waitForTimeout(250);
-    const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map((one) => ({ id: one.id, impact: one.impact, nodes: one.nodes.slice(0, 3).map((node) => `${node.html.slice(0, 160)} ${node.any[0]?.message ?? ''}`) })));
-    assert.deepEqual(found.filter((one) => one.impact === 'serious' || one.impact === 'critical'), [], theme);
+    assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
   }
 });
 

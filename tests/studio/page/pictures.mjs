@@ -13,7 +13,8 @@ import { kSource, open_page, start_browser, start_server, temporary_folder } fro
 export const kMostBytes = 250_000;
 export const kFolder = path.join(kSource, 'docs/manual/studio');
 
-/// What each picture shows, and how a hand comes there: from the oak that is open at first, or from a small plant.
+/// What each picture shows, and how a hand comes there: from the oak that is open at first, or from a small plant. `has_many`
+/// says that it holds many small pictures, which look otherwise on fewer pixels.
 export const kPictures = [
   { name: 'oak', on_oak: true, theme: 'light', act: (page) => choose(page, 'tree') },
   {
@@ -137,6 +138,7 @@ export const kPictures = [
   {
     name: 'models',
     on_oak: true,
+    has_many: true,
     theme: 'light',
     act: async (page) => {
       await page.keyboard.press('Control+m');
@@ -146,6 +148,7 @@ export const kPictures = [
   },
   {
     name: 'palette',
+    has_many: true,
     theme: 'light',
     act: async (page) => {
       await page.getByRole('button', { name: 'New plant', exact: true }).click();
@@ -293,8 +296,8 @@ const kOwn = {
 };
 
 /// Draws a picture as good as its size allows, and gives its path.
-async function draw(browser, address, out, { name, theme, act }) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 760 }, colorScheme: theme });
+async function draw(browser, address, out, { name, theme, act }, scale) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 760 }, deviceScaleFactor: scale, colorScheme: theme });
   const page = await open_page(context, address);
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await act(page);
@@ -309,7 +312,8 @@ async function draw(browser, address, out, { name, theme, act }) {
   return file;
 }
 
-export async function draw_all(browser, out, tell = () => undefined) {
+/// `scale` is how many pixels pictures have for each of the page's, along each side; those with many pictures have one.
+export async function draw_all(browser, out, { scale = 1, tell = () => undefined } = {}) {
   const place = await temporary_folder();
   for (const [name, document] of Object.entries(kOwn)) await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));
   for (const file of ['grass-measured.json', 'grass-midribs.csv', 'grass-widths.csv']) await cp(path.join(kSource, 'docs/manual/figures', file), path.join(place.folder, file));
@@ -318,7 +322,7 @@ export async function draw_all(browser, out, tell = () => undefined) {
   const on_small = await start_server(place.folder, 'young-pear.json');
   await mkdir(out, { recursive: true });
   try {
-    for (const picture of kPictures) tell(await draw(browser, (picture.on_oak ? on_oak : on_small).address, out, picture));
+    for (const picture of kPictures) tell(await draw(browser, (picture.on_oak ? on_oak : on_small).address, out, picture, picture.has_many ? 1 : scale));
   } finally {
     await Promise.all([on_oak.stop(), on_small.stop()]);
     await place.remove();
@@ -327,5 +331,5 @@ export async function draw_all(browser, out, tell = () => undefined) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const browser = await start_browser();
-  await draw_all(browser, path.resolve(process.argv[2] ?? kFolder), (file) => console.log(file)).finally(() => browser.close());
+  await draw_all(browser, path.resolve(process.argv[2] ?? kFolder), { tell: (file) => console.log(file) }).finally(() => browser.close());
 }

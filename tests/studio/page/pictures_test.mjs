@@ -12,6 +12,7 @@ import { kSource, start_browser, temporary_folder } from './support.mjs';
 /// How far pictures may differ on average, out of 255, in squares of 16 pixels. The same page drawn again differs by up to
 /// 0.3, because times are other ones; a strip of small plants over the view makes 4.
 const kNear = 2;
+const kScale = 0.5; // half as many pixels each way as the pictures that are kept: they are compared in far fewer
 
 let place, browser, out, page;
 
@@ -20,7 +21,7 @@ before(async () => {
   out = process.env.MERISTEM_PICTURES ?? path.join(place.folder, 'pictures');
   await mkdir(out, { recursive: true });
   browser = await start_browser();
-  await draw_all(browser, out);
+  await draw_all(browser, out, { scale: process.env.MERISTEM_PICTURES === undefined ? kScale : 1 });
   page = await browser.newPage();
 });
 

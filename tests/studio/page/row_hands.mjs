@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 
 import { type_into } from './hands.mjs';
+import { changes } from './support.mjs';
 
 /// The row or the fold at a path.
 export const at_path = (page, path) => page.locator(`.inspector [data-path="${path.replaceAll('"', '\\"')}"]`);
@@ -22,14 +23,8 @@ export const said_in = (page) => page.evaluate(() => window.studio.document.stat
 /// What the document says at a path; undefined where it says nothing.
 async function said_at(page, path) {
   const steps = [...path.matchAll(/"([^"]*)"|[^.[\]"]+/g)].map((one) => one[1] ?? one[0]);
-  return steps.reduce((value, step) => value?.[step], await said_in(page));
-}
-
-/// Does something that changes the text.
-async function changes(page, act) {
-  const text = await page.evaluate(() => window.studio.document.state.get().text);
-  await act();
-  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 15000 });
+  const said = await page.evaluate((way) => JSON.stringify(way.reduce((value, step) => value?.[step], window.studio.document.state.get().tree.value)), steps);
+  return said === undefined ? undefined : JSON.parse(said);
 }
 
 /// Types into a field where something else stands there. What is shown is the text's once nothing is on its way.

@@ -2,12 +2,11 @@
 // Growth steered by hand: shoots are cut by a click, obstacles moved by their grips, the sun by its dial, crowns by
 // their outlines, grass leaves by their curves. Each gesture is one step of the undo list.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 
-import { box_faults } from './boxes.mjs';
+import { box_faults, serious_faults } from './boxes.mjs';
 import { choose, leave_fields, open_file, row, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kPear = `{
   "meristem": 1, // a tree to cut
@@ -217,7 +216,7 @@ test('the tree before the last cuts is shown and goes again', async () => {
   await page.getByRole('button', { name: 'After the last cuts' }).click();
   await settled(page);
   assert.equal(await text_of(page), before_it);
-  await axe_finds_nothing();
+  assert.deepEqual(await serious_faults(page), []);
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kPear);
@@ -271,7 +270,7 @@ test('by the keyboard alone a shoot is chosen and cut, and undo gives the first 
   await page.getByRole('button', { name: /^Take hold of a shoot/ }).focus();
   await press('Enter', { shoot: 'main.4', metamer: 5 });
   await page.waitForFunction(() => document.activeElement?.classList.contains('shoot-walk'));
-  await axe_finds_nothing();
+  assert.deepEqual(await serious_faults(page), []);
   await page.keyboard.press('Escape');
   await page.keyboard.press('o');
 });
@@ -392,7 +391,7 @@ test('a grip of an expression moves the variable that it is, or says what holds 
   await drag_by(await middle_of(grip('move z').locator('.tip')), [30, 10]);
   assert.match(await refused.innerText(), /lamps\[0\]\.position\[2\] is the expression “far\*2”/);
   assert.equal(await undo_count(page), 1);
-  await axe_finds_nothing();
+  assert.deepEqual(await serious_faults(page), []);
   await step(page, () => refused.getByRole('button', { name: 'Replace by its value 0.8' }).click());
   assert.deepEqual((await tree_of()).scene.lamps[0].position, ['far', y, 0.8]);
   await step(page, async () => {
@@ -440,7 +439,7 @@ test('the sun is dragged along its way for the hour and across for the day', asy
   await step(page, () => type_into(page, page.getByRole('textbox', { name: 'Latitude of the sun' }), '35'));
   assert.equal((await tree_of()).scene.latitude, 35);
   await page.getByRole('checkbox', { name: 'Light the view by this sun' }).check();
-  await axe_finds_nothing();
+  assert.deepEqual(await serious_faults(page), []);
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kYard);
@@ -500,19 +499,11 @@ test('a measured leaf is shown over its points, and drawn by hand', async () => 
   });
   assert.notDeepEqual((await tree_of()).components.leaf.midrib_points, leaf.midrib_points);
   assert.deepEqual(await box_faults(page), []);
-  await axe_finds_nothing();
+  assert.deepEqual(await serious_faults(page), []);
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kGrass);
 });
-
-async function axe_finds_nothing() {
-  await page.evaluate(await readFile(kAxe, 'utf8'));
-  const found = await page.evaluate(async () => {
-    return (await window.axe.run(document, { resultTypes: ['violations'] })).violations.filter((one) => ['serious', 'critical'].includes(one.impact)).map((one) => `${one.id}: ${one.nodes.slice(0, 3).map((node) => node.html.slice(0, 140)).join(' ')}`);
-  });
-  assert.deepEqual(found, []);
-}
 
 test('nothing was complained about on the way', () => {
   assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);

@@ -7,10 +7,10 @@ import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { add_by_keyboard, add_by_mouse, changes, chosen, click_node, go_to, hang_by_mouse, name_variable, open_board, rename_by_keyboard, rename_by_mouse, retype_by_keyboard, set_kind_by_mouse, tab_to } from './board_hands.mjs';
+import { add_by_keyboard, add_by_mouse, chosen, click_node, go_to, hang_by_mouse, name_variable, open_board, rename_by_keyboard, rename_by_mouse, retype_by_keyboard, set_kind_by_mouse, tab_to } from './board_hands.mjs';
 import { choose } from './hands.mjs';
 import { at_path, below, RowHand } from './row_hands.mjs';
-import { kSource, meristem, open_page, start_browser, start_server, temporary_folder, text_of, undo_count } from './support.mjs';
+import { changes, kSource, meristem, open_page, start_browser, start_server, temporary_folder, text_of, undo_count } from './support.mjs';
 
 let place, server, browser, shipped, tables;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser;
-// MERISTEM_PAGE a folder with another page than the program's own.
+// A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser,
+// MERISTEM_CHROMIUM_SHELL the same one without windows; MERISTEM_PAGE a folder with another page than the program's own.
 import { execFile, spawn } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -18,7 +18,11 @@ export const kAxe = require.resolve('axe-core/axe.min.js');
 export const validator = require('gltf-validator');
 
 export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/dev/bin/meristem');
+const kLongest = 20_000; // ms until the text must have changed
+const kOften = 20; // ms between looks at whether what is waited for has come
 const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
+// The same browser without its windows, where there is one: without forms to fill in, profiles and the like.
+const kShell = process.env.MERISTEM_CHROMIUM_SHELL || kBrowser;
 // Where a processor draws in place of a graphics card, panels are painted without it: that is three times as fast.
 const kArguments = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-gpu-rasterization'];
 // A page that is put in place of the program's own comes from no address, which browsers do not let speak to this machine.
@@ -60,15 +64,23 @@ export async function start_server(folder, ...words) {
   return { address, stop, pid: child.pid };
 }
 
-/// A browser that puts its pages together without the graphics card as well, which costs tests less; `as_users_do`: with
-/// it, where the page's speed is measured, or all that the browser says counts.
+/// A browser that puts its pages together without the graphics card as well, and shows them on half as many pixels each
+/// way as they have, which costs tests less; `as_users_do`: as where the page's speed is measured, or all that the browser
+/// says counts. Contexts that are looked at ask for a `deviceScaleFactor` of 1.
 export async function start_browser({ as_users_do = false } = {}) {
-  return chromium.launch({ executablePath: kBrowser, args: as_users_do ? kArguments : [...kArguments, '--disable-gpu-compositing'] });
+  if (as_users_do) return chromium.launch({ executablePath: kBrowser, args: kArguments });
+  const browser = await chromium.launch({ executablePath: kShell, args: [...kArguments, '--disable-gpu-compositing'] });
+  const make = browser.newContext.bind(browser);
+  browser.newContext = (wishes) => make({ deviceScaleFactor: 0.5, reducedMotion: 'reduce', ...wishes });
+  return browser;
 }
 
 /// A page of the studio, with what it complained about.
 export async function open_page(context, address) {
   const page = await context.newPage();
+  // Asked now and then, since each look at a picture's time has the browser make the next picture.
+  const wait = page.waitForFunction.bind(page);
+  page.waitForFunction = (wanted, fact, wishes) => wait(wanted, fact, { polling: kOften, ...wishes });
   page.faults = [];
   page.on('pageerror', (fault) => page.faults.push(String(fault)));
   page.on('console', (message) => {
@@ -112,6 +124,27 @@ export async function settled(page) {
   ).catch(async (fault) => {
     throw new Error(`the page does not settle: ${await state()}`, { cause: fault });
   });
+}
+
+/// Does something, and waits until the text is another one than before and the page has had the time to show it.
+export async function changes(page, act) {
+  await page.evaluate((limit) => {
+    const { state } = window.studio.document;
+    const { text } = state.get();
+    window.text_changes = new Promise((done) => {
+      const end = (has_changed) => {
+        stop();
+        clearTimeout(timer);
+        requestAnimationFrame(() => setTimeout(() => done(has_changed)));
+      };
+      const stop = state.subscribe(() => state.get().text !== text && end(true));
+      const timer = setTimeout(() => end(false), limit);
+    });
+  }, kLongest);
+  await act();
+  if (await page.evaluate(() => window.text_changes)) return;
+  const state = await page.evaluate(() => [window.studio.chosen.get(), document.activeElement.outerHTML.slice(0, 200), ...window.studio.toasts.shown.get().map((one) => one.text), window.studio.document.state.get().text]);
+  throw new Error(`the text stays what it is: ${state.join('\n')}`);
 }
 
 export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);

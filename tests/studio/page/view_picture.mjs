@@ -12,7 +12,7 @@ const [page_file, picture] = process.argv.slice(2);
 if (picture === undefined) throw new Error('usage: node view_picture.mjs PAGE PICTURE.jpg [light|dark]');
 const browser = await start_browser();
 try {
-  const context = await browser.newContext({ viewport: { width: 900, height: 620 }, colorScheme: process.argv[4] ?? 'light' });
+  const context = await browser.newContext({ viewport: { width: 900, height: 620 }, deviceScaleFactor: 1, colorScheme: process.argv[4] ?? 'light' });
   const page = await context.newPage();
   await page.goto(pathToFileURL(path.resolve(page_file)).href);
   await page.waitForFunction(() => window.viewer?.frames_drawn > 0, null, { timeout: 120_000 });

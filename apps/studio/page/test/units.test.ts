@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 import { calculate, fitting_step, rounded } from '../src/document/arithmetic.ts';
 import { text_hash } from '../src/document/hash.ts';
-import { JsonFault, parse_json, write_json } from '../src/document/json.ts';
+import { JsonFault, keep_values, parse_json, write_json } from '../src/document/json.ts';
 import { line_difference } from '../src/document/line_difference.ts';
 import { apply_patch, inverse_patch, patch_between, rebased } from '../src/document/patch.ts';
 import { node_at, path_at, path_below, steps_of, value_at } from '../src/document/path.ts';
@@ -32,6 +32,17 @@ test('json: says where it is broken, and reads no names of prototypes', () => {
   assert.throws(() => parse_json('['.repeat(1000)), JsonFault);
   assert.equal(value_at(parse_json('{}'), 'constructor'), undefined);
   assert.deepEqual(Object.keys(parse_json('{"__proto__": 1}').value as object), ['__proto__']);
+});
+
+test('json: values that an edit leaves alone stay the same ones', () => {
+  const before = parse_json('{"a": {"b": [1, {"c": 2}]}, "d": [3, 4], "e": {"x": 1, "y": 2}}');
+  const after = parse_json('{"a": {"b": [1, {"c": 2}]}, "d": [3, 5], "e": {"y": 2, "x": 1}}');
+  const wanted = JSON.stringify(after.value);
+  keep_values(after, before.value);
+  assert.equal(JSON.stringify(after.value), wanted);
+  assert.equal(value_at(after, 'a'), value_at(before, 'a'));
+  assert.equal((after.value as { a: unknown }).a, value_at(before, 'a'));
+  for (const path of ['', 'd', 'e']) assert.notEqual(value_at(after, path), value_at(before, path), path); // another order is another value
 });
 
 test('json: a line is written as documents have it', () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A value that tells when it changes, and the hook that lets panels follow it.
-import { useSyncExternalStore } from 'react';
+import { useRef, useSyncExternalStore } from 'react';
 
 export class Store<T> {
   private value_: T;
@@ -32,4 +32,15 @@ export class Store<T> {
 
 export function use_store<T>(store: Store<T>): T {
   return useSyncExternalStore(store.subscribe, store.get);
+}
+
+/// What `select` takes of a store's value. The panel is drawn anew only where that is another than before, as `same` says,
+/// so that rows and items that an edit leaves alone cost nothing.
+export function use_part<T, Part>(store: Store<T>, select: (value: T) => Part, same: (one: Part, other: Part) => boolean = Object.is): Part {
+  const last = useRef<{ part: Part } | null>(null);
+  return useSyncExternalStore(store.subscribe, () => {
+    const part = select(store.get());
+    if (last.current === null || !same(last.current.part, part)) last.current = { part };
+    return last.current.part;
+  });
 }

@@ -2,7 +2,7 @@
 // What is known of the open document.
 import type { Edit, Fault, ImpliedLink, Reading, Variable } from '../server/protocol.ts';
 import type { JsonNode } from './json.ts';
-import { parse_json } from './json.ts';
+import { keep_values, parse_json } from './json.ts';
 import type { UndoState } from './undo_list.ts';
 import { kNothingDone } from './undo_list.ts';
 
@@ -51,7 +51,9 @@ export function reading_of(reading: Reading): Partial<DocumentState> {
 
 export function tree_of(text: string, last: JsonNode | null): JsonNode | null {
   try {
-    return parse_json(text);
+    const tree = parse_json(text);
+    keep_values(tree, last?.value);
+    return tree;
   } catch {
     return last;
   }

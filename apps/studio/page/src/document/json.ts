@@ -141,6 +141,28 @@ export function parse_json(text: string): JsonNode {
   return new Parser(text).document();
 }
 
+/// Puts the values that stood there before in place of equal ones, from the root down, so that who looks at a part of the
+/// document can tell by identity whether it is another one.
+export function keep_values(node: JsonNode, before: Json | undefined): void {
+  const { value, members, elements } = node;
+  if (members && is_object(value)) {
+    const known = is_object(before) ? before : null;
+    const names = known ? Object.keys(known) : [];
+    for (const { name, node: member } of members) {
+      keep_values(member, known?.[name]);
+      value[name] = member.value;
+    }
+    if (known && names.length === members.length && members.every(({ name }, k) => names[k] === name && known[name] === value[name])) node.value = known;
+  } else if (elements && Array.isArray(value)) {
+    const known = Array.isArray(before) ? before : null;
+    for (const [k, element] of elements.entries()) {
+      keep_values(element, known?.[k]);
+      value[k] = element.value;
+    }
+    if (known && known.length === value.length && value.every((one, k) => one === known[k])) node.value = known;
+  }
+}
+
 export function is_object(value: Json | undefined): value is { [name: string]: Json } {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }

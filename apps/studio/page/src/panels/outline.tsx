@@ -3,13 +3,14 @@
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
-import { use_store } from '../base/store.ts';
+import { use_part } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import type { IconName } from '../controls/icon.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { member_of, path_below } from '../document/path.ts';
+import { use_faults } from '../rows/row_actions.ts';
 import { link_kind } from '../tables/resolve.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Tables } from '../tables/tables.ts';
@@ -92,21 +93,17 @@ function Group({ title, items, empty }: { title: string; items: Item[]; empty: s
 
 function OutlineItem({ item }: { item: Item }): ReactElement {
   const studio = use_studio();
-  const chosen = use_store(studio.chosen);
-  const view = use_store(studio.view_state);
-  const { grown } = use_store(studio.growth);
-  const { faults } = use_document();
+  const is_chosen = use_part(studio.chosen, (path) => path === item.path);
+  const is_hidden = use_part(studio.view_state, ({ hidden }) => item.component !== undefined && hidden.has(item.component));
   const button = useRef<HTMLButtonElement>(null);
-  const is_chosen = chosen === item.path;
   useEffect(() => {
     if (is_chosen) button.current?.scrollIntoView({ block: 'nearest' });
   }, [is_chosen]);
-  const below = faults.filter((one) => item.path !== '' && (one.path === item.path || one.path.startsWith(`${item.path}.`) || one.path.startsWith(`${item.path}[`)));
+  const below = use_faults(item.path === '' ? '-' : item.path, true);
   const { component } = item;
-  const count = component === undefined ? undefined : grown?.placed?.[component];
-  const is_hidden = component !== undefined && view.hidden.has(component);
+  const count = use_part(studio.growth, ({ grown }) => (component === undefined ? undefined : grown?.placed?.[component]));
   const toggle = (): void => {
-    const hidden = new Set(view.hidden);
+    const hidden = new Set(studio.view_state.get().hidden);
     if (component !== undefined && !hidden.delete(component)) hidden.add(component);
     studio.change_view({ hidden });
   };

@@ -16,8 +16,9 @@ import { TextField } from './text_field.tsx';
 
 /// Whether the row at a path names a whole plant.
 export function names_plant(tables: Tables, tree: JsonNode | null, row: Row, path: string): boolean {
+  if (row.name !== 'file') return false;
   const [head, id, name, ...rest] = steps_of(path);
-  if (row.name !== 'file' || head !== 'components' || id === undefined || name !== 'file' || rest.length > 0) return false;
+  if (head !== 'components' || id === undefined || name !== 'file' || rest.length > 0) return false;
   const type = value_at(tree, path_below(path_below('components', id), 'type'));
   return typeof type === 'string' && tables.components[type]?.is_whole_plant === true;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One row of a table: its name with its sentence, the editor of its kind, its menu, and its faults.
 import type { ReactElement } from 'react';
+import { memo } from 'react';
 
-import { use_store } from '../base/store.ts';
+import { use_part } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { MenuItem } from '../controls/menu.tsx';
@@ -81,7 +82,8 @@ interface RowViewProps {
   value: Json | undefined;
 }
 
-export function RowView({ table, row, parent, parent_value, value }: RowViewProps): ReactElement {
+/// Drawn anew only where its object, its faults or what a hand or keys give it are others.
+export const RowView = memo(function RowView({ table, row, parent, parent_value, value }: RowViewProps): ReactElement {
   const path = path_below(parent, row.name);
   const rivals = excluded_by(table, row.name, parent_value).map((name) => path_below(parent, name));
   const actions = use_row_actions(path, row.name, rivals);
@@ -89,11 +91,12 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
   const is_nested = row.kind === 'object' || row.kind === 'list' || row.kind === 'map';
   const faults = use_faults(path, !is_nested);
   const studio = use_studio();
-  const has_strip = use_store(studio.bench.strip) === path;
+  const has_strip = use_part(studio.bench.strip, (shown_at) => shown_at === path);
+  const is_plant = use_part(studio.document.state, ({ tree }) => names_plant(studio.tables, tree, row, path));
   const keyed = use_keyed(path);
   const is_faulty = faults.some((fault) => fault.severity === 'error');
   if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
-  const Editor = names_plant(studio.tables, studio.document.state.get().tree, row, path) ? PlantRow : (kEditors[row.kind] ?? WrittenRow);
+  const Editor = is_plant ? PlantRow : (kEditors[row.kind] ?? WrittenRow);
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
@@ -125,7 +128,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
       {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />}
     </div>
   );
-}
+});
 
 /// The row's sentence, with what it holds.
 export function tip_of(row: Row): string {

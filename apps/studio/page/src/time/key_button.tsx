@@ -2,6 +2,7 @@
 // The diamond before a row: full where a key stands at the time that the view shows, half where the row has others.
 import type { ReactElement } from 'react';
 
+import { use_part } from '../base/store.ts';
 import { shown_number } from '../controls/number_field.tsx';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
@@ -24,7 +25,7 @@ export function RowKeyButton({ row, path, value }: { row: Row; path: string; val
   const keyed = use_keyed(path);
   const label = row.name.replaceAll('_', ' ');
   const { time: model } = studio.bench;
-  const element = keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined;
+  const element = use_part(studio.document.state, () => (keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined));
   // Keys of a vector as a whole cannot stand beside those of its elements.
   if (element) {
     const show = (): void => {
@@ -46,7 +47,7 @@ interface KeyButtonProps {
 export function KeyButton({ label, path, keyed, value }: KeyButtonProps): ReactElement {
   const studio = use_studio();
   const state = keyed === null ? 'none' : keyed.index >= 0 ? 'here' : 'others';
-  const at = `${shown_number(studio.bench.time.time)} s`;
+  const at = `${shown_number(use_part(studio.bench.time.state, ({ time }) => time))} s`;
   const text = state === 'here' ? `Remove the key of ${label} at ${at}` : `Key ${label} at ${at}`;
   return <Diamond label={label} state={state} tip={text} press={() => toggle_key(studio, path, keyed, value())} />;
 }

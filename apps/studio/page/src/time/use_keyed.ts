@@ -3,11 +3,11 @@
 import { useSyncExternalStore } from 'react';
 
 import { without } from '../base/lists.ts';
-import { use_store } from '../base/store.ts';
+import { use_part } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_studio } from '../studio_context.ts';
 import type { Track } from './keys.ts';
 import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
 import type { Key } from './track.ts';
@@ -19,6 +19,8 @@ export interface Keyed {
   index: number; // of the key at this time; -1: there is none
 }
 
+const kNothing: Record<string, Json> = {};
+
 /// Variables have keys as a whole.
 export function keyed_path(path: string): string {
   return path.startsWith('variables.') ? path.replace(/\.value$/, '') : path;
@@ -27,12 +29,11 @@ export function keyed_path(path: string): string {
 /// Null where nothing at the path has keys.
 export function use_keyed(path: string): Keyed | null {
   const studio = use_studio();
-  use_document();
   const { time: model } = studio.bench;
   const wanted = keyed_path(path);
-  const written = model.tracks.find((one) => one.path === wanted) ?? null;
+  const written = use_part(studio.document.state, () => model.tracks.find((one) => one.path === wanted) ?? null);
   const time = useSyncExternalStore(model.state.subscribe, () => (written ? model.time : 0));
-  const dragged = use_store(studio.dragged);
+  const dragged = use_part(studio.dragged, (values) => (written ? values : kNothing));
   const track = written && with_dragged(written, dragged, model.document, model.tops);
   if (!track) return null;
   return { track, value: value_at_time(track.keys, time), index: key_at(track.keys, time) };

@@ -35,6 +35,7 @@ export class CanvasPixels {
   private ratio(moves: boolean): number {
     if (!this.is_software_) return Math.min(2, window.devicePixelRatio);
     const [width, height] = this.frame_;
-    return moves ? kCoarse : Math.min(kFine, Math.sqrt(kFinePixels / Math.max(1, width * height)));
+    const shown = Math.min(1, window.devicePixelRatio); // a page that is zoomed out is shown on fewer pixels than it has
+    return moves ? kCoarse * shown : Math.min(kFine * shown, Math.sqrt(kFinePixels / Math.max(1, width * height)));
   }
 }

@@ -19,6 +19,8 @@ import { groups_of_object } from './row_groups.ts';
 import type { Frame3 } from './space_math.ts';
 import { frame_of_rows, kWorld } from './space_math.ts';
 
+const kNothing: Readonly<Record<string, number>> = {};
+
 export class Gizmo {
   readonly active = new Store<string | null>(null); // key of the group whose grips are shown
   readonly stand = new Store<{ component: string; frame: Frame3 } | null>(null);
@@ -37,7 +39,7 @@ export class Gizmo {
     this.active.set(null);
     this.stand.set(null);
     this.refused.set(null);
-    this.told.set({});
+    this.told.set(kNothing);
   }
 
   /// Shows the grips of a part of what is chosen, as soon as it has some: those whose key begins with the path.
@@ -61,7 +63,7 @@ export class Gizmo {
     const counts = this.newest_numbers_.begin();
     const variables = new Set<Json>(this.variables.map((one) => one.name));
     const unknown = [...this.expressions_of(object)].filter(([, written]) => !variables.has(written));
-    if (unknown.length === 0) return this.told.set({});
+    if (unknown.length === 0) return this.told.set(kNothing);
     const expressions = Object.fromEntries(unknown.map(([path, written]) => [path, typeof written === 'string' ? written : write_json(written)]));
     this.studio_.connection
       .request<{ numbers: Record<string, number> }>('worked_out', { expressions, ...(object === 'scene' ? {} : { component: steps_of(object)[1] }) })

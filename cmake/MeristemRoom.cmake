@@ -110,6 +110,8 @@ function(meristem_room name)
     meristem_compile_options(${target}_tests)
     target_compile_options(${target}_tests PRIVATE ${MERISTEM_TEST_OPTIONS} ${MERISTEM_PCH_OPTIONS})
     target_precompile_headers(${target}_tests REUSE_FROM meristem_test_headers)
+    # In larger batches tests would see headers whose functions have the names of their helpers.
+    set_target_properties(${target}_tests PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
     target_link_libraries(${target}_tests PRIVATE meristem::${name} ${ROOM_TESTED_WITH} meristem_test_support
                           GTest::gtest_main)
     gtest_discover_tests(${target}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${name})

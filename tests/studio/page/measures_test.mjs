@@ -96,9 +96,11 @@ test('a measure is drawn over a handle, and a point of the plot takes its value'
 test('axe finds nothing serious in the measures, light and dark', async () => {
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
-    await page.waitForTimeout(250);
-    // Measures of the document before are pale until the new ones are there.
-    await page.locator('.measured.old').waitFor({ state: 'detached' });
+    // While the document before is measured still, what it measures is pale; the next one is measured after that.
+    do {
+      await page.locator('.measured.old').waitFor({ state: 'detached' });
+      await page.waitForTimeout(500);
+    } while (await page.locator('.measured.old').count());
     assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
   }
 });

@@ -97,6 +97,11 @@ void EdgeCollapse::add_quadrics(const Progress& progress) {
   }
 }
 
+/// A position as the mesh has it. By a call, since GCC 12 leaves out the rounding to float of two of the coordinates
+/// where it vectorises them together with the way back to double, and meshes would differ with the level of
+/// optimisation.
+[[gnu::noinline]] Vec3 EdgeCollapse::stored(DVec3 point) const { return Vec3(point + centre_); }
+
 /// Visits the edges that may collapse and whose lower end is the vertex, with a corner at the vertex whose next is the
 /// other end.
 template <class Visit>
@@ -325,7 +330,7 @@ void EdgeCollapse::collapse(Corner corner, DVec3 apex) {
   const std::uint32_t low = corners_.vertex(corner);
   const std::uint32_t high = corners_.vertex(CornerTable::next(corner));
   corners_.collapse(corner);
-  vertices_[low].position = Vec3(apex + centre_);
+  vertices_[low].position = stored(apex);
   vertices_[low].quadric += vertices_[high].quadric;
   // Nothing around costs less than this did; who had no edge to collapse may have one now.
   queue_.put(low, queue_.current_step());

@@ -56,7 +56,8 @@ class EdgeCollapse {
   void put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress);
   void collapse_queued(std::size_t triangles, Progress& progress);
   DVec3 position(std::uint32_t vertex) const { return DVec3(vertices_[vertex].position) - centre_; }
-  DVec3 rounded(DVec3 point) const { return DVec3(Vec3(point + centre_)) - centre_; }
+  Vec3 stored(DVec3 point) const;
+  DVec3 rounded(DVec3 point) const { return DVec3(stored(point)) - centre_; }
 
   template <class Visit>
   void for_each_edge(std::uint32_t vertex, Visit&& visit) const;

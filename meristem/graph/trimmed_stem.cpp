@@ -8,8 +8,6 @@ namespace meristem {
 
 namespace {
 
-constexpr AxisIndex kNoAxis = 0xffffffffU;
-
 Vec3 position_at(const Skeleton& skeleton, StemPosition at) {
   if (skeleton.is_root(at.node)) return skeleton.position[at.node];
   return glm::mix(skeleton.position[skeleton.parent[at.node]], skeleton.position[at.node], at.along);

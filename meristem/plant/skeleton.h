@@ -17,6 +17,7 @@ namespace meristem {
 using NodeIndex = std::uint32_t;
 using AxisIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNode = 0xffffffffU;
+inline constexpr AxisIndex kNoAxis = 0xffffffffU;
 
 /// Nodes joined by segments from parent to child. All columns have one entry per node.
 ///

@@ -11,8 +11,6 @@
 
 namespace meristem {
 
-inline constexpr AxisIndex kNoAxis = 0xffffffffU;
-
 struct Leads {
   std::vector<std::uint16_t> rank;    ///< rank of each axis
   std::vector<AxisIndex> heir;        ///< the axis that leads on from each, or kNoAxis

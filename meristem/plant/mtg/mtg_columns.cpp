@@ -171,7 +171,6 @@ class ColumnReader {
     for (auto& [name, values] : skeleton_.extra) values = reordered(values);
     made_.vertex = reordered(made_.vertex);
     // Axes rise in the order of their first nodes.
-    constexpr AxisIndex kNoAxis = ~AxisIndex{0};
     std::vector<AxisIndex> renumbered(order.size(), kNoAxis);
     AxisIndex axes = 0;
     for (AxisIndex& axis : skeleton_.axis) {

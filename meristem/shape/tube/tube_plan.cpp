@@ -10,8 +10,7 @@ namespace meristem {
 namespace {
 
 constexpr float kRunsOn = 0.94F;  // cosine of the angle, 20 degrees, up to which one axis goes on another
-constexpr float kAsThick =
-    0.7F;  // of a tip's radius, from which an axis that goes on there is one piece of wood with it
+constexpr float kAsThick = 0.7F;  // of a tip's radius: what goes on there and is as thick is one piece of wood with it
 constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
 constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
 constexpr float kHidden = 0.95F;           // of the parent's inner radius that a lateral's first ring may fill
@@ -138,13 +137,13 @@ void TubePlan::find_successors() {
     const bool is_as_thick = radii_[first] >= kAsThick * radii_[tip] && base_radius_[axis] <= radii_[tip];
     if (!is_as_thick || wear(axis) != wear(before)) continue;
     AxisIndex& successor = plans_[before].successor;
-    if (successor == AxisPlan::kNoAxis || radii_[axes_.of(successor)[0]] < radii_[first]) {
+    if (successor == kNoAxis || radii_[axes_.of(successor)[0]] < radii_[first]) {
       successor = static_cast<AxisIndex>(axis);
     }
   }
   for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
     const AxisIndex successor = plans_[axis].successor;
-    if (successor == AxisPlan::kNoAxis) continue;
+    if (successor == kNoAxis) continue;
     plans_[successor].succeeds = true;
     base_radius_[successor] = radii_[axes_.of(static_cast<AxisIndex>(axis)).back()];
   }
@@ -267,7 +266,7 @@ void TubePlan::count_rings(AxisIndex axis) {
 
 Surface::Cap TubePlan::cap(AxisIndex axis) const {
   // A cone stays hidden in the tube that goes on.
-  if (plans_[axis].successor != AxisPlan::kNoAxis) return Surface::Cap::pointed;
+  if (plans_[axis].successor != kNoAxis) return Surface::Cap::pointed;
   const auto cut = skeleton_->extra.find(kCutColumn);
   const bool is_cut = cut != skeleton_->extra.end() && cut->second[axes_.of(axis).back()] != 0;
   return is_cut ? Surface::Cap::flat : surface(axis).cap;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,7 +18,6 @@ struct AxisPlan {
   static constexpr std::uint32_t kCollarRings = 5;  ///< hidden, on the bark, two in the fillet, free
   static constexpr std::uint32_t kFlareRings = 3;   ///< between a root's first two nodes
   static constexpr std::uint32_t kDomeRings = 2;    ///< of a round cap, beyond the last node
-  static constexpr AxisIndex kNoAxis = std::numeric_limits<AxisIndex>::max();
 
   std::uint32_t sides = 0;
   std::uint32_t rings = 0;

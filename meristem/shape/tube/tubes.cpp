@@ -138,7 +138,7 @@ class AxisMesher {
     }
     advance_v(last);
     std::optional<Joint> joint;
-    if (plan_.successor == AxisPlan::kNoAxis) {
+    if (plan_.successor == kNoAxis) {
       finish(before);
     } else {
       joint = finish_in_successor(before);
@@ -526,7 +526,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
       // A successor is written after the axis that it succeeds.
       if (plan[axis].succeeds) continue;
       std::optional<Joint> joint;
-      for (auto index = static_cast<AxisIndex>(axis); index != AxisPlan::kNoAxis; index = plan[index].successor) {
+      for (auto index = static_cast<AxisIndex>(axis); index != kNoAxis; index = plan[index].successor) {
         if (plan[index].rings > 0) {
           joint = AxisMesher(plan, index, corners.of(plan[index].sides), joint, meshes[plan[index].mesh]).run(progress);
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/shape/small_detail.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
@@ -21,7 +23,7 @@ MeshScene low_poly_tree() {
     scene.meshes.push_back({component, std::make_shared<const Mesh>(std::move(mesh)), material, std::move(frames), {}});
   };
   add("trunk", 0, make_cone(0.15, 2, 12), {Frame{}});
-  add("crown", 1, flat_shaded(make_sphere(1, 12), progress), {Frame{.origin = {0, 2, 0}}});
+  add("crown", 1, flat_shaded(make_sphere(1, 20), progress), {Frame{.origin = {0, 2, 0}}});
   std::vector<Frame> fruits;
   for (std::uint64_t k = 0; k < 6; ++k) fruits.push_back({.origin = Vec3(0, 2, 0) + RandomKey(3).direction(k)});
   add("fruit", 2, flat_shaded(make_sphere(0.05, 6), progress), fruits);
@@ -33,12 +35,20 @@ MeshScene level_of(const MeshScene& scene, int level) {
   return small_detail(scene, {level}, progress);
 }
 
+/// The levels of that tree, each made once.
+const MeshScene& level_of_tree(int level) {
+  static std::map<int, MeshScene> made;
+  const auto [found, is_new] = made.try_emplace(level);
+  if (is_new) found->second = level_of(low_poly_tree(), level);
+  return found->second;
+}
+
 TEST(SmallDetail, EachLevelHasAQuarterOfTheTrianglesAndTheFirstTheOutline) {
   const MeshScene whole = low_poly_tree();
   Progress progress;
   auto before = static_cast<double>(whole.triangle_count());
   for (int level = 1; level <= 2; ++level) {
-    const MeshScene scene = level_of(whole, level);
+    const MeshScene& scene = level_of_tree(level);
     EXPECT_LE(static_cast<double>(scene.triangle_count()), 0.26 * before);
     if (level == 1) {
       EXPECT_GE(outline_overlap(whole, scene, {.size = 128}, progress).least(), 0.9);
@@ -51,7 +61,7 @@ TEST(SmallDetail, NothingReachesOutOfTheWhole) {
   const MeshScene whole = low_poly_tree();
   const Box box = whole.bounds();
   for (int level = 1; level <= 3; ++level) {
-    const Box coarse = level_of(whole, level).bounds();
+    const Box coarse = level_of_tree(level).bounds();
     for (int k = 0; k < 3; ++k) {
       EXPECT_GE(coarse.low[k], box.low[k] - 1e-5F);
       EXPECT_LE(coarse.high[k], box.high[k] + 1e-5F);
@@ -60,7 +70,7 @@ TEST(SmallDetail, NothingReachesOutOfTheWhole) {
 }
 
 TEST(SmallDetail, FlatFacesStayFlat) {
-  for (const MeshInstances& part : level_of(low_poly_tree(), 1).meshes) {
+  for (const MeshInstances& part : level_of_tree(1).meshes) {
     if (part.component != "crown") continue;
     EXPECT_EQ(part.mesh->vertex_count(), 3 * part.mesh->triangle_count());
     for (const auto& triangle : part.mesh->triangles) {
@@ -83,7 +93,7 @@ TEST(SmallDetail, MirroredInstancesKeepTheirFrontsOutside) {
 
 TEST(SmallDetail, HasTheSameBytesOnAnyNumberOfThreads) {
   const MeshScene whole = low_poly_tree();
-  const MeshScene expected = level_of(whole, 2);
+  const MeshScene& expected = level_of_tree(2);
   const ThreadLimit limit(3);
   const MeshScene scene = level_of(whole, 2);
   ASSERT_EQ(scene.meshes.size(), expected.meshes.size());

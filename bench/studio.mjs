@@ -18,7 +18,7 @@ import { kSource, open_page, settled, start_browser, start_server, temporary_fol
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
 const kMoves = is_small ? 5 : 100;
-const kEdits = is_small ? 20 : 500;
+const kEdits = is_small ? 10 : 500;
 const kSapling = { meristem: 1, variables: { size: { value: 0.1, min: 0.05, max: 0.25 } }, components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } }, links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }] };
 
 const kPoints = { meristem: 1, components: { tree: { type: 'colonize', crown: { ellipsoid: { centre: [0, 3, 0], radii: [2, 2, 2] } }, points: 10000, step: 0.08, influence: 1, kill: 0.2 } } };
@@ -276,7 +276,7 @@ async function strip_time(page, count) {
 }
 
 const place = await temporary_folder();
-const browser = await start_browser({ as_users_do: true });
+const browser = await start_browser({ as_users_do: !is_small });
 const load = os.loadavg()[0];
 try {
   const model = async (name) => readFile(path.join(kSource, 'models', `${name}.json`), 'utf8');

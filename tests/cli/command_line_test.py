@@ -6,6 +6,7 @@ Usage: command_line_test.py PROGRAM [unittest options]
 """
 
 import json
+import pathlib
 import unittest
 
 import cli_case
@@ -121,8 +122,10 @@ class Listing(cli_case.Case):
         self.assertIn("oak", [line.split()[0] for line in lines])
         for line in lines:
             self.assertGreater(len(line.split()), 2, "a description: " + line)
-        for path in self.run_program("models", "--paths").stdout.decode().splitlines():
-            self.assert_ends(DONE, "check", path)
+        paths = [pathlib.Path(path) for path in self.run_program("models", "--paths").stdout.decode().splitlines()]
+        self.assertEqual([path.stem for path in paths], [line.split()[0] for line in lines])
+        self.assertTrue(all(path.is_file() for path in paths))
+        self.assert_ends(DONE, "check", str(paths[0]))
 
 
 if __name__ == "__main__":

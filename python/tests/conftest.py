@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What runs a whole study, if only a quick one, has the mark `slow`: `-m "not slow"` leaves it out."""
+
+from __future__ import annotations
+
+import pytest
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if "quick" in getattr(item, "fixturenames", ()) or "quick_study" in item.name:
+            item.add_marker(pytest.mark.slow)

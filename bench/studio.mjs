@@ -17,7 +17,7 @@ import { choose, open_file, point_at, row, slider } from '../tests/studio/page/h
 import { kSource, open_page, settled, start_browser, start_server, temporary_folder, write_document } from '../tests/studio/page/support.mjs';
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
-const kMoves = is_small ? 5 : 100;
+const kMoves = is_small ? 2 : 100;
 const kEdits = is_small ? 10 : 500;
 const kSapling = { meristem: 1, variables: { size: { value: 0.1, min: 0.05, max: 0.25 } }, components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } }, links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }] };
 

@@ -25,6 +25,8 @@ function(meristem_compile_options target)
     -ffp-contract=off
     # In a batch of sources GCC takes each for a header, where types of unnamed namespaces would be a fault.
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
+    # Looking for memory to use again takes GCC a twentieth of a batch's time; it begins at this many kilobytes.
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:--param=ggc-min-heapsize=1048576>
     $<$<BOOL:${MERISTEM_WERROR}>:-Werror>)
   if(MERISTEM_SANITIZE)
     # What is left out costs half the compile time, and the address sanitizer stops at the same faults.

@@ -36,8 +36,13 @@ function(meristem_compile_options target)
   endif()
 endfunction()
 
-# What each library of the project is compiled with on top of that. COLD says that what it does takes no time where plants
-# are grown, so that optimising it would cost users more, when they build, than they ever gain.
+# For code that takes no time where plants are grown: optimising it would cost users more, when they build, than they ever
+# gain. Debug builds stay as easy to debug as they are.
+function(meristem_cold_options target)
+  target_compile_options(${target} PRIVATE "$<$<NOT:$<CONFIG:Debug>>:${MERISTEM_COLD_OPTIONS}>")
+endfunction()
+
+# What each library of the project is compiled with on top of meristem_compile_options; COLD: with cold options as well.
 function(meristem_library_options target)
   cmake_parse_arguments(LIBRARY "COLD" "" "" ${ARGN})
   meristem_compile_options(${target})
@@ -46,7 +51,7 @@ function(meristem_library_options target)
   endif()
   set(headers MERISTEM_HEADERS_OF)
   if(LIBRARY_COLD)
-    target_compile_options(${target} PRIVATE ${MERISTEM_COLD_OPTIONS})
+    meristem_cold_options(${target})
     set(headers MERISTEM_COLD_HEADERS_OF)
   endif()
   if(MERISTEM_PRECOMPILE)

@@ -13,11 +13,9 @@ namespace {
 
 constexpr int kBounces = 2;
 constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures blurred
-// The chance that a path goes on, over the weight it carries. Where leaves are in the shade most of the noise is that
-// of the light from other leaves: the oak's crown has a sixth less noise for the same time at 5 than at 2, and about as
-// much from there to 8. Level ground shows grain where a crown hides it, and most of its paths end in the sky at once.
-constexpr float kKeennessOfPlants = 5;
-constexpr float kKeennessOfGround = 8;
+// The chance that a path goes on, over the weight it carries. Indirect light is gathered over many pixels, so that few
+// paths need to go on: at 3 the oak takes a sixth more time for the same noise, and at 1.4 plain surfaces show patches.
+constexpr float kKeenness = 2;
 // Metres: the bright spot about a lamp on what it hangs by would come back by a few paths, as specks.
 constexpr float kNearestByBounce = 1;
 constexpr auto kPiF = static_cast<float>(kPi);
@@ -101,7 +99,7 @@ PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit)
   vertex.transmitted = look.through > 0 ? glm::min(transmission_tint(colour), Vec3(1)) * look.through : Vec3(0);
   vertex.gloss_width = look.gloss_width;
   vertex.cover = 1;
-  vertex.keenness = kKeennessOfPlants;
+  vertex.sight = Sight::surface;
   return vertex;
 }
 
@@ -115,7 +113,7 @@ PathTracer::Vertex PathTracer::ground_vertex(const Ray& ray, float distance) con
   vertex.reflected = ground_->colour;
   vertex.transmitted = Vec3(0);
   vertex.gloss_width = 0;
-  vertex.keenness = kKeennessOfGround;
+  vertex.sight = Sight::ground;
   const float away =
       glm::distance(Vec2(vertex.position.x, vertex.position.z), Vec2(ground_->centre.x, ground_->centre.z)) /
       ground_->fade_distance;
@@ -169,7 +167,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
   for (int bounce = 0;; ++bounce) {
     std::optional<Vertex> vertex = next_vertex(ray);
     if (!vertex) {
-      if (bounce > 0) seen.light += weight * light_.falling(ray.direction);
+      if (bounce > 0) seen.indirect += weight * light_.falling(ray.direction);
       return seen;
     }
     if (bounce == 0) {
@@ -179,14 +177,18 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
         // Haze has the light of the sky at the horizon behind it.
         const float clear = std::exp(-glm::distance(ray.origin, vertex->position) / *air_.haze);
         const Vec3 level = normalized_or(Vec3(ray.direction.x, 0, ray.direction.z), ray.direction);
-        seen.light += (1 - clear) * weight * light_.seen(level);
+        seen.direct += (1 - clear) * weight * light_.seen(level);
         weight *= clear;
       }
+      seen.albedo = weight * (vertex->reflected + vertex->transmitted);
+      seen.sight = vertex->sight;
+      seen.normal = vertex->normal;
     } else {
       vertex->gloss_width = 0;  // seen by way of a matt surface, gloss is noise and nothing else
     }
-    seen.light += weight * sunlight(*vertex, -ray.direction, samples.next());
-    if (!lamps_.empty()) seen.light += weight * lamplight(*vertex, -ray.direction, bounce == 0, samples);
+    Vec3& light = bounce == 0 ? seen.direct : seen.indirect;
+    light += weight * sunlight(*vertex, -ray.direction, samples.next());
+    if (!lamps_.empty()) light += weight * lamplight(*vertex, -ray.direction, bounce == 0, samples);
     if (bounce == kBounces) return seen;
 
     // Go on from one side or the other, as often as light does.
@@ -199,7 +201,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
     weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
     // Few of the paths that carry little go on; they take over the weight of those that stop.
-    const float survival = std::clamp(vertex->keenness * luminance(weight), 0.1F, 1.0F);
+    const float survival = std::clamp(kKeenness * luminance(weight), 0.1F, 1.0F);
     if (survival < 1 && samples.next().x >= survival) return seen;
     weight /= survival;
     const float side = reflects ? 1 : -1;

@@ -29,10 +29,18 @@ struct Air {
   Clouds clouds;
 };
 
-/// What one ray sees: light that was weighted by how much of it hides the background.
+enum class Sight { nothing, surface, ground };
+
+/// What one ray sees. Light, albedo and cover are weighted by how much of the background is hidden.
 struct Seen {
-  Vec3 light{0};
+  Vec3 direct{0};    ///< light that came to what the ray meets straight from sun and lamps, and that of haze before it
+  Vec3 indirect{0};  ///< light that came to it from the sky and from other surfaces
+  Vec3 albedo{0};    ///< the share of indirect light that is given back, on both sides
+  Vec3 normal{0};    ///< of what the ray meets, on the side that is seen
   float cover = 0;
+  Sight sight = Sight::nothing;
+
+  Vec3 light() const { return direct + indirect; }
 };
 
 class PathTracer {
@@ -64,7 +72,7 @@ class PathTracer {
     Vec3 transmitted;
     float gloss_width;  ///< 0: none
     float cover;        ///< below 1 where the ground fades
-    float keenness;     ///< the chance that a path goes on from here, over the weight it carries
+    Sight sight;
   };
 
   std::optional<Vertex> next_vertex(const Ray& ray) const;

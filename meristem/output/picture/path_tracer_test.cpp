@@ -36,8 +36,13 @@ Daylight uniform_light(Vec3 radiance) {
   return {[&](Vec3) { return radiance; }, radiance};
 }
 
+struct MeanSeen {
+  Vec3 light;
+  float cover;
+};
+
 /// The mean over paths that start along one ray.
-Seen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Ground> ground, const Ray& ray,
+MeanSeen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Ground> ground, const Ray& ray,
                const Lamplight& lamps = Lamplight()) {
   Progress progress;
   const RayScene rays(scene, progress);
@@ -47,7 +52,7 @@ Seen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Grou
   for (std::uint32_t s = 0; s < kSamples; ++s) {
     SampleStream samples(7, s, kSamples);
     const Seen seen = tracer.trace(ray, samples);
-    sum += DVec3(seen.light);
+    sum += DVec3(seen.light());
     cover += seen.cover;
   }
   return {Vec3(sum / double{kSamples}), static_cast<float>(cover / kSamples)};
@@ -57,7 +62,7 @@ const Ray kFromAbove{{0.2F, 2, 0.3F}, {0, -1, 0}};
 const Ray kFromBelow{{0.2F, -2, 0.3F}, {0, 1, 0}};
 
 TEST(PathTracer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSky) {
-  const Seen seen = mean_seen(level_square(white()), uniform_light({0.5F, 1, 2}), std::nullopt, kFromAbove);
+  const MeanSeen seen = mean_seen(level_square(white()), uniform_light({0.5F, 1, 2}), std::nullopt, kFromAbove);
   EXPECT_EQ(seen.cover, 1);
   EXPECT_NEAR(seen.light.r, 0.5, 1e-4);
   EXPECT_NEAR(seen.light.g, 1, 1e-4);
@@ -67,7 +72,7 @@ TEST(PathTracer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSky) {
 TEST(PathTracer, AGreyPlaneGivesBackItsShare) {
   Material grey = white();
   grey.colour = Vec3(0.5F);
-  const Seen seen = mean_seen(level_square(grey), uniform_light(Vec3(1)), std::nullopt, kFromAbove);
+  const MeanSeen seen = mean_seen(level_square(grey), uniform_light(Vec3(1)), std::nullopt, kFromAbove);
   EXPECT_NEAR(seen.light.g, 0.21404, 1e-4);
 }
 
@@ -76,7 +81,7 @@ TEST(PathTracer, WhiteGroundUnderAUniformSkyIsAsBrightAsTheSky) {
   ground.colour = Vec3(1);
   ground.fade_distance = 1e6F;
   const Ray ray{{50, 1, 50}, glm::normalize(Vec3(1, -1, 0))};
-  const Seen seen = mean_seen(level_square(white()), uniform_light(Vec3(1)), ground, ray);
+  const MeanSeen seen = mean_seen(level_square(white()), uniform_light(Vec3(1)), ground, ray);
   EXPECT_NEAR(seen.light.g, 1, 1e-3);
 }
 
@@ -97,7 +102,7 @@ TEST(PathTracer, TheSunLightsWithTheCosine) {
   matt.roughness = 1;
   const Sky sky({radians(90), radians(30)});
   const Daylight light(sky, Vec3(0));
-  const Seen lit = mean_seen(level_square(matt), light, std::nullopt, kFromAbove);
+  const MeanSeen lit = mean_seen(level_square(matt), light, std::nullopt, kFromAbove);
   const Vec3 expected = (0.5F * sky.sun_irradiance() + sky.dome_irradiance()) / static_cast<float>(kPi);
   EXPECT_NEAR(lit.light.g, expected.g, 0.03 * expected.g);  // wax adds a little gloss
 }
@@ -175,7 +180,7 @@ TEST(PathTracer, NoSurfaceGivesBackMoreLightThanItGets) {
   Material leaf = white();
   leaf.two_sided = true;
   leaf.translucency = 0.5F;
-  const Seen seen = mean_seen(level_square(leaf), uniform_light(Vec3(1)), std::nullopt, kFromAbove);
+  const MeanSeen seen = mean_seen(level_square(leaf), uniform_light(Vec3(1)), std::nullopt, kFromAbove);
   EXPECT_LE(seen.light.g, 1.001F);
 }
 

@@ -5,7 +5,8 @@
 // square goes on if the first and the second half of the samples of those around it differ, as the eye sees it, by so
 // much that more samples are worth their time: even sky and sunlit ground end early, and crowns take what they need. A
 // square has no say in its own case: one that by chance has missed the few bright paths would stop too early, and the
-// picture would darken.
+// picture would darken. In the end squares share their indirect light (indirect_light.h), which is why it counts with a
+// part of its noise only.
 //
 // Based on: F. Rousselle, C. Knaus and M. Zwicker: Adaptive rendering with non-local means filtering (2012) for the two
 // halves; D. Kirk and J. Arvo: Unbiased sampling techniques for image synthesis (1991) for the bias.

@@ -37,6 +37,7 @@ struct Seen {
   Vec3 indirect{0};  ///< light that came to it from the sky and from other surfaces
   Vec3 albedo{0};    ///< the share of indirect light that is given back, on both sides
   Vec3 normal{0};    ///< of what the ray meets, on the side that is seen
+  float distance = 0;
   float cover = 0;
   Sight sight = Sight::nothing;
 

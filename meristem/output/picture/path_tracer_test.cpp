@@ -43,7 +43,7 @@ struct MeanSeen {
 
 /// The mean over paths that start along one ray.
 MeanSeen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Ground> ground, const Ray& ray,
-               const Lamplight& lamps = Lamplight()) {
+                   const Lamplight& lamps = Lamplight()) {
   Progress progress;
   const RayScene rays(scene, progress);
   const PathTracer tracer(scene, rays, light, ground, lamps);
@@ -67,6 +67,50 @@ TEST(PathTracer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSky) {
   EXPECT_NEAR(seen.light.r, 0.5, 1e-4);
   EXPECT_NEAR(seen.light.g, 1, 1e-4);
   EXPECT_NEAR(seen.light.b, 2, 1e-4);
+}
+
+TEST(PathTracer, IndirectLightIsTheAlbedoTimesWhatFalls) {
+  Material leaf = white();
+  leaf.colour = {0.5F, 0.8F, 0.4F};
+  leaf.two_sided = true;
+  leaf.translucency = 0.3F;
+  leaf.roughness = 1;
+  const MeshScene scene = level_square(leaf);
+  Progress progress;
+  const RayScene rays(scene, progress);
+  const PathTracer tracer(scene, rays, uniform_light({0.5F, 1, 2}), std::nullopt);
+  DVec3 indirect(0);
+  Vec3 albedo(0);
+  for (std::uint32_t s = 0; s < kSamples; ++s) {
+    SampleStream samples(7, s, kSamples);
+    const Seen seen = tracer.trace(kFromAbove, samples);
+    ASSERT_EQ(seen.direct, Vec3(0));
+    ASSERT_EQ(seen.sight, Sight::surface);
+    ASSERT_FLOAT_EQ(seen.distance, 2);
+    ASSERT_EQ(seen.normal, kUp);
+    indirect += DVec3(seen.indirect);
+    albedo = seen.albedo;
+  }
+  indirect /= kSamples;
+  EXPECT_GT(albedo.g, albedo.r);
+  EXPECT_NEAR(indirect.r, 0.5 * albedo.r, 0.02 * indirect.r);
+  EXPECT_NEAR(indirect.g, albedo.g, 0.02 * indirect.g);
+  EXPECT_NEAR(indirect.b, 2 * albedo.b, 0.02 * indirect.b);
+}
+
+TEST(PathTracer, TheSunIsDirectLight) {
+  const MeshScene scene = level_square(white());
+  Progress progress;
+  const RayScene rays(scene, progress);
+  const Sky sky({radians(90), radians(30)});
+  const PathTracer tracer(scene, rays, Daylight(sky, Vec3(0)), std::nullopt);
+  SampleStream samples(7, 0, 1);
+  const Seen seen = tracer.trace(kFromAbove, samples);
+  EXPECT_GT(seen.direct.g, 0.15F * sky.sun_irradiance().g);
+  SampleStream past(7, 0, 1);
+  const Seen nothing = tracer.trace({{5, 2, 0}, {0, -1, 0}}, past);
+  EXPECT_EQ(nothing.sight, Sight::nothing);
+  EXPECT_EQ(nothing.light(), Vec3(0));
 }
 
 TEST(PathTracer, AGreyPlaneGivesBackItsShare) {
@@ -158,9 +202,10 @@ TEST(PathTracer, ARoofShadesItsLampAndNothingBeyond) {
 
 TEST(PathTracer, ManyLampsLightAsMuchAsOneInTheirPlace) {
   const std::vector<Lamp> many(5, Lamp{.position = {0.3F, 2, 0.2F}, .strength = 0.2});
-  const Seen one = mean_seen(level_square(white()), uniform_light(Vec3(0)), std::nullopt, kFromAbove,
-                             Lamplight({{.position = {0.3F, 2, 0.2F}, .strength = 1}}));
-  const Seen five = mean_seen(level_square(white()), uniform_light(Vec3(0)), std::nullopt, kFromAbove, Lamplight(many));
+  const MeanSeen one = mean_seen(level_square(white()), uniform_light(Vec3(0)), std::nullopt, kFromAbove,
+                                 Lamplight({{.position = {0.3F, 2, 0.2F}, .strength = 1}}));
+  const MeanSeen five =
+      mean_seen(level_square(white()), uniform_light(Vec3(0)), std::nullopt, kFromAbove, Lamplight(many));
   EXPECT_GT(one.light.g, 0.1F);
   EXPECT_NEAR(five.light.g, one.light.g, 0.01 * one.light.g);
 }
@@ -397,8 +442,8 @@ TEST(PathTracer, HazeTakesItsShareOfWhatIsSeen) {
   double plain = 0, hidden = 0;
   for (std::uint32_t s = 0; s < kSamples; ++s) {
     SampleStream first(7, s, kSamples), second(7, s, kSamples);
-    plain += clear.trace(kFromAbove, first).light.g;
-    hidden += hazy.trace(kFromAbove, second).light.g;
+    plain += clear.trace(kFromAbove, first).light().g;
+    hidden += hazy.trace(kFromAbove, second).light().g;
   }
   EXPECT_NEAR((1 - hidden / kSamples) / (1 - plain / kSamples), std::exp(-2.0 / 4), 0.02);
 }

@@ -22,11 +22,11 @@ constexpr int kLeastSamples = 4;
 // at a few samples while the shade beside them takes all. Grain shows on plain ground and not among leaves, so more is
 // borne where brightness varies from pixel to pixel.
 constexpr float kUsualSamples = 16;
-constexpr float kNoiseOfPlain = 0.0105F * 0.0105F;
-constexpr float kNoiseByContrast = 0.09F;  // of the variance among squares
-constexpr float kMostNoise = 0.038F * 0.038F;
+constexpr float kNoiseOfPlain = 0.0115F * 0.0115F;
+constexpr float kNoiseByContrast = 0.11F;  // of the variance among squares
+constexpr float kMostNoise = 0.042F * 0.042F;
 // What gathering leaves of the noise of indirect light.
-constexpr float kNoiseAfterGathering = 0.3F;
+constexpr float kNoiseAfterGathering = 0.4F;
 
 struct Mean {
   float sum = 0;
@@ -42,7 +42,6 @@ struct Photographer::Square {
   /// What its samples add to a pixel, as the sum over them.
   struct Share {
     Vec3 direct{0};
-    Vec3 indirect{0};
     PerLayer<Vec3> albedo{};
     float cover = 0;
     float weight = 0;
@@ -51,7 +50,8 @@ struct Photographer::Square {
   // Sums over the samples, and over the first half of them.
   Vec3 direct{0};
   Vec3 first_direct{0};
-  HalvedLight indirect;
+  IndirectLight indirect;
+  Vec3 first_indirect{0};
   float cover = 0;
   float first_cover = 0;
   int samples = 0;
@@ -80,7 +80,7 @@ void Photographer::sample(int x, int y, int sample, Square& square) const {
     seen.cover = 1;
   }
   square.direct += seen.direct;
-  square.indirect.all.add(seen);
+  square.indirect.add(seen);
   square.cover += seen.cover;
   // Share it out among the four pixels whose middles lie around it.
   const Vec2 away(std::abs(at.x - 0.5F), std::abs(at.y - 0.5F));
@@ -89,7 +89,6 @@ void Photographer::sample(int x, int y, int sample, Square& square) const {
   const auto add = [&](int pixel, float weight) {
     Square::Share& share = square.shares[pixel];
     share.direct += weight * seen.direct;
-    share.indirect += weight * seen.indirect;
     share.albedo[layer_of(seen.sight)] += weight * seen.albedo;
     share.cover += weight * seen.cover;
     share.weight += weight;
@@ -127,9 +126,9 @@ float Photographer::shown(Vec3 light, int samples) const {
 void Photographer::judge(Square& square) const {
   const int half = square.samples / 2;
   // Indirect light keeps a share of its noise when it is gathered.
-  const Vec3 indirect = square.indirect.all.sum();
+  const Vec3 indirect = square.indirect.sum();
   const Vec3 even = 0.5F * (1 - kNoiseAfterGathering) * indirect;
-  const Vec3 first = square.first_direct + even + kNoiseAfterGathering * square.indirect.first.sum();
+  const Vec3 first = square.first_direct + even + kNoiseAfterGathering * square.first_indirect;
   const Vec3 all = square.direct + indirect;
   const float brightness = shown(first, half) - shown(all - first, half);
   const float cover = (2 * square.first_cover - square.cover) / static_cast<float>(half);
@@ -191,7 +190,7 @@ std::vector<PixelLight> Photographer::expose(const Tile& tile, Progress& progres
     for (Square& square : squares) {
       if (!square.goes_on) continue;
       square.first_direct = square.direct;
-      square.indirect.first = square.indirect.all;
+      square.first_indirect = square.indirect.sum();
       square.first_cover = square.cover;
     }
     sample(around, squares, begin, end, progress);
@@ -200,10 +199,10 @@ std::vector<PixelLight> Photographer::expose(const Tile& tile, Progress& progres
     end = std::min(2 * end, most);
   }
 
-  std::vector<HalvedLight> indirect;
+  std::vector<IndirectLight> indirect;
   indirect.reserve(squares.size());
   for (const Square& square : squares) indirect.push_back(square.indirect);
-  const std::vector<GatheredLight> gathered = gathered_light(indirect, width);
+  const std::vector<PerLayer<Vec3>> irradiance = gathered_irradiance(indirect, width, spread_ / kSharpness);
 
   // Gather what each pixel has of its square and those around it.
   std::vector<PixelLight> pixels;
@@ -212,22 +211,17 @@ std::vector<PixelLight> Photographer::expose(const Tile& tile, Progress& progres
     for (int x = 1; x <= tile.right - tile.left; ++x) {
       PixelLight pixel;
       PerLayer<Vec3> albedo{};
-      Vec3 own(0);
       float weight = 0;
       for (int k = 0; k < 9; ++k) {
         const Square& square = squares[(y + k / 3 - 1) * width + x + k % 3 - 1];
         const Square::Share& seen = square.shares[8 - k];
         const float scale = 1 / static_cast<float>(square.samples);
         pixel.light += scale * seen.direct;
-        own += scale * seen.indirect;
         for (int layer = 0; layer < kLayers; ++layer) albedo[layer] += scale * seen.albedo[layer];
         pixel.cover += scale * seen.cover;
         weight += scale * seen.weight;
       }
-      const GatheredLight& light = gathered[y * width + x];
-      Vec3 even(0);
-      for (int layer = 0; layer < kLayers; ++layer) even += albedo[layer] * light.irradiance[layer];
-      pixel.light += glm::mix(even, own, light.own);
+      for (int layer = 0; layer < kLayers; ++layer) pixel.light += albedo[layer] * irradiance[y * width + x][layer];
       pixels.push_back({pixel.light / weight, pixel.cover / weight, squares[y * width + x].samples});
     }
   }

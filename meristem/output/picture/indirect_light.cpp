@@ -10,9 +10,10 @@ namespace meristem {
 
 namespace {
 
-// Two passes of five squares across and five down, the second at twice the step, reach six squares to each side. A
-// third leaves ground smoother and leaves paler, for as much noise.
-constexpr int kPasses = 2;
+// Three passes of five squares across and five down, each at twice the step of the one before. After two, plain
+// surfaces still show patches.
+constexpr int kPasses = 3;
+static_assert(kReachOfGathering == 2 * ((1 << kPasses) - 1));
 constexpr float kSpline[] = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};
 // How much less surfaces give that face another way, as a factor on the squared distance of the mean normals; that are
 // brighter or darker, on the square of the difference over the sum; and that lie deeper, on the squared difference in
@@ -72,11 +73,16 @@ std::vector<Given> spread(const std::vector<Given>& given, const std::vector<Loo
           if (u < 0 || u >= width) continue;
           const int there = v * width + u;
           const float near = (there == here ? 1 : looks[here].others) * kSpline[i] * kSpline[j];
-          const float alike = near * in_common(looks[here], looks[there]);
-          sum.light[0] += alike * given[there].light[0];
-          sum.albedo[0] += alike * given[there].albedo[0];
-          sum.light[1] += near * given[there].light[1];
-          sum.albedo[1] += near * given[there].albedo[1];
+          const Given& other = given[there];
+          if (other.albedo[0] != Vec3(0)) {
+            const float alike = near * in_common(looks[here], looks[there]);
+            sum.light[0] += alike * other.light[0];
+            sum.albedo[0] += alike * other.albedo[0];
+          }
+          if (other.albedo[1] != Vec3(0)) {
+            sum.light[1] += near * other.light[1];
+            sum.albedo[1] += near * other.albedo[1];
+          }
         }
       }
     }

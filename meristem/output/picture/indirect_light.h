@@ -18,7 +18,8 @@
 
 namespace meristem {
 
-constexpr int kLayers = 2;  ///< 0: what stands on the ground, 1: the ground
+constexpr int kReachOfGathering = 14;  ///< squares to each side
+constexpr int kLayers = 2;             ///< 0: what stands on the ground, 1: the ground
 
 template <class T>
 using PerLayer = std::array<T, kLayers>;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "meristem/base/colour.h"
-#include "meristem/output/picture/indirect_light.h"
 
 namespace meristem {
 
@@ -63,7 +62,7 @@ struct Photographer::Square {
 Photographer::Photographer(const PathTracer& tracer, const Camera& camera, const Settings& settings)
     : tracer_(tracer), camera_(camera), settings_(settings) {
   const float half_pixel = 1 / static_cast<float>(settings.height);
-  spread_ = kSharpness * glm::distance(camera.direction({0, half_pixel}), camera.direction({0, -half_pixel}));
+  pixel_angle_ = glm::distance(camera.direction({0, half_pixel}), camera.direction({0, -half_pixel}));
 }
 
 void Photographer::sample(int x, int y, int sample, Square& square) const {
@@ -73,7 +72,7 @@ void Photographer::sample(int x, int y, int sample, Square& square) const {
   const Vec2 at = samples.next();
   const Vec2 film(2 * (static_cast<float>(x) + at.x) / static_cast<float>(settings_.width) - 1,
                   1 - 2 * (static_cast<float>(y) + at.y) / static_cast<float>(settings_.height));
-  const Ray ray{camera_.position(), camera_.direction(film), spread_};
+  const Ray ray{camera_.position(), camera_.direction(film), kSharpness * pixel_angle_};
   Seen seen = tracer_.trace(ray, samples);
   if (settings_.shows_sky) {
     if (seen.cover < 1) seen.direct += (1 - seen.cover) * tracer_.background(ray.direction);
@@ -173,7 +172,7 @@ bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
   return any_goes_on;
 }
 
-std::vector<PixelLight> Photographer::expose(const Tile& tile, Progress& progress) const {
+Exposure Photographer::expose(const Tile& tile, Progress& progress) const {
   // The pixels at the tile's border take light from squares beyond it.
   const Tile around{tile.left - 1, tile.top - 1, tile.right + 1, tile.bottom + 1};
   const int width = around.right - around.left;
@@ -199,33 +198,30 @@ std::vector<PixelLight> Photographer::expose(const Tile& tile, Progress& progres
     end = std::min(2 * end, most);
   }
 
-  std::vector<IndirectLight> indirect;
-  indirect.reserve(squares.size());
-  for (const Square& square : squares) indirect.push_back(square.indirect);
-  const std::vector<PerLayer<Vec3>> irradiance = gathered_irradiance(indirect, width, spread_ / kSharpness);
-
-  // Gather what each pixel has of its square and those around it.
-  std::vector<PixelLight> pixels;
-  pixels.reserve(static_cast<std::size_t>(tile.right - tile.left) * (tile.bottom - tile.top));
+  // Each pixel has its share of its square and those around it.
+  Exposure exposure;
+  const std::size_t pixels = static_cast<std::size_t>(tile.right - tile.left) * (tile.bottom - tile.top);
+  exposure.pixels.reserve(pixels);
+  exposure.indirect.reserve(pixels);
   for (int y = 1; y <= tile.bottom - tile.top; ++y) {
     for (int x = 1; x <= tile.right - tile.left; ++x) {
-      PixelLight pixel;
-      PerLayer<Vec3> albedo{};
+      PixelExposure pixel;
       float weight = 0;
       for (int k = 0; k < 9; ++k) {
         const Square& square = squares[(y + k / 3 - 1) * width + x + k % 3 - 1];
         const Square::Share& seen = square.shares[8 - k];
         const float scale = 1 / static_cast<float>(square.samples);
-        pixel.light += scale * seen.direct;
-        for (int layer = 0; layer < kLayers; ++layer) albedo[layer] += scale * seen.albedo[layer];
+        pixel.direct += scale * seen.direct;
+        for (int layer = 0; layer < kLayers; ++layer) pixel.albedo[layer] += scale * seen.albedo[layer];
         pixel.cover += scale * seen.cover;
         weight += scale * seen.weight;
       }
-      for (int layer = 0; layer < kLayers; ++layer) pixel.light += albedo[layer] * irradiance[y * width + x][layer];
-      pixels.push_back({pixel.light / weight, pixel.cover / weight, squares[y * width + x].samples});
+      for (Vec3& albedo : pixel.albedo) albedo /= weight;
+      exposure.pixels.push_back({pixel.direct / weight, pixel.albedo, pixel.cover / weight});
+      exposure.indirect.push_back(squares[y * width + x].indirect);
     }
   }
-  return pixels;
+  return exposure;
 }
 
 }  // namespace meristem

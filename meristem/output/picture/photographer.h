@@ -5,8 +5,8 @@
 // square goes on if the first and the second half of the samples of those around it differ, as the eye sees it, by so
 // much that more samples are worth their time: even sky and sunlit ground end early, and crowns take what they need. A
 // square has no say in its own case: one that by chance has missed the few bright paths would stop too early, and the
-// picture would darken. In the end squares share their indirect light (indirect_light.h), which is why it counts with a
-// part of its noise only.
+// picture would darken. As squares will gather the indirect light of those around them, it counts with a part of its
+// noise only.
 //
 // Based on: F. Rousselle, C. Knaus and M. Zwicker: Adaptive rendering with non-local means filtering (2012) for the two
 // halves; D. Kirk and J. Arvo: Unbiased sampling techniques for image synthesis (1991) for the bias.
@@ -16,15 +16,22 @@
 
 #include "meristem/base/progress.h"
 #include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/indirect_light.h"
 #include "meristem/output/picture/path_tracer.h"
 
 namespace meristem {
 
-/// What is seen through a pixel.
-struct PixelLight {
-  Vec3 light{0};  ///< weighted by how much of it hides the background
+/// What a pixel is exposed to but for indirect light, which is its albedo times what its square gathers.
+struct PixelExposure {
+  Vec3 direct{0};  ///< weighted by how much of it hides the background, as the others are
+  PerLayer<Vec3> albedo{};
   float cover = 0;
-  int samples = 0;  ///< that were taken in its square
+};
+
+/// What a tile is exposed to, row by row.
+struct Exposure {
+  std::vector<PixelExposure> pixels;
+  std::vector<IndirectLight> indirect;  ///< of the pixels' squares
 };
 
 /// The pixels [left, right) x [top, bottom) of a picture.
@@ -46,8 +53,10 @@ class Photographer {
   /// `tracer` and `camera` must outlive this.
   Photographer(const PathTracer& tracer, const Camera& camera, const Settings& settings);
 
-  /// The pixels of a tile, row by row: a function of the picture and the tile alone. Throws Cancelled.
-  std::vector<PixelLight> expose(const Tile& tile, Progress& progress) const;
+  /// Radians from pixel to pixel in the middle of the picture.
+  float pixel_angle() const { return pixel_angle_; }
+  /// A function of the picture and the tile alone. Throws Cancelled.
+  Exposure expose(const Tile& tile, Progress& progress) const;
 
  private:
   struct Square;
@@ -61,7 +70,7 @@ class Photographer {
   const PathTracer& tracer_;
   const Camera& camera_;
   Settings settings_;
-  float spread_;  // of camera rays
+  float pixel_angle_;
 };
 
 }  // namespace meristem

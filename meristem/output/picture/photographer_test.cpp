@@ -8,6 +8,7 @@
 
 #include "meristem/base/colour.h"
 #include "meristem/base/random.h"
+#include "meristem/output/picture/film.h"
 
 namespace meristem::photographer_test {
 
@@ -32,13 +33,17 @@ MeshScene leaves() {
   return scene;
 }
 
+/// The pixels of a picture of one tile.
+std::vector<PixelLight> pixels(const Photographer& photographer, int size, Progress& progress) {
+  Film film(size, size, photographer.pixel_angle());
+  film.keep(0, 0, photographer.expose(film.tile(0, 0), progress));
+  return film.pixels(0, 0);
+}
+
 class PhotographedLeaves : public testing::Test {
  protected:
-  std::vector<PixelLight> exposed(const Photographer::Settings& settings, const Tile& tile) {
-    return Photographer(tracer_, camera_, settings).expose(tile, progress_);
-  }
   std::vector<PixelLight> exposed(int samples, bool is_even, bool shows_sky = true) {
-    return exposed({kSize, kSize, samples, 2.0F, shows_sky, is_even}, {0, 0, kSize, kSize});
+    return pixels(Photographer(tracer_, camera_, {kSize, kSize, samples, 2.0F, shows_sky, is_even}), kSize, progress_);
   }
 
   Progress progress_;
@@ -128,32 +133,6 @@ TEST_F(PhotographedLeaves, AnyNumberOfSamplesIsExposed) {
   }
 }
 
-TEST_F(PhotographedLeaves, ATileIsThePartOfThePictureWhereItLies) {
-  const Photographer::Settings settings{kSize, kSize, 16, 2.0F, true, true};
-  const std::vector<PixelLight> whole = exposed(settings, {0, 0, kSize, kSize});
-  const Tile tile{6, 4, 38, 36};
-  const std::vector<PixelLight> part = exposed(settings, tile);
-  // Pixels near the border gather from the tile alone, so they have a little more noise.
-  constexpr int kReach = 8;
-  double whole_border = 0;
-  double part_border = 0;
-  for (int y = tile.top; y < tile.bottom; ++y) {
-    for (int x = tile.left; x < tile.right; ++x) {
-      const Vec3 here = part[(y - tile.top) * 32 + x - tile.left].light;
-      const Vec3 there = whole[y * kSize + x].light;
-      const int inside = std::min({x - tile.left, tile.right - 1 - x, y - tile.top, tile.bottom - 1 - y});
-      if (inside >= kReach) {
-        EXPECT_EQ(here, there) << x << ' ' << y;
-      } else {
-        EXPECT_NEAR(luminance(here), luminance(there), 0.03);
-        part_border += luminance(here);
-        whole_border += luminance(there);
-      }
-    }
-  }
-  EXPECT_NEAR(part_border, whole_border, 0.001 * whole_border);
-}
-
 TEST(Photographer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
   Mesh plane;
   plane.positions = {{-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}};
@@ -167,7 +146,7 @@ TEST(Photographer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
   const PathTracer tracer(meshes, rays, Daylight([](Vec3) { return Vec3(1); }, Vec3(1)), std::nullopt);
   const Camera camera({0, 2, 2}, {0, 0, 0}, radians(60), 1);
   const Photographer photographer(tracer, camera, {.width = 16, .height = 16, .samples = 64});
-  for (const PixelLight& pixel : photographer.expose({0, 0, 16, 16}, progress)) {
+  for (const PixelLight& pixel : pixels(photographer, 16, progress)) {
     EXPECT_LE(pixel.samples, 8);
     EXPECT_NEAR(pixel.light.g, 1, 1e-3);
   }
@@ -186,8 +165,8 @@ TEST(Photographer, AnEdgeIsSmoothedByATentOfTwoPixels) {
   const PathTracer tracer(meshes, rays, Daylight([](Vec3) { return Vec3(1); }, Vec3(1)), std::nullopt);
   const Camera camera({0, 0, 100}, {0, 0, 0}, radians(20), 1);
   const Photographer photographer(tracer, camera, {.width = 16, .height = 16, .samples = 64, .shows_sky = false});
-  const std::vector<PixelLight> pixels = photographer.expose({0, 0, 16, 16}, progress);
-  const auto cover = [&](int x) { return pixels[8 * 16 + x].cover; };
+  const std::vector<PixelLight> seen = pixels(photographer, 16, progress);
+  const auto cover = [&](int x) { return seen[8 * 16 + x].cover; };
   EXPECT_EQ(cover(6), 1);
   EXPECT_NEAR(cover(7), 0.875, 0.02);
   EXPECT_NEAR(cover(8), 0.125, 0.02);

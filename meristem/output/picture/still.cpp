@@ -11,6 +11,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/film.h"
 #include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/path_tracer.h"
@@ -21,7 +22,7 @@ namespace meristem {
 
 namespace {
 
-constexpr int kTile = 64;
+constexpr int kTilesAtOnce = 1024;  // half a gigabyte
 
 /// Numbers too small to matter count as 0 while it lives, in this thread; Embree asks for that.
 class FlushToZero {
@@ -148,27 +149,42 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
                                    .shows_sky = developer.shows_sky(),
                                    .is_even = options.even});
 
-  // Expose tile by tile.
-  const int columns = (options.width + kTile - 1) / kTile;
-  const int rows = (options.height + kTile - 1) / kTile;
-  parallel_for(static_cast<std::size_t>(columns) * rows, 1, [&](std::size_t tile, std::size_t) {
-    const FlushToZero flush_to_zero;
-    const int left = static_cast<int>(tile % columns) * kTile;
-    const int top = static_cast<int>(tile / columns) * kTile;
-    const int right = std::min(left + kTile, options.width);
-    const int bottom = std::min(top + kTile, options.height);
-    const std::vector<PixelLight> pixels = photographer.expose({left, top, right, bottom}, progress);
-    const PixelLight* pixel = pixels.data();
-    for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x) {
-        const float cover = developer.shows_sky() ? 1 : pixel->cover;
-        std::uint8_t* rgba = image.rgba.data() + 4 * (std::size_t{1} * y * options.width + x);
-        developer.develop(pixel->light, cover, dither(x, y), rgba);
-        ++pixel;
+  // Expose some rows of tiles and develop those that have the next row beneath them, in turn.
+  Film film(options.width, options.height, photographer.pixel_angle());
+  const int columns = film.columns();
+  const int rows_at_once = std::max(1, kTilesAtOnce / columns);
+  const auto for_each_tile = [&](int begin, int end, const auto& visit) {
+    parallel_for(static_cast<std::size_t>(columns) * (end - begin), 1, [&](std::size_t tile, std::size_t) {
+      const FlushToZero flush_to_zero;
+      visit(static_cast<int>(tile) % columns, begin + static_cast<int>(tile) / columns);
+    });
+  };
+  int developed = 0;
+  for (int exposed = 0; exposed < film.rows();) {
+    const int end = std::min(exposed + rows_at_once, film.rows());
+    for_each_tile(exposed, end, [&](int column, int row) {
+      const Tile tile = film.tile(column, row);
+      film.keep(column, row, photographer.expose(tile, progress));
+      progress.advance(static_cast<std::uint64_t>(tile.right - tile.left) * (tile.bottom - tile.top));
+    });
+    exposed = end;
+    const int ready = exposed == film.rows() ? exposed : exposed - 1;
+    for_each_tile(developed, ready, [&](int column, int row) {
+      const Tile tile = film.tile(column, row);
+      const std::vector<PixelLight> pixels = film.pixels(column, row);
+      const PixelLight* pixel = pixels.data();
+      for (int y = tile.top; y < tile.bottom; ++y) {
+        for (int x = tile.left; x < tile.right; ++x) {
+          const float cover = developer.shows_sky() ? 1 : pixel->cover;
+          std::uint8_t* rgba = image.rgba.data() + 4 * (std::size_t{1} * y * options.width + x);
+          developer.develop(pixel->light, cover, dither(x, y), rgba);
+          ++pixel;
+        }
       }
-    }
-    progress.advance(static_cast<std::uint64_t>(right - left) * (bottom - top));
-  });
+    });
+    for (int row = std::max(0, developed - 1); row < ready - 1; ++row) film.drop(row);
+    developed = ready;
+  }
   return image;
 }
 

@@ -31,7 +31,7 @@ constexpr int layer_of(Sight sight) { return sight == Sight::ground ? 1 : 0; }
 struct IndirectLight {
   PerLayer<Vec3> light{};
   PerLayer<Vec3> albedo{};
-  // Of layer 0.
+  // What was met of layer 0:
   Vec3 normal{0};
   float depth = 0;  ///< logarithm of the distance
   int met = 0;      ///< samples that met a surface

@@ -3,7 +3,8 @@
 // left, as the root of the mean square of what bytes differ from a picture with eight times as many samples; the same
 // of a picture in which every pixel takes all samples; `to_even`, the time of that one over ours in the same run, on
 // one thread, and `for_noise`, the same for equal noise, whose square falls as time rises: below 1 where grain is borne
-// unevenly for the look of plain ground; and `brighter`, the mean of what bytes differ, which stopping early bends.
+// unevenly for the look of plain ground, and above where few samples are enough since squares gather from each other;
+// and `brighter`, the mean of what bytes differ, which stopping early bends.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -133,6 +133,22 @@ TEST_F(PhotographedLeaves, AnyNumberOfSamplesIsExposed) {
   }
 }
 
+TEST_F(PhotographedLeaves, ATileIsThePartOfThePictureWhereItLies) {
+  const Photographer photographer(tracer_, camera_, {kSize, kSize, 16, 2.0F, true, true});
+  const Exposure whole = photographer.expose({0, 0, kSize, kSize}, progress_);
+  const Tile tile{17, 9, 30, 20};
+  const Exposure part = photographer.expose(tile, progress_);
+  for (int y = tile.top; y < tile.bottom; ++y) {
+    for (int x = tile.left; x < tile.right; ++x) {
+      const int here = (y - tile.top) * 13 + x - tile.left;
+      const int there = y * kSize + x;
+      EXPECT_EQ(part.pixels[here].direct, whole.pixels[there].direct);
+      EXPECT_EQ(part.pixels[here].albedo, whole.pixels[there].albedo);
+      EXPECT_EQ(part.indirect[here].sum(), whole.indirect[there].sum());
+    }
+  }
+}
+
 TEST(Photographer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
   Mesh plane;
   plane.positions = {{-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}};

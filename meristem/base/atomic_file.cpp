@@ -114,6 +114,25 @@ void AtomicFile::overwrite(std::size_t offset, std::string_view bytes) {
   send_at(offset, bytes);
 }
 
+bool AtomicFile::holds(std::string_view bytes) {
+  if (descriptor_ < 0 || is_stream()) throw std::invalid_argument("only an open file can be read back");
+  flush();
+  const int reader = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (reader < 0) fail();
+  std::vector<char> piece(kBufferBytes);
+  bool is_equal = true;
+  for (;;) {
+    const ssize_t got = ::read(reader, piece.data(), piece.size());
+    if (got < 0 && errno == EINTR) continue;
+    const std::string_view there(piece.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    is_equal = got >= 0 && bytes.substr(0, there.size()) == there;
+    if (!is_equal || got == 0) break;
+    bytes.remove_prefix(there.size());
+  }
+  ::close(reader);
+  return is_equal && bytes.empty();
+}
+
 void AtomicFile::commit() {
   if (descriptor_ < 0) throw std::invalid_argument("a file can be committed only once");
   flush();

@@ -33,6 +33,8 @@ class AtomicFile {
   /// Writes over bytes that have been written already, such as a count at the beginning that is known at the end. Not
   /// for streams, nor beyond size(): std::invalid_argument.
   void overwrite(std::size_t offset, std::string_view bytes);
+  /// Reads back what has been written so far. Returns true if it is `bytes`. Not for streams: std::invalid_argument.
+  bool holds(std::string_view bytes);
   /// True where bytes go straight through and nothing can be taken back.
   bool is_stream() const { return temporary_.empty(); }
   /// Puts the file in place, or hands it to this thread's FileSet; closes it first if it is open. Later calls throw

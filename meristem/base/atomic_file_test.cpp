@@ -105,6 +105,21 @@ TEST_F(AtomicFileTest, WritesOverWhatItHoldsAlready) {
   EXPECT_THROW(stream.overwrite(0, ""), std::invalid_argument);
 }
 
+TEST_F(AtomicFileTest, ReadsBackWhatWasWritten) {
+  AtomicFile file(at("oak.json").string());
+  const std::string text(3'000'000, 'x');
+  put(file, text);
+  EXPECT_TRUE(file.holds(text));
+  EXPECT_FALSE(file.holds(text + "y"));
+  EXPECT_FALSE(file.holds(std::string_view(text).substr(1)));
+  for (const fs::directory_entry& temporary : fs::directory_iterator(at(""))) {
+    std::fstream other(temporary.path(), std::ios::binary | std::ios::in | std::ios::out);
+    other.seekp(2'000'000);
+    other.put('!');
+  }
+  EXPECT_FALSE(file.holds(text));
+}
+
 TEST_F(AtomicFileTest, ReplacesAFileAndKeepsItsPermissions) {
   write_file(at("file"), "before");
   fs::permissions(at("file"), fs::perms(0640));

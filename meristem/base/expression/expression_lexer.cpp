@@ -10,6 +10,7 @@
 
 #include "meristem/base/expression/expression.h"
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/utf8.h"
 
 namespace meristem {
 
@@ -25,23 +26,6 @@ bool is_name_character(char c) { return is_digit(c) || is_identifier(std::string
 template <typename Predicate>
 std::size_t run_length(std::string_view text, Predicate predicate) {
   return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), predicate) - text.begin());
-}
-
-/// Bytes of the UTF-8 character that `text` begins with; 0 where it is not valid.
-std::size_t utf8_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text.front());
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  if (length > text.size()) return 0;
-  const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(length, 1)),
-                     follows)
-             ? length
-             : 0;
 }
 
 /// What people type or paste for characters of the language.
@@ -64,7 +48,7 @@ constexpr std::string_view kOperations[] = {"||", "&&", "==", "!=", "<=", ">=", 
   ExpressionFault fault;
   fault.offset = offset;
   fault.expected = "numbers, names, operators and parentheses";
-  const std::size_t length = utf8_length(rest);
+  const std::size_t length = utf8_character_bytes(rest);
   const auto byte = static_cast<unsigned char>(rest.front());
   if (length == 0) {
     fault.message = fmt::format("byte 0x{:02x} is not UTF-8 text", byte);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/utf8.h"
+
 namespace meristem {
 
 namespace {
@@ -14,33 +16,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 unsigned char byte_at(std::string_view text, std::size_t offset) { return static_cast<unsigned char>(text[offset]); }
 
 bool goes_on(unsigned char byte) { return (byte & 0xC0U) == 0x80U; }
-
-/// Bytes of the character that `text` begins with; 0 where it is not UTF-8 (too long forms and surrogates are not).
-std::size_t valid_bytes(std::string_view text) {
-  const unsigned char lead = byte_at(text, 0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if (!goes_on(byte_at(text, k))) return 0;
-  }
-  const unsigned char second = byte_at(text, 1);
-  const bool is_too_long = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-  const bool is_surrogate = lead == 0xED && second >= 0xA0;
-  const bool is_too_large = lead == 0xF4 && second >= 0x90;
-  return is_too_long || is_surrogate || is_too_large ? 0 : length;
-}
-
-/// The offset of the first byte that is not UTF-8, or the size.
-std::size_t find_invalid(std::string_view text) {
-  std::size_t offset = 0;
-  while (offset < text.size()) {
-    const std::size_t length = valid_bytes(text.substr(offset));
-    if (length == 0) return offset;
-    offset += length;
-  }
-  return offset;
-}
 
 }  // namespace
 
@@ -69,7 +44,7 @@ GrammarText::GrammarText(std::string_view text, std::string file, const Limits& 
   for (std::size_t k = 0; k < text_.size(); ++k) {
     if (text_[k] == '\n') line_starts_.push_back(k + 1);
   }
-  if (const std::size_t invalid = find_invalid(text_); invalid < text_.size()) {
+  if (const std::size_t invalid = find_invalid_utf8(text_); invalid < text_.size()) {
     throw InputError(
         fault(invalid, fmt::format("byte 0x{:02x} is not UTF-8 text", byte_at(text_, invalid)), "text in UTF-8"));
   }

@@ -410,7 +410,7 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "pause") return PauseRequest{members.flag("paused")};
   if (what == "files") return FilesRequest{members.text("folder")};
   if (what == "save") {
-    return SaveRequest{members.text("path"), members.optional_text("saved"),
+    return SaveRequest{members.text("path"), members.text("hash"), members.optional_text("saved"),
                        members.optional_flag("over").value_or(false)};
   }
   if (what == "models") return ModelsRequest{};

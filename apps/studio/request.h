@@ -71,6 +71,7 @@ struct FilesRequest {
 };
 struct SaveRequest {
   std::string path;
+  std::string hash;  ///< of the page's text; the server writes no other text
   std::optional<std::string> saved;
   bool over = false;
 };

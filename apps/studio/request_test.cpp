@@ -45,7 +45,8 @@ TEST(Request, ReadsEachKind) {
   EXPECT_EQ(read<OverlaysRequest>(R"({"do": "overlays", "id": 1, "parts": ["sun"]})").parts.size(), 1U);
   EXPECT_EQ(read<ShownRequest>(R"({"do": "shown", "id": 1, "packet": 7})").packet, 7U);
   EXPECT_TRUE(read<PauseRequest>(R"({"do": "pause", "id": 1, "paused": true})").paused);
-  EXPECT_EQ(read<SaveRequest>(R"({"do": "save", "id": 1, "path": "a.json", "saved": null})").saved, std::nullopt);
+  EXPECT_EQ(read<SaveRequest>(R"({"do": "save", "id": 1, "path": "a.json", "hash": "0", "saved": null})").saved,
+            std::nullopt);
   const auto exported = read<ExportRequest>(
       R"({"do": "export", "id": 1, "format": ".png", "name": "a", "options": {"width": 64, "height": 32, "samples": 2,
           "camera": {"position": [1, 2, 3], "target": [0, 0, 0], "field_of_view": 30}}})");

@@ -12,6 +12,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/read_file.h"
+#include "meristem/base/utf8.h"
 #include "meristem/graph/table/file_access.h"
 #include "refusal.h"
 #include "text_units.h"
@@ -118,8 +119,12 @@ void RootFolder::write(const std::string& file, const std::string& text, const s
                     {{"changed", true}});
     }
   }
+  if (const std::size_t invalid = find_invalid_utf8(text); invalid < text.size()) {
+    throw Refusal(fmt::format("the text is not UTF-8 at its byte {}; nothing was written", invalid + 1));
+  }
   AtomicFile target(path);
   target.write(text);
+  if (!target.holds(text)) throw Refusal("the disk gives back another text than was written; the file is as it was");
   target.commit();
 }
 

@@ -102,6 +102,9 @@ TEST(RootFolder, WritesOverWhatWasOpenedAlone) {
   root.write("new.json", "third", std::nullopt, false);
   EXPECT_EQ(content(folders.inner / "oak.json"), "second");
   EXPECT_EQ(content(folders.inner / "new.json"), "third");
+  EXPECT_NE(refusal([&] { root.write("oak.json", "caf\xE9", std::nullopt, true); }).find("not UTF-8 at its byte 4"),
+            std::string::npos);
+  EXPECT_EQ(content(folders.inner / "oak.json"), "second");
   EXPECT_NE(refusal([&] { root.write("oak.txt", "x", {}, false); }).find(".json"), std::string::npos);
 }
 

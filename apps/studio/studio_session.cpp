@@ -204,10 +204,9 @@ void StudioSession::require_base(const std::string& base) {
   if (base != hash_) throw Refusal("the edit belongs to another text than the server's", {{"stale", true}});
 }
 
-/// A session of the text where the one before stood.
-void StudioSession::restart(std::string text) {
-  const std::string file = session().file();
-  session_.emplace(std::move(text), file, host_.registry,
+/// Replaces the session by a new one. Takes its arguments by value: they may come from the session that it destroys.
+void StudioSession::begin_session(std::string text, std::string file) {
+  session_.emplace(std::move(text), std::move(file), host_.registry,
                    SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
   hash_ = text_hash(session_->text());
 }
@@ -272,9 +271,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const OpenReques
   path_ = found.path;
   model_ = request.model;
   title_ = found.name;
-  session_.emplace(std::move(found.text), found.file, host_.registry,
-                   SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
-  hash_ = text_hash(session_->text());
+  begin_session(std::move(found.text), std::move(found.file));
   document_ = session_->is_good() ? std::make_shared<const Document>(*session_->document()) : nullptr;
   is_opened_ = true;
   Answer answer{{"path", text_or_null(path_)},
@@ -302,8 +299,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const SpliceRequ
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double, const TextRequest& request) {
-  session();
-  restart(request.text);
+  begin_session(request.text, session().file());
   Answer answer{{"hash", hash_}};
   add_reading(answer);
   show(false);
@@ -387,17 +383,21 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const FilesReque
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double, const SaveRequest& request) {
-  host_.root.write(request.path, session().text(), request.saved, request.over);
+  const std::string& text = session().text();
+  const std::string hash = text_hash(text);
+  if (hash != request.hash) {
+    throw Refusal("the page holds another text than the server; nothing was written", {{"stale", true}});
+  }
+  host_.root.write(request.path, text, request.saved, request.over);
   const bool is_elsewhere = path_ != request.path;
   path_ = request.path;
   model_ = {};
   title_ = fs::path(request.path).filename().string();
-  Answer answer{{"path", request.path}, {"name", title_}, {"saved", hash_}};
+  Answer answer{{"path", request.path}, {"name", title_}, {"saved", hash}};
   if (!is_elsewhere) return answer;
   // The files that it names are sought beside its new place.
   root_ = host_.root.path();
-  session_.emplace(session().text(), host_.root.absolute(request.path), host_.registry,
-                   SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
+  begin_session(text, host_.root.absolute(request.path));
   add_reading(answer);
   show(false);
   return answer;

@@ -91,7 +91,7 @@ class StudioSession {
   std::string model_text(const std::string& model) const;
   Session& session();
   void require_base(const std::string& base);
-  void restart(std::string text);
+  void begin_session(std::string text, std::string file);
   void show(bool at_once);
   void add_reading(Answer& answer);
   template <class Question>

@@ -112,12 +112,37 @@ TEST(StudioSession, SavesOverWhatWasOpened) {
   Studio studio;
   const std::string opened = Studio::text_of(studio.open_bush(), "saved");
   studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
-  const Value saved = studio.ask("save", "\"path\": \"bush.json\", \"saved\": \"" + opened + "\"");
+  const Value saved = studio.save("bush.json", opened);
   EXPECT_EQ(Studio::text_of(saved, "saved"), studio.hash());
-  std::ifstream file(studio.folder() / "bush.json");
-  EXPECT_EQ(text_hash(std::string(std::istreambuf_iterator<char>(file), {})), studio.hash());
-  const Value refused = studio.ask("save", "\"path\": \"bush.json\", \"saved\": \"" + opened + "\"");
-  EXPECT_TRUE(*refused.find("changed")->boolean());
+  EXPECT_EQ(text_hash(studio.content("bush.json")), studio.hash());
+  EXPECT_TRUE(*studio.save("bush.json", opened).find("changed")->boolean());
+}
+
+TEST(StudioSession, SavesUnderANewNameAndGoesOnFromThere) {
+  Studio studio;
+  for (const char* open : {R"("path": "bush.json")", R"("model": "sunflower")", R"("text": "{\"meristem\": 1}")"}) {
+    std::string text = Studio::text_of(studio.open(open), "text");
+    const std::string name = "mine" + std::to_string(text.size()) + ".json";
+    std::string saved;
+    for (int k = 0; k < 3; ++k) {
+      const Value answer = studio.save(name, saved);
+      ASSERT_FALSE(is_refused(answer)) << Studio::text_of(answer, "message");
+      EXPECT_EQ(studio.content(name), text) << open << ", save " << k;
+      saved = Studio::text_of(answer, "saved");
+      ASSERT_FALSE(is_refused(studio.type(0, "// again\n")));
+      text = "// again\n" + text;
+    }
+  }
+}
+
+TEST(StudioSession, WritesNoOtherTextThanThePages) {
+  Studio studio;
+  const std::string opened = Studio::text_of(studio.open_bush(), "saved");
+  const Value refused = studio.ask(
+      "save", R"("path": "bush.json", "hash": "0123456789abcdef", "over": true, "saved": ")" + opened + "\"");
+  EXPECT_TRUE(is_refused(refused));
+  EXPECT_TRUE(*refused.find("stale")->boolean());
+  EXPECT_EQ(studio.content("bush.json"), kBush);
 }
 
 TEST(StudioSession, MakesAnEditOnlyIfTheTextStaysGood) {

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -124,10 +125,29 @@ class Studio {
     return "{\"do\": \"" + what + "\", \"id\": " + std::to_string(++id_) + (members.empty() ? "" : ", ") + members +
            "}";
   }
-  Value open_bush() {
-    const Value answer = ask("open", R"("path": "bush.json")");
+  Value open_bush() { return open(R"("path": "bush.json")"); }
+  /// `members` are those of the request.
+  Value open(const std::string& members) {
+    const Value answer = ask("open", members);
     hash_ = text_of(answer, "hash");
     return answer;
+  }
+  /// Inserts a text as a page's user types it.
+  Value type(std::size_t offset, const std::string& text) {
+    const Value answer = ask("splice", "\"base\": \"" + hash_ + "\", \"patch\": [[" + std::to_string(offset) + ", 0, " +
+                                           write_json_line(Value(text)) + "]]");
+    if (answer.find("hash") != nullptr) hash_ = text_of(answer, "hash");
+    return answer;
+  }
+  /// `saved` is the hash of the file that is there; empty: there is none.
+  Value save(const std::string& path, const std::string& saved) {
+    return ask("save", "\"path\": " + write_json_line(Value(path)) + ", \"hash\": \"" + hash_ +
+                           "\", \"saved\": " + (saved.empty() ? "null" : "\"" + saved + "\""));
+  }
+  /// Returns the bytes of a file in the folder.
+  std::string content(const std::string& path) const {
+    std::ifstream file(folder() / path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
   }
   Value edit(const std::string& edits) {
     const Value answer = ask("edit", "\"base\": \"" + hash_ + "\", \"edits\": " + edits);

@@ -168,9 +168,8 @@ export class Studio {
   /// Whether it was saved.
   async save(path: string, over = false): Promise<boolean> {
     await this.document.idle();
-    const { path: known, saved } = this.document.state.get();
     try {
-      const answer = await this.connection.request<Saved>('save', { path, saved: path === known ? saved : null, over });
+      const answer = await this.ask_save(path, over);
       await this.keeper.forget_open();
       this.document.take_saved(answer);
       this.tell(`Saved ${answer.path}`);
@@ -179,6 +178,19 @@ export class Studio {
       if (fault instanceof Refusal && fault.facts.changed) this.shell.merge({ conflict: { path } });
       else if (fault instanceof Error) this.tell(fault.message, true);
       return false;
+    }
+  }
+
+  /// Saves the page's text and no other: a server that holds another one is told it first.
+  private async ask_save(path: string, over: boolean): Promise<Saved> {
+    for (let tries = 0; ; tries += 1) {
+      const { path: known, saved, hash } = this.document.state.get();
+      try {
+        return await this.connection.request<Saved>('save', { path, hash, saved: path === known ? saved : null, over });
+      } catch (fault) {
+        if (!(fault instanceof Refusal) || !fault.facts.stale || tries > 0) throw fault;
+        this.document.send_whole();
+      }
     }
   }
 

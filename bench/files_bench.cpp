@@ -144,12 +144,16 @@ void write_skeleton(benchmark::State& state, Write write) {
 
 void write_mtg(benchmark::State& state) {
   write_skeleton(state, [](const Plant& plant, const std::string& path, Progress& progress) {
-    write_skeleton_mtg(plant, path, {}, progress);
+    write_skeleton_mtg(plant, {}, path, {}, progress);
   });
 }
 BENCHMARK(write_mtg)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void write_csv(benchmark::State& state) { write_skeleton(state, write_skeleton_csv); }
+void write_csv(benchmark::State& state) {
+  write_skeleton(state, [](const Plant& plant, const std::string& path, Progress& progress) {
+    write_skeleton_csv(plant, {}, path, progress);
+  });
+}
 BENCHMARK(write_csv)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The reference: the bytes of the same files, which nobody has to make.

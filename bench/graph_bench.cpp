@@ -266,12 +266,14 @@ const std::string& target() {
 }
 
 void write_table(const Document& document, Progress& progress) {
-  write_skeleton_csv(grow_document(document, progress, {.up_to = GrownPart::plant}).plant, target(), progress);
+  write_skeleton_csv(grow_document(document, progress, {.up_to = GrownPart::plant}).plant, document.graph.limits,
+                     target(), progress);
 }
 void measure(const Document& document, Progress& progress) {
   GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
   if (has_holes(grown.plant)) complete_growth(document, grown, progress);
-  benchmark::DoNotOptimize(measure_plant(grown.plant, grown.meshes, document.scene, {}, progress));
+  benchmark::DoNotOptimize(
+      measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene, {}, progress));
 }
 void write(const Document& document, Progress& progress) {
   write_glb(grow_document(document, progress).meshes, target(), {}, progress);

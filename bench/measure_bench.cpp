@@ -175,7 +175,7 @@ void organ_light(benchmark::State& state) {
   meristem::LitOrgan mean;
   for (auto _ : state) {
     const auto begin = std::chrono::steady_clock::now();
-    mean = mean_leaf_light(plant, measure_organ_light(plant, meshes, scene, progress));
+    mean = mean_leaf_light(plant, measure_organ_light(plant, {}, meshes, scene, progress));
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     ours = std::min(ours, seconds.count());
   }

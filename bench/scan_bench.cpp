@@ -60,7 +60,7 @@ void pulses(benchmark::State& state, const std::string& model) {
   Progress progress;
   const ScanOptions options{.instrument = close_scanner(kPixels, kPixels),
                             .stations = {box.centre() + Vec3(0, 0, 1.5F * box.size().y + box.size().z)}};
-  const Scanner scanner(grown.plant, grown.meshes, options, progress);
+  const Scanner scanner(grown.plant, {}, grown.meshes, options, progress);
   std::uint64_t points = 0;
   double seconds = 1e9;
   for (auto _ : state) {
@@ -125,7 +125,7 @@ void labels(benchmark::State& state) {
   scanner.noise = 0;
   scanner.field = radians(40);
   const Vec3 station = box.centre() + Vec3(0, 0, 1.5F * box.size().y);
-  const Scanner ready(grown.plant, grown.meshes, {.instrument = scanner, .stations = {station}}, progress);
+  const Scanner ready(grown.plant, {}, grown.meshes, {.instrument = scanner, .stations = {station}}, progress);
   const std::vector<BenchTriangle> triangles = triangles_of(grown.meshes);
   std::size_t asked = 0;
   std::atomic<std::size_t> differ{0};
@@ -199,7 +199,7 @@ void closed_forms(benchmark::State& state) {
   for (auto _ : state) {
     worst = 0;
     const Scan made = scan(
-        plant, meshes,
+        plant, {}, meshes,
         {.instrument = ray_camera(30, sized(600, 60), sized(300, 30)), .stations = {station}, .target = Vec3(0, 1, 0)},
         progress);
     for (const ScanPoint& point : made.points) {
@@ -229,8 +229,8 @@ void footprint(benchmark::State& state) {
   scanner.rays = 19;
   double error = 0;
   for (auto _ : state) {
-    const Scan made =
-        scan(plant, meshes, {.instrument = scanner, .stations = {Vec3(0, 0, distance)}, .target = Vec3(0)}, progress);
+    const Scan made = scan(plant, {}, meshes,
+                           {.instrument = scanner, .stations = {Vec3(0, 0, distance)}, .target = Vec3(0)}, progress);
     std::vector<double> share(columns, 0);
     for (const ScanPoint& point : made.points) share[point.pulse % columns] += point.intensity / rows;
     const double pixel = 2 * distance * std::tan(scanner.field / 2) / columns;

@@ -112,8 +112,9 @@ StandMeasures measure_document(const MeasureCommand& command) {
     // Holes of textures are no leaf, and light falls through them.
     if (has_holes(grown.plant)) complete_growth(document, grown, terminal.progress(), {.time = time});
     warnings = grown.warnings;
-    stand = measure_plant(grown.plant, grown.meshes, scene, options, terminal.progress());
-    if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
+    stand = measure_plant(grown.plant, document.graph.limits, grown.meshes, scene, options, terminal.progress());
+    if (!command.organs.empty())
+      write_organ_csv(grown.plant, document.graph.limits, stand.organs, command.organs, terminal.progress());
   }
   if (!command.document.quiet) print_diagnostics(warnings);
   return stand;

@@ -79,8 +79,8 @@ void plan(const PlanOptions& options) {
                            {.up_to = needed_part(formats), .cache = &cache, .view = {{}, wish, outcome}});
     };
     GrownDocument grown = grow(before, false);
-    records = operation_records(*ExpandedPlant(grown.plant, progress));
-    if (!options.output.empty()) write_operation_csv(grown.plant, options.output, progress);
+    records = operation_records(*ExpandedPlant(grown.plant, planned.graph.limits, progress));
+    if (!options.output.empty()) write_operation_csv(grown.plant, planned.graph.limits, options.output, progress);
     if (before != nullptr) before->write(planned, grown, options.before, {}, progress);
     if (after != nullptr) {
       grown = grow(after, true);

@@ -217,9 +217,10 @@ class PictureTaker {
           turned(moves && document_.at_time ? placed_view(last, chosen_view(chosen_, now()), aspect()) : view, middle,
                  picture.turn);
       if (chosen_.fingerprint) {
-        fmt::print("{}\n", picture_fingerprint(grown_, now().scene, options_));
+        fmt::print("{}\n", picture_fingerprint(grown_, now().graph.limits, now().scene, options_));
       } else if (!picture.path.empty()) {
-        write_picture(take_picture(grown_, now().scene, options_, terminal_.progress()), picture.path, file);
+        write_picture(take_picture(grown_, now().graph.limits, now().scene, options_, terminal_.progress()),
+                      picture.path, file);
       }
       if (!picture.truths.empty()) write_truth(picture);
     }
@@ -234,7 +235,8 @@ class PictureTaker {
   void write_truth(const Picture& picture) {
     const StillOptions& still = options_.still;
     const TruthOptions options{.width = still.width, .height = still.height, .transparent = still.transparent};
-    write_truths(see_truth(grown_, now().scene, options_.view, options, terminal_.progress()), picture.truths,
+    write_truths(see_truth(grown_, now().graph.limits, now().scene, options_.view, options, terminal_.progress()),
+                 picture.truths,
                  {.picture = std::filesystem::path(picture.path).filename().string(),
                   .name = document_.name,
                   .licence = document_.licence});

@@ -137,7 +137,7 @@ void scan(ScanCommand command) {
     if (has_holes(grown.plant)) complete_growth(document, grown, progress, {.time = time});
     warnings = grown.warnings;
     const MeshScene meshes = scanned_meshes(grown.meshes, document.scene.obstacles, plan);
-    const Scanner scanner(grown.plant, meshes, plan.options, progress);
+    const Scanner scanner(grown.plant, document.graph.limits, meshes, plan.options, progress);
     const std::uint64_t points = write_scan(scanner, command.outputs, provenance_of(document), progress);
     summary = fmt::format("{}: {} points of {} pulses from {} {}", fmt::join(command.outputs, ", "), points,
                           scanner.pulse_count(), scanner.stations().size(),

@@ -84,7 +84,8 @@ void write_still(const ExportSource& source, const ExportOptions& options, const
   const PictureOptions picture{.still = still_of(options, *source.document),
                                .view = view_of(options, *source.document)};
   const GrownDocument grown = grown_for(source, options, GrownPart::textures, {}, progress);
-  write_picture(take_picture(grown, source.document->scene, picture, progress), path, {});
+  write_picture(take_picture(grown, source.document->graph.limits, source.document->scene, picture, progress), path,
+                {});
 }
 
 /// The one file that the page fetches: where an export has made several, an archive of them in their place; its name.

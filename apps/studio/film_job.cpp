@@ -47,7 +47,8 @@ class FrameTaker {
     grow_at(time);
     const bool may_move = document_.at_time != nullptr && !options_.camera;
     const View view = may_move ? placed_view(last_, view_of(options_, now()), aspect()) : view_;
-    write_picture(take_picture(grown_, now().scene, {.still = still_, .view = view}, progress_), path, {});
+    write_picture(take_picture(grown_, now().graph.limits, now().scene, {.still = still_, .view = view}, progress_),
+                  path, {});
   }
 
  private:

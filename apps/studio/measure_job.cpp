@@ -19,7 +19,9 @@ MeasureOptions options_of(const MeasuresRequest& request) {
 /// Textures are painted where the light or the area of leaves depends on their holes.
 Value measured_plant(const Document& document, const GrownDocument& grown, const MeasuresRequest& request,
                      Progress& progress) {
-  return measures_value(measure_plant(grown.plant, grown.meshes, document.scene, options_of(request), progress), false);
+  return measures_value(
+      measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene, options_of(request), progress),
+      false);
 }
 
 }  // namespace

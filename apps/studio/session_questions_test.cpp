@@ -335,8 +335,8 @@ TEST(StudioSession, OverlaysAreThoseOfPictures) {
   Progress progress;
   const GrownDocument grown = grow_document(document, progress);
   const std::vector<OverlayPart> parts{OverlayPart::sun};
-  const std::vector<OverlayLayer> layers =
-      overlay_layers({grown.plant, grown.traces, document.scene, grown.meshes.bounds()}, parts, progress);
+  const std::vector<OverlayLayer> layers = overlay_layers(
+      {grown.plant, grown.traces, document.scene, document.graph.limits, grown.meshes.bounds()}, parts, progress);
   std::vector<float> ends;
   for (const OverlayLine& arrow : layers[0].arrows) {
     for (const Vec3 end : {arrow.from, arrow.to}) ends.insert(ends.end(), {end.x, end.y, end.z});

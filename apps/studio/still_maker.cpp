@@ -106,6 +106,7 @@ View fitted(const View& view, const MeshScene& scene, double aspect) {
 /// A document with other values, as it has grown; without a scene where it has faults.
 struct StillMaker::State {
   std::optional<Scene> scene{};
+  Limits limits{};
   GrownDocument grown{};
   Value faults{};
 };
@@ -133,6 +134,7 @@ struct StillMaker::Lane {
       complete_growth(document, grown, progress, {.time = source.time, .cache = &plants});
       grown.plant = {};
       state.scene = document.scene;
+      state.limits = document.graph.limits;
     } catch (const InputError& error) {
       state = {};
       state.faults = faults_value(error.diagnostics(), {}, "");
@@ -207,7 +209,7 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
     const State& state = states[k];
     if (state.scene) {
       Progress part(&progress);
-      const Image image = take_picture(state.grown, *state.scene, picture, part);
+      const Image image = take_picture(state.grown, state.limits, *state.scene, picture, part);
       made[k] = Value::Object{{"picture", base64(encode_png(image, PixelKind::srgb, PngPacking::quick))}};
     } else {
       made[k] = Value::Object{{"faults", state.faults}};

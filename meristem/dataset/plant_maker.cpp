@@ -50,8 +50,8 @@ std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& docu
   if (plan.measures.empty()) return {};
   // Holes of textures are no leaf, and light falls through them.
   if (has_holes(grown.plant)) complete_growth(document, grown, progress, options);
-  const StandMeasures stand =
-      measure_plant(grown.plant, grown.meshes, document.scene, {.organ_light = wants_light(plan.measures)}, progress);
+  const StandMeasures stand = measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene,
+                                            {.organ_light = wants_light(plan.measures)}, progress);
   std::vector<MeasureValue> values;
   for (const std::string& name : plan.measures) {
     for (const MeasureRow& row : measure_rows()) {

@@ -24,7 +24,7 @@ PlantOutput scan_output(const ScanFormat& format) {
               [](const PlantInHand& plant, const std::string& path, Progress& progress) {
                 const ScanPlan plan = scan_plan_of(plant);
                 const MeshScene meshes = scanned_meshes(plant.grown.meshes, plant.document.scene.obstacles, plan);
-                const Scanner scanner(plant.grown.plant, meshes, plan.options, progress);
+                const Scanner scanner(plant.grown.plant, plant.document.graph.limits, meshes, plan.options, progress);
                 write_scan(scanner, std::span(&path, 1), provenance_of(plant.document), progress);
               },
           .settings = scan_table,

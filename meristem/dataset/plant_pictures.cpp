@@ -70,13 +70,13 @@ void write_plant_pictures(const DatasetPlan& plan, const PlannedPlant& plant, co
                                              .samples = pictures.samples,
                                              .transparent = pictures.transparent},
                                    .view = view};
-      write_picture(take_picture(grown, document.scene, options, progress), picture);
+      write_picture(take_picture(grown, document.graph.limits, document.scene, options, progress), picture);
     }
     const std::vector<TruthFile> files = truth_files(pictures, path);
     if (files.empty()) continue;
     const TruthOptions options{
         .width = pictures.size[0], .height = pictures.size[1], .transparent = pictures.transparent};
-    write_truths(see_truth(grown, document.scene, view, options, progress), files,
+    write_truths(see_truth(grown, document.graph.limits, document.scene, view, options, progress), files,
                  {.picture = std::filesystem::path(picture).filename().string(),
                   .name = plan.name.empty() ? document.name : plan.name,
                   .licence = plan.licence.empty() ? document.licence : plan.licence});

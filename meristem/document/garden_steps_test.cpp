@@ -75,7 +75,7 @@ class GardenSteps : public testing::Test {
   }
 
   /// With all that stands there.
-  static std::string hash_of_all(const Plant& plant) { return hash_of(*ExpandedPlant(plant, Progress())); }
+  static std::string hash_of_all(const Plant& plant) { return hash_of(*ExpandedPlant(plant, {}, Progress())); }
   static std::string hash_of_stem(const Plant& plant) { return skeleton_hash(plant.stems.at(0).skeleton); }
 
  private:

@@ -30,7 +30,7 @@ MovingScene grow_moving(const Document& document, Progress& progress, const Movi
     GrownDocument grown = grow_document(now, progress, {.time = time, .up_to = GrownPart::plant, .cache = &cache});
     placing_faults(now, [&] {
       paint_plant(now, grown.plant, progress, &cache);
-      const ExpandedPlant plant(grown.plant, progress, document.graph.limits);
+      const ExpandedPlant plant(grown.plant, document.graph.limits, progress);
       maker.add(k, time, *plant, progress);
     });
   }

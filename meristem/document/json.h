@@ -11,7 +11,8 @@ namespace meristem {
 
 /// Reads JSON text, comments allowed. Throws an InputError with line and column (no file) for the first fault of form:
 /// bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000 bytes long, nesting or size
-/// past the limits.
+/// past the limits. Of `limits` only `document_bytes` and `nesting` count. A document cannot change these two, so the
+/// defaults are right for every document.
 Value parse_json(std::string_view text, const Limits& limits = {});
 
 /// Writes JSON in the canonical form: a member per line, two spaces, members in their order; lists that hold no objects

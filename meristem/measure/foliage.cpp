@@ -211,8 +211,8 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress) {
   return areas;
 }
 
-Foliage measure_foliage(const Plant& grown, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+Foliage measure_foliage(const Plant& grown, const Limits& limits, Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
   Foliage foliage;
@@ -222,8 +222,8 @@ Foliage measure_foliage(const Plant& grown, Progress& progress) {
   return foliage;
 }
 
-LeafLayers measure_leaf_layers(const Plant& grown, double layer_height, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+LeafLayers measure_leaf_layers(const Plant& grown, const Limits& limits, double layer_height, Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   const std::vector<MaskedSurface> surfaces = surfaces_of(plant);
   const auto leaf = [&](std::size_t k) { return is_leaf(plant, plant.prototypes[plant.organs[k].prototype]); };

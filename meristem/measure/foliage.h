@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 
@@ -53,11 +54,11 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
 
 /// Begins one stage of `progress`, which counts organs. The sums are equal on any number of threads. Throws as
 /// organ_areas.
-Foliage measure_foliage(const Plant& plant, Progress& progress);
+Foliage measure_foliage(const Plant& plant, const Limits& limits, Progress& progress);
 
 /// Leaf area in layers of this height in metres, counted from 0: triangles are cut at the borders of the layers, and
 /// the holes of a triangle count evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs.
 /// The areas are equal on any number of threads. Throws as organ_areas, and InputError for more than 100,000 layers.
-LeafLayers measure_leaf_layers(const Plant& plant, double layer_height, Progress& progress);
+LeafLayers measure_leaf_layers(const Plant& plant, const Limits& limits, double layer_height, Progress& progress);
 
 }  // namespace meristem

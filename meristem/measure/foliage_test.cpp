@@ -35,7 +35,7 @@ Plant leaves_and_fruits() {
 
 Foliage measured(const Plant& plant) {
   Progress progress;
-  return measure_foliage(plant, progress);
+  return measure_foliage(plant, {}, progress);
 }
 
 TEST(Foliage, CountsTwoSidedOrgansOnly) {
@@ -132,7 +132,7 @@ TEST(Foliage, PetiolesAreApart) {
 
 LeafLayers layers_of(const Plant& plant, double height) {
   Progress progress;
-  return measure_leaf_layers(plant, height, progress);
+  return measure_leaf_layers(plant, {}, height, progress);
 }
 
 TEST(Foliage, LayersCutLeavesAtTheirBorders) {
@@ -202,7 +202,7 @@ TEST(Foliage, CanBeStopped) {
   plant.organs.resize(1);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(measure_foliage(plant, progress), Cancelled);
+  EXPECT_THROW(measure_foliage(plant, {}, progress), Cancelled);
 }
 
 }  // namespace meristem::foliage_test

@@ -188,9 +188,9 @@ struct Leaves {
 };
 
 /// Measures the leaves of all trees together, and of each tree unless leaves belong to several trees.
-void measure_leaves(const Plant& plant, StandMeasures& stand, Progress& progress) {
+void measure_leaves(const Plant& plant, const Limits& limits, StandMeasures& stand, Progress& progress) {
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
-  const std::vector<std::uint32_t> tree_of_organ = trees_of_organs(plant, progress);
+  const std::vector<std::uint32_t> tree_of_organ = trees_of_organs(plant, limits, progress);
   Leaves whole;
   std::vector<Leaves> of_tree(stand.trees.size());
   bool are_apart = true;
@@ -248,8 +248,8 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
   return stand;
 }
 
-std::vector<std::uint32_t> trees_of_organs(const Plant& grown, const Progress& progress) {
-  const ExpandedPlant plant(grown, progress);
+std::vector<std::uint32_t> trees_of_organs(const Plant& grown, const Limits& limits, const Progress& progress) {
+  const ExpandedPlant plant(grown, limits, progress);
   const std::vector<std::uint32_t> tree = trees_of_individuals(*plant, individuals_of_trees(*plant));
   std::vector<std::uint32_t> trees;
   trees.reserve(plant->organs.size());
@@ -259,9 +259,9 @@ std::vector<std::uint32_t> trees_of_organs(const Plant& grown, const Progress& p
   return trees;
 }
 
-StandMeasures measure_plant(const Plant& grown, const MeshScene& meshes, const Scene& scene,
+StandMeasures measure_plant(const Plant& grown, const Limits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   std::vector<const Skeleton*> skeletons;
   for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
@@ -274,10 +274,10 @@ StandMeasures measure_plant(const Plant& grown, const MeshScene& meshes, const S
     origin.instance = root.instance;
     if (individuals[k] < plant.individuals.size()) origin.row = plant.individuals[individuals[k]].row;
   }
-  if (options.organ_light) stand.organs = measure_organ_light(plant, meshes, scene, progress);
-  measure_leaves(plant, stand, progress);
+  if (options.organ_light) stand.organs = measure_organ_light(plant, limits, meshes, scene, progress);
+  measure_leaves(plant, limits, stand, progress);
   Measures& whole = stand.whole;
-  if (options.layer_height > 0) stand.layers = measure_leaf_layers(plant, options.layer_height, progress);
+  if (options.layer_height > 0) stand.layers = measure_leaf_layers(plant, limits, options.layer_height, progress);
   const Thickening thickening = find_thickening(plant);
   if (thickening.length > 0) {
     whole.thickened_below = thickening.least_radius;

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/foliage.h"
@@ -100,7 +101,7 @@ inline constexpr std::uint32_t kNoTree = 0xffffffffU;
 
 /// The number of each organ's tree among those that measure_plant measures, the roots of the plant's stems one after
 /// another: kNoTree where several trees share the organ, or where their leaves cannot be told apart.
-std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Progress& progress);
+std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Limits& limits, const Progress& progress);
 
 /// What is measured besides, and how finely.
 struct MeasureOptions {
@@ -117,7 +118,7 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
 
 /// Measures a plant with its leaves and meshes, where it stands; `scene` is that of the light, which need not be the
 /// one that it grew in. Where leaves have textures with holes, these must be painted (has_holes, foliage.h).
-StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 
 /// Nothing, a count, a number in the unit of its row, or a list of one of these.

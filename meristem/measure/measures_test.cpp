@@ -176,7 +176,7 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
   plant.organs.resize(40);
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
-  const StandMeasures stand = measure_plant(plant, meshes, {}, {.layer_height = 0.4}, progress);
+  const StandMeasures stand = measure_plant(plant, {}, meshes, {}, {.layer_height = 0.4}, progress);
   const Measures& whole = stand.whole;
   EXPECT_EQ(stand.origins[0].component, "tree");
   EXPECT_EQ(stand.origins[0].instance, 3U);
@@ -228,14 +228,14 @@ TEST(Measures, LightOnOrgansIsMeasuredIfAskedFor) {
   plant.organs[1].frame.origin.y = 1;
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
-  const StandMeasures without = measure_plant(plant, meshes, {}, {}, progress);
+  const StandMeasures without = measure_plant(plant, {}, meshes, {}, {}, progress);
   EXPECT_TRUE(without.organs.empty());
   EXPECT_FALSE(without.whole.leaf_exposure);
   for (const MeasureRow& row : measure_rows()) {
     if (!row.needs_light) continue;
     EXPECT_TRUE(std::holds_alternative<std::monostate>(row.value(without.whole))) << row.name;
   }
-  const StandMeasures with = measure_plant(plant, meshes, {}, {.organ_light = true}, progress);
+  const StandMeasures with = measure_plant(plant, {}, meshes, {}, {.organ_light = true}, progress);
   ASSERT_EQ(with.organs.size(), 2U);
   EXPECT_EQ(with.organs[1].exposure, 1);
   // The upper one shades the lower.
@@ -269,7 +269,7 @@ Plant leafy_trees(std::size_t first, std::size_t second) {
 
 StandMeasures measured(const Plant& plant, const MeasureOptions& options = {}) {
   Progress progress;
-  return measure_plant(plant, make_mesh_scene(plant, {}, progress), {}, options, progress);
+  return measure_plant(plant, {}, make_mesh_scene(plant, {}, progress), {}, options, progress);
 }
 
 TEST(Measures, EachTreeHasItsRowAndItsLeaves) {
@@ -285,7 +285,7 @@ TEST(Measures, EachTreeHasItsRowAndItsLeaves) {
   EXPECT_DOUBLE_EQ(*stand.whole.leaf_area, 2);
   EXPECT_NEAR(*stand.whole.leaf_exposure, (3 * *stand.trees[0].leaf_exposure + *stand.trees[1].leaf_exposure) / 4,
               1e-12);
-  EXPECT_EQ(trees_of_organs(leafy_trees(3, 1), Progress()), (std::vector<std::uint32_t>{0, 0, 0, 1}));
+  EXPECT_EQ(trees_of_organs(leafy_trees(3, 1), {}, Progress()), (std::vector<std::uint32_t>{0, 0, 0, 1}));
 }
 
 TEST(Measures, LeavesOfATreeAreUnknownWhereTreesShareThem) {
@@ -299,12 +299,12 @@ TEST(Measures, LeavesOfATreeAreUnknownWhereTreesShareThem) {
   stand = measured(clump);
   for (const Measures& tree : stand.trees) EXPECT_FALSE(tree.leaf_area);
   EXPECT_EQ(stand.origins[1].row, 7U);
-  EXPECT_EQ(trees_of_organs(clump, Progress()), std::vector<std::uint32_t>(4, kNoTree));
+  EXPECT_EQ(trees_of_organs(clump, {}, Progress()), std::vector<std::uint32_t>(4, kNoTree));
 }
 
 TEST(Measures, AnEmptyPlantHasNothing) {
   Progress progress;
-  const StandMeasures stand = measure_plant({}, {}, {}, {}, progress);
+  const StandMeasures stand = measure_plant({}, {}, {}, {}, {}, progress);
   EXPECT_TRUE(stand.trees.empty());
   EXPECT_EQ(stand.whole.nodes, 0U);
   EXPECT_FALSE(stand.whole.leaf_area_index);

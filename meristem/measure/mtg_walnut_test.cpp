@@ -20,8 +20,8 @@ class Walnut : public testing::Test {
   void SetUp() override {
     const auto path = find_shared_data("trees/noylum2.mtg");
     if (!path) GTEST_SKIP() << kNoSharedData;
-    tree_ = read_mtg(read_file(*path, Limits{}.file_bytes), *path);
-    read_ = skeleton_of(tree_, *path, {.length_unit = 0.01, .diameter_unit = 0.001});
+    tree_ = read_mtg(read_file(*path, Limits{}.file_bytes), *path, {});
+    read_ = skeleton_of(tree_, *path, {.length_unit = 0.01, .diameter_unit = 0.001}, {});
     Progress progress;
     const Skeleton* const skeleton = &read_.skeleton;
     measures_ = measure_skeletons(std::span(&skeleton, 1), nullptr, {}, progress).whole;

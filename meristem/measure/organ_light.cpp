@@ -144,9 +144,9 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
 
 }  // namespace
 
-std::vector<LitOrgan> measure_organ_light(const Plant& grown, const MeshScene& meshes, const Scene& scene,
-                                          Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+std::vector<LitOrgan> measure_organ_light(const Plant& grown, const Limits& limits, const MeshScene& meshes,
+                                          const Scene& scene, Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
   std::vector<LitOrgan> lit(areas.size());

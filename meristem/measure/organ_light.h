@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
@@ -26,8 +27,8 @@ struct LitOrgan {
 /// closed one at positions on its dark side too. The scene need not be the one that the plant grew in. About a
 /// microsecond per position and light. Results are equal on any number of threads. Begins two stages of `progress`,
 /// which count organs. Throws Cancelled, MachineError (memory).
-std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
-                                          Progress& progress);
+std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limits, const MeshScene& meshes,
+                                          const Scene& scene, Progress& progress);
 
 /// Organs as one: their area together, and means by area.
 class MeanLight {

@@ -51,7 +51,7 @@ void add_organ(Plant& plant, std::uint32_t prototype, Vec3 origin, const Mat3& a
 
 std::vector<LitOrgan> measured(const Plant& plant, const Scene& scene = {}) {
   Progress progress;
-  return measure_organ_light(plant, make_mesh_scene(plant, {}, progress), scene, progress);
+  return measure_organ_light(plant, {}, make_mesh_scene(plant, {}, progress), scene, progress);
 }
 
 TEST(OrganLight, AFreeLeafGetsAllLightAndTakesUpTheCosine) {
@@ -276,7 +276,7 @@ TEST(OrganLight, StopsWhenCancelled) {
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
   progress.cancel();
-  EXPECT_THROW(measure_organ_light(plant, meshes, {}, progress), Cancelled);
+  EXPECT_THROW(measure_organ_light(plant, {}, meshes, {}, progress), Cancelled);
 }
 
 TEST(LeafLight, IsTheMeanByAreaOfTwoSidedOrgans) {

@@ -209,13 +209,13 @@ struct SurfaceLabels::Facts {
   }
 };
 
-SurfaceLabels::SurfaceLabels(const Plant& plant, const MeshScene& scene, Progress& progress) {
+SurfaceLabels::SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress) {
   auto facts = std::make_unique<Facts>();
   facts->plant = &plant;
   facts->scene = &scene;
   if (has_deformed_plantings(plant)) {
     // The meshes have been made of this plant as well.
-    facts->copied = std::make_shared<const Plant>(with_deformed_copies(plant, {}, progress));
+    facts->copied = std::make_shared<const Plant>(with_deformed_copies(plant, limits, progress));
     facts->plant = facts->copied.get();
   }
   facts->gather(*facts->plant, progress);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/measure/measures.h"
 #include "meristem/plant/plant.h"
@@ -49,8 +50,8 @@ struct SurfaceLabel {
 class SurfaceLabels {
  public:
   /// `scene` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles (with_obstacles). Both
-  /// outlive it. Begins a stage of `progress`, which counts organs. Throws Cancelled.
-  SurfaceLabels(const Plant& plant, const MeshScene& scene, Progress& progress);
+  /// must outlive it. Begins a stage of `progress`, which counts organs. Throws InputError past `limits`, Cancelled.
+  SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress);
   ~SurfaceLabels();
   SurfaceLabels(const SurfaceLabels&) = delete;
   SurfaceLabels& operator=(const SurfaceLabels&) = delete;

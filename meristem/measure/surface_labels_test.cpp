@@ -32,7 +32,7 @@ TEST(SurfaceLabels, TrianglesOfTubesAreTheirAxes) {
   const Plant plant = leafy_stems();
   Progress progress;
   const MeshScene scene = make_mesh_scene(plant, {}, progress);
-  const SurfaceLabels labels(plant, scene, progress);
+  const SurfaceLabels labels(plant, {}, scene, progress);
   EXPECT_EQ(labels.components(), (std::vector<std::string>{"tree", "vine", "leaf", "ground"}));
   EXPECT_EQ(labels.shoot_count(), 3U);
   for (std::uint32_t t = 0; t < scene.meshes[0].triangle_count(); ++t) {
@@ -60,7 +60,7 @@ TEST(SurfaceLabels, OrgansAreOfTheShootThatTheyStandOn) {
   const Plant plant = leafy_stems();
   Progress progress;
   const MeshScene scene = make_mesh_scene(plant, {}, progress);
-  const SurfaceLabels labels(plant, scene, progress);
+  const SurfaceLabels labels(plant, {}, scene, progress);
   EXPECT_EQ(labels.of(2, 0, 0, Vec3(0)), (SurfaceLabel{SurfaceKind::organ, 2, 0, 0, 1, 1}));
   EXPECT_EQ(labels.of(2, 1, 0, Vec3(0)), (SurfaceLabel{SurfaceKind::organ, 2, 1, 1, 2, 0}));
   EXPECT_EQ(labels.of(2, 2, 0, Vec3(0)), (SurfaceLabel{SurfaceKind::organ, 2, 2, 0, 0, 0}));
@@ -71,7 +71,7 @@ TEST(SurfaceLabels, TrianglesOfBodiesAreThoseOfTheNearestAxis) {
   for (Stem& stem : plant.stems) stem.parts[0].surface.style = Surface::Style::blend;
   Progress progress;
   const MeshScene scene = make_mesh_scene(plant, {}, progress);
-  const SurfaceLabels labels(plant, scene, progress);
+  const SurfaceLabels labels(plant, {}, scene, progress);
   for (std::uint32_t t = 0; t < scene.meshes[0].triangle_count(); ++t) {
     const Vec3 middle = middle_of(scene.meshes[0], 0, t);
     if (middle.x > 0.25F) {
@@ -98,10 +98,10 @@ TEST(SurfaceLabels, PlacedPlantsAreNumberedAsTheirCopies) {
 
   Progress progress;
   const MeshScene scene = make_mesh_scene(plant, {}, progress);
-  const SurfaceLabels labels(plant, scene, progress);
+  const SurfaceLabels labels(plant, {}, scene, progress);
   const Plant copies = expanded(plant, {}, progress);
   const MeshScene copied = make_mesh_scene(copies, {}, progress);
-  const SurfaceLabels wanted(copies, copied, progress);
+  const SurfaceLabels wanted(copies, {}, copied, progress);
   ASSERT_EQ(labels.shoot_count(), wanted.shoot_count());
   EXPECT_EQ(labels.shoot_count(), 3U * 7);
 

@@ -80,31 +80,37 @@ constexpr Format kFormats[] = {
      .write =
          [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
             Progress& progress) {
-           const SurfaceLabels labels(grown.plant, grown.meshes, progress);
+           const SurfaceLabels labels(grown.plant, document.graph.limits, grown.meshes, progress);
            write_mesh_ply(grown.meshes, path, {provenance_of(document), &labels}, progress);
          },
      .needs = GrownPart::meshes,
      .is_whole = true},
     {.ending = ".skeleton.ply",
      .doc = "the skeletons as points with radius, and edges, in binary PLY",
-     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-                 Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+            Progress& progress) {
+           write_skeleton_ply(grown.plant, document.graph.limits, path, {provenance_of(document)}, progress);
+         }},
     {.ending = ".csv",
      .doc = "the skeletons as a table, one row per node",
-     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-                 Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
+     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_skeleton_csv(grown.plant, document.graph.limits, path, progress); }},
     {.ending = ".qsm.csv",
      .doc = "the skeletons as cylinders in the columns of TreeQSM, z up, one row per cylinder",
-     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-                 Progress& progress) { write_cylinder_csv(grown.plant, path, progress); }},
+     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_cylinder_csv(grown.plant, document.graph.limits, path, progress); }},
     {.ending = ".trees.txt",
      .doc = "the skeletons as a tree file of treetools and raycloudtools, z up, one line per tree",
-     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-                 Progress& progress) { write_tree_file(grown.plant, path, provenance_of(document), progress); }},
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+            Progress& progress) {
+           write_tree_file(grown.plant, document.graph.limits, path, provenance_of(document), progress);
+         }},
     {.ending = ".operations.csv",
      .doc = "what operations did to self-organizing trees as a table, one row per cut, ring, bend, tie or mark",
-     .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-                 Progress& progress) { write_operation_csv(grown.plant, path, progress); }},
+     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+                 Progress& progress) { write_operation_csv(grown.plant, document.graph.limits, path, progress); }},
     {.ending = ".points.csv",
      .doc =
          "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
@@ -113,8 +119,11 @@ constexpr Format kFormats[] = {
      .wish = {TracePart::points}},
     {.ending = ".mtg",
      .doc = "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
-     .write = [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-                 Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},
+     .write =
+         [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+            Progress& progress) {
+           write_skeleton_mtg(grown.plant, document.graph.limits, path, {provenance_of(document)}, progress);
+         }},
 };
 
 std::vector<std::string> endings() {

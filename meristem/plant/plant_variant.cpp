@@ -250,7 +250,7 @@ PlantTotals totals_of(const Plant& plant) {
   return {whole(sum.stems), whole(sum.nodes), whole(sum.organs)};
 }
 
-ExpandedPlant::ExpandedPlant(const Plant& plant, const Progress& progress, const Limits& limits) : plant_(&plant) {
+ExpandedPlant::ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress) : plant_(&plant) {
   if (!has_plantings(plant)) return;
   made_ = std::make_shared<const Plant>(expanded(plant, limits, progress));
   plant_ = made_.get();

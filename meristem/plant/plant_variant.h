@@ -53,8 +53,9 @@ Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progr
 /// The plant itself, or its expansion where it has plantings.
 class ExpandedPlant {
  public:
-  /// `plant` outlives it, unless it has plantings.
-  ExpandedPlant(const Plant& plant, const Progress& progress, const Limits& limits = {});
+  /// `plant` must outlive this object, unless `plant` has plantings. `limits` are those of the document that the plant
+  /// has grown from. Throws as expanded().
+  ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress);
   const Plant& operator*() const { return *plant_; }
   const Plant* operator->() const { return plant_; }
 

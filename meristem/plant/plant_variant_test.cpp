@@ -82,7 +82,7 @@ TEST(Planting, EachPlaceIsAnIndividualOfItsRow) {
 TEST(Planting, APlantWithoutPlantingsIsItsOwnExpansion) {
   const std::shared_ptr<const PlantVariant> variant = twig();
   const Plant& plant = *variant->plant;
-  const ExpandedPlant same(plant, Progress());
+  const ExpandedPlant same(plant, {}, Progress());
   EXPECT_EQ(&*same, &plant);
 }
 

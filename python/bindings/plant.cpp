@@ -90,10 +90,12 @@ py::object components_of_organs(const PlantPointer& plant) {
   return array.attr("take")(array_of(std::move(numbers)));
 }
 
+const Limits& limits_of(const PlantPointer& plant) { return plant->origin->document.graph.limits; }
+
 /// The numbers of the organs' trees, -1 where they are of none alone.
 py::object trees_in_python(const PlantPointer& plant) {
   std::vector<std::int64_t> trees;
-  for (const std::uint32_t tree : trees_of_organs(plant->plant(), Progress())) {
+  for (const std::uint32_t tree : trees_of_organs(plant->plant(), limits_of(plant), Progress())) {
     trees.push_back(tree == kNoTree ? -1 : static_cast<std::int64_t>(tree));
   }
   return array_of(std::move(trees));
@@ -107,7 +109,7 @@ py::dict organ_light(const PlantPointer& plant, const std::shared_ptr<Scene>& sc
                      const py::object& progress) {
   std::vector<LitOrgan> organs = run_call(progress, threads, [&](Progress& inner) {
     const GrownDocument& grown = plant->up_to(GrownPart::textures, inner);
-    return measure_organ_light(grown.plant, grown.meshes, measured_scene(plant, scene), inner);
+    return measure_organ_light(grown.plant, limits_of(plant), grown.meshes, measured_scene(plant, scene), inner);
   });
   const auto owner = std::make_shared<const std::vector<LitOrgan>>(std::move(organs));
   const auto column = [&](double LitOrgan::*member) -> py::object {
@@ -214,7 +216,7 @@ py::object measures_of(const PlantPointer& plant, bool light, bool each, const s
   const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays, .organ_light = light};
   const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
     const GrownDocument& grown = plant->up_to(measured_part(plant), inner);
-    return measure_plant(grown.plant, grown.meshes, measured_scene(plant, scene), options, inner);
+    return measure_plant(grown.plant, limits_of(plant), grown.meshes, measured_scene(plant, scene), options, inner);
   });
   return measures_in_python(measures, each);
 }
@@ -222,7 +224,7 @@ py::object measures_of(const PlantPointer& plant, bool light, bool each, const s
 py::dict leaf_layers(const PlantPointer& plant, double height, int threads, const py::object& progress) {
   if (!(height > 0)) throw py::value_error("height must be above 0 metres");
   const LeafLayers layers = run_call(progress, threads, [&](Progress& inner) {
-    return measure_leaf_layers(plant->up_to(measured_part(plant), inner).plant, height, inner);
+    return measure_leaf_layers(plant->up_to(measured_part(plant), inner).plant, limits_of(plant), height, inner);
   });
   std::vector<double> low;
   std::vector<double> high;
@@ -364,7 +366,8 @@ PictureOptions planned_picture(const PlantPointer& plant, const std::optional<st
 
 Image picture_of(const PlantPointer& plant, const PictureOptions& options, int threads, const py::object& progress) {
   return run_call(progress, threads, [&](Progress& inner) {
-    return take_picture(plant->up_to(GrownPart::textures, inner), plant->origin->document.scene, options, inner);
+    return take_picture(plant->up_to(GrownPart::textures, inner), limits_of(plant), plant->origin->document.scene,
+                        options, inner);
   });
 }
 

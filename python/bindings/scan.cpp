@@ -55,7 +55,7 @@ void with_scanner(const PlantPointer& plant, const ScanArguments& arguments, int
     const GrownPart part = has_holes(plant->unexpanded()) ? GrownPart::textures : GrownPart::meshes;
     const GrownDocument& grown = plant->up_to(part, inner);
     const MeshScene meshes = scanned_meshes(grown.meshes, document.scene.obstacles, plan);
-    use(Scanner(grown.plant, meshes, plan.options, inner), inner);
+    use(Scanner(grown.plant, plant->origin->document.graph.limits, meshes, plan.options, inner), inner);
   });
 }
 

@@ -172,7 +172,7 @@ void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threa
   watch_of(progress)->run(threads, [&](Progress& inner) {
     Plant plant;
     plant.stems.emplace_back().skeleton = *skeleton;
-    write_skeleton_mtg(plant, target, {}, inner);
+    write_skeleton_mtg(plant, Limits(), target, {}, inner);
   });
 }
 

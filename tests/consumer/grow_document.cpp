@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
 
     // Measure.
     const meristem::StandMeasures measures =
-        meristem::measure_plant(grown.plant, grown.meshes, document.scene, {}, progress);
+        meristem::measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene, {}, progress);
     std::printf("%s: %.2f m high, %.2f m2 of leaves\n", document.name.c_str(), measures.whole.height,
                 measures.whole.leaf_area.value_or(0));
 

@@ -57,5 +57,5 @@ int main() {
   std::printf("%zu nodes, the farthest tip %.2f m from the root\n", skeleton.node_count(),
               *std::max_element(way.begin(), way.end()));
   skeleton.extra["way"] = std::move(way);
-  meristem::write_skeleton_csv(plant, "skeleton.csv", progress);
+  meristem::write_skeleton_csv(plant, meristem::Limits(), "skeleton.csv", progress);
 }

@@ -38,7 +38,7 @@ Plant plant_of(const Skeleton& skeleton) {
 std::string written(const Skeleton& skeleton) {
   static const std::string kPath = "/dev/shm/mtg_fuzz_" + std::to_string(getpid());
   Progress progress;
-  write_skeleton_mtg(plant_of(skeleton), kPath, {}, progress);
+  write_skeleton_mtg(plant_of(skeleton), {}, kPath, {}, progress);
   std::string text = read_file(kPath, Limits{}.file_bytes);
   unlink(kPath.c_str());
   return text;
@@ -46,7 +46,7 @@ std::string written(const Skeleton& skeleton) {
 
 void check_round_trip(const Skeleton& skeleton) {
   const std::string text = written(skeleton);
-  const Skeleton again = skeleton_of(read_mtg(text, "again"), "again").skeleton;
+  const Skeleton again = skeleton_of(read_mtg(text, "again", {}), "again", {}, {}).skeleton;
   require(skeleton_hash(again) == skeleton_hash(skeleton));
   require(axis_labels(again) == axis_labels(skeleton));
   require(written(again) == text);

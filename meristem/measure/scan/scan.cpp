@@ -104,12 +104,12 @@ struct Scanner::Parts {
   double aperture = 0;  // metres: radius of the beam where it leaves
 
   /// `whole` is the box around all meshes.
-  Parts(const Plant& plant, const MeshScene& meshes, const ScanOptions& given, const Box& whole, ScanPattern ways,
-        Progress& progress)
+  Parts(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& given, const Box& whole,
+        ScanPattern ways, Progress& progress)
       : options(given),
         box(whole),
         pattern(std::move(ways)),
-        labels(plant, meshes, progress),
+        labels(plant, limits, meshes, progress),
         rays(meshes, progress),
         has_meshes(!meshes.meshes.empty()),
         offsets(beam_offsets(given.instrument.rays)),
@@ -232,7 +232,8 @@ struct Scanner::Parts {
   }
 };
 
-Scanner::Scanner(const Plant& plant, const MeshScene& meshes, const ScanOptions& options, Progress& progress) {
+Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+                 Progress& progress) {
   const Box box = meshes.bounds();
   if (options.instrument.kind == ScannerClass::drone && !box.is_empty() && options.instrument.altitude <= box.high.y) {
     throw InputError(
@@ -250,7 +251,7 @@ Scanner::Scanner(const Plant& plant, const MeshScene& meshes, const ScanOptions&
                                 .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
                                 .path = "instrument.step"});
   }
-  parts_ = std::make_unique<const Parts>(plant, meshes, options, box, std::move(pattern), progress);
+  parts_ = std::make_unique<const Parts>(plant, limits, meshes, options, box, std::move(pattern), progress);
 }
 
 Scanner::~Scanner() = default;
@@ -311,9 +312,9 @@ Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t most_po
   return made;
 }
 
-Scan scan(const Plant& plant, const MeshScene& meshes, const ScanOptions& options, Progress& progress,
-          std::uint64_t most_points) {
-  return take_scan(Scanner(plant, meshes, options, progress), progress, most_points);
+Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+          Progress& progress, std::uint64_t most_points) {
+  return take_scan(Scanner(plant, limits, meshes, options, progress), progress, most_points);
 }
 
 }  // namespace meristem

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meristem/base/function_ref.h"
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/measure/scan/instrument.h"
 #include "meristem/measure/surface_labels.h"
@@ -51,9 +52,11 @@ class Scanner {
  public:
   /// `meshes` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles; both outlive it. Textures
   /// with holes must be painted (has_holes, foliage.h), since pulses pass through the holes. Begins a stage of
-  /// `progress`. Throws InputError where the pulses are too many or a drone would fly into the scene, Cancelled,
+  /// `progress`. Throws InputError if a limit is passed, if the pulses are too many or if a drone would fly into the
+  /// scene, Cancelled,
   /// MachineError (memory).
-  Scanner(const Plant& plant, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
+  Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+          Progress& progress);
   ~Scanner();
   Scanner(const Scanner&) = delete;
   Scanner& operator=(const Scanner&) = delete;
@@ -86,8 +89,8 @@ struct Scan {
 Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t most_points = 200'000'000);
 
 /// A scanner and its scan in one.
-Scan scan(const Plant& plant, const MeshScene& meshes, const ScanOptions& options, Progress& progress,
-          std::uint64_t most_points = 200'000'000);
+Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+          Progress& progress, std::uint64_t most_points = 200'000'000);
 
 /// Notes which shoots have points.
 class ShootsSeen {

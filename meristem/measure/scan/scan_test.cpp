@@ -40,7 +40,7 @@ Instrument plain_camera(double field_deg, int columns, int rows) {
 Scan scan_of(const Plant& plant, const ScanOptions& options) {
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
-  return scan(plant, meshes, options, progress);
+  return scan(plant, {}, meshes, options, progress);
 }
 
 /// The distance along a ray to a sphere, a standing cylinder and a standing cone, infinite where it misses.
@@ -223,9 +223,9 @@ TEST(Scan, LabelsAreThoseOfTheFirstTriangleOfAll) {
   add_organ(plant, "leaf", make_box({0.2F, 0.3F, 0.01F}), {3, 0.2F, 0});
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
-  const SurfaceLabels labels(plant, meshes, progress);
+  const SurfaceLabels labels(plant, {}, meshes, progress);
   const Scan made = scan(
-      plant, meshes,
+      plant, {}, meshes,
       {.instrument = plain_camera(60, 90, 70), .stations = {Vec3(1.5F, 1, 4)}, .target = Vec3(1.5F, 1, 0)}, progress);
   ASSERT_GT(made.points.size(), 100U);
   std::size_t differ = 0;
@@ -302,7 +302,7 @@ TEST(Scan, RefusesTooManyPulsesBeforeItPreparesAnything) {
   scanner.step = radians(0.002);
   Progress stopped;
   stopped.cancel();  // ends all preparations
-  EXPECT_THROW(Scanner(plant, meshes, {.instrument = scanner}, stopped), InputError);
+  EXPECT_THROW(Scanner(plant, {}, meshes, {.instrument = scanner}, stopped), InputError);
 }
 
 TEST(Scan, StopsWhenItIsCancelledAndAtTheMostPoints) {
@@ -312,11 +312,11 @@ TEST(Scan, StopsWhenItIsCancelledAndAtTheMostPoints) {
   const MeshScene meshes = make_mesh_scene(plant, {}, growing);
   const ScanOptions options{.instrument = plain_camera(20, 30, 30), .stations = {Vec3(0, 1, 5)}, .target = Vec3(0)};
   Progress stopped;
-  const Scanner scanner(plant, meshes, options, growing);
+  const Scanner scanner(plant, {}, meshes, options, growing);
   stopped.cancel();
   EXPECT_THROW(scanner.run([](std::span<const ScanPoint>) {}, stopped), Cancelled);
   Progress progress;
-  EXPECT_THROW(scan(plant, meshes, options, progress, 10), InputError);
+  EXPECT_THROW(scan(plant, {}, meshes, options, progress, 10), InputError);
 }
 
 }  // namespace meristem::scan_test

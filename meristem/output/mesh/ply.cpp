@@ -261,8 +261,9 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
   file.commit();
 }
 
-void write_skeleton_ply(const Plant& grown, const std::string& path, const PlyOptions& options, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_skeleton_ply(const Plant& grown, const Limits& limits, const std::string& path, const PlyOptions& options,
+                        Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   const SkeletonTable table(plant);
   check_count("nodes", table.row_count());

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/measure/surface_labels.h"
 #include "meristem/output/write/provenance.h"
@@ -31,6 +32,7 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
 /// columns of SkeletonTable, `x y z radius` first and without `node`, which is its number, and `label`, a text:
 /// `parent` is a vertex or -1, `component` an index as above, NaN what is not known. An edge is `vertex1 vertex2`, from
 /// parent to child. Streams, throws and appears as write_mesh_ply does.
-void write_skeleton_ply(const Plant& plant, const std::string& path, const PlyOptions& options, Progress& progress);
+void write_skeleton_ply(const Plant& plant, const Limits& limits, const std::string& path, const PlyOptions& options,
+                        Progress& progress);
 
 }  // namespace meristem

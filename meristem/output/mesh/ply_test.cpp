@@ -155,7 +155,7 @@ Ply written(const MeshScene& scene, const PlyOptions& options = {}) {
 
 Ply written(const Plant& plant) {
   Progress progress;
-  write_skeleton_ply(plant, temporary_path(), {}, progress);
+  write_skeleton_ply(plant, {}, temporary_path(), {}, progress);
   Ply ply = parse(temporary_path());
   std::filesystem::remove(temporary_path());
   return ply;
@@ -322,8 +322,8 @@ TEST(SkeletonPly, HasTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(SkeletonPly, ReportsAFullDiskAndARefusedPath) {
   Progress progress;
-  EXPECT_THROW(write_skeleton_ply(two_stems(), "/dev/full", {}, progress), MachineError);
-  EXPECT_THROW(write_skeleton_ply(two_stems(), "/nonexistent/plant.ply", {}, progress), MachineError);
+  EXPECT_THROW(write_skeleton_ply(two_stems(), {}, "/dev/full", {}, progress), MachineError);
+  EXPECT_THROW(write_skeleton_ply(two_stems(), {}, "/nonexistent/plant.ply", {}, progress), MachineError);
 }
 
 }  // namespace meristem::ply_test

@@ -136,7 +136,7 @@ std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<
   for (const TracedPlace& point : marks.points) bounds.add(point.position);
   const auto reads_plant = [](OverlayPart part) { return overlay_part(part).reads_plant; };
   std::optional<ExpandedPlant> plant;
-  if (std::ranges::any_of(parts, reads_plant)) plant.emplace(source.plant, progress);
+  if (std::ranges::any_of(parts, reads_plant)) plant.emplace(source.plant, source.limits, progress);
   const OverlaySubject subject{plant ? **plant : source.plant, source.scene, marks, bounds, source.right, progress};
   std::vector<OverlayLayer> layers;
   for (const OverlayPart part : parts) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/graph/growth_traces.h"
@@ -97,8 +98,9 @@ struct OverlaySource {
   const Plant& plant;
   const GrowthTraces& traces;  ///< recorded with wish_for_overlays() or more
   const Scene& scene;
-  Box bounds;           ///< around all that is seen of the plant
-  Vec3 right{1, 0, 0};  ///< unit vector on the ground along which the scale lies
+  const Limits& limits;  ///< of the document that the plant has grown from
+  Box bounds;            ///< around all that is seen of the plant
+  Vec3 right{1, 0, 0};   ///< unit vector on the ground along which the scale lies
 };
 
 /// The layers of the parts, in their order, at the step of growth that the plant stands at. Plants of other documents

@@ -49,7 +49,8 @@ Shown show(const char* text, const std::string& names, std::optional<int> step =
   Progress progress;
   Shown shown{grow_document(document, progress, {.up_to = GrownPart::meshes, .view = {step, wish_for_overlays(parts)}}),
               {}};
-  const OverlaySource source{shown.grown.plant, shown.grown.traces, document.scene, shown.grown.meshes.bounds()};
+  const OverlaySource source{shown.grown.plant, shown.grown.traces, document.scene, document.graph.limits,
+                             shown.grown.meshes.bounds()};
   shown.layers = overlay_layers(source, parts, progress);
   return shown;
 }
@@ -153,7 +154,7 @@ TEST(Overlay, PlantsOfOtherDocumentsAreShownAsWell) {
                                           (folder / "row.json").string(), builtin_components(), {});
   Progress progress;
   const GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
-  const OverlaySource source{grown.plant, grown.traces, document.scene, grown.meshes.bounds()};
+  const OverlaySource source{grown.plant, grown.traces, document.scene, document.graph.limits, grown.meshes.bounds()};
   const std::vector<OverlayPart> parts = overlay_parts_named("skeleton,light,resource,hull", "--show");
   const std::vector<OverlayLayer> layers = overlay_layers(source, parts, progress);
   EXPECT_EQ(layers[0].points.size(), totals_of(grown.plant).nodes);

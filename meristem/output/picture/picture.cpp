@@ -25,12 +25,12 @@ Vec3 right_of(const View& view) {
 
 }  // namespace
 
-PictureScene picture_scene(const GrownDocument& grown, const Scene& scene, const PictureOptions& options,
-                           const Progress& progress) {
+PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, const Scene& scene,
+                           const PictureOptions& options, const Progress& progress) {
   PictureScene picture{options.plants ? grown.meshes : MeshScene(), options.view, {}};
   const MeshScene& plants = grown.meshes;
   if (!options.overlays.empty()) {
-    const OverlaySource source{grown.plant, grown.traces, scene, plants.bounds(), right_of(options.view)};
+    const OverlaySource source{grown.plant, grown.traces, scene, limits, plants.bounds(), right_of(options.view)};
     picture.layers = overlay_layers(source, options.overlays, progress);
     Box box = overlay_bounds(picture.layers);
     if (options.plants) box.add(plants.bounds());
@@ -46,11 +46,12 @@ PictureScene picture_scene(const GrownDocument& grown, const Scene& scene, const
   return picture;
 }
 
-Image take_picture(const GrownDocument& grown, const Scene& scene, const PictureOptions& options, Progress& progress) {
+Image take_picture(const GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
+                   Progress& progress) {
   if (options.overlays.empty() && !options.crown_hulls && options.plants) {
     return render_still(grown.meshes, scene, options.view, options.still, progress);
   }
-  const PictureScene picture = picture_scene(grown, scene, options, progress);
+  const PictureScene picture = picture_scene(grown, limits, scene, options, progress);
   Image image = render_still(picture.meshes, scene, picture.view, options.still, progress);
   const Camera camera = place_camera(picture.meshes, picture.view, aspect_of(options.still));
   write_overlay_text(image, picture.layers, [&](Vec3 position) { return camera.project(position); });

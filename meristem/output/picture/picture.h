@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/overlay/overlay.h"
 #include "meristem/output/picture/still.h"
@@ -26,11 +27,12 @@ struct PictureScene {
   View view;
   std::vector<OverlayLayer> layers;
 };
-PictureScene picture_scene(const GrownDocument& grown, const Scene& scene, const PictureOptions& options,
-                           const Progress& progress);
+PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, const Scene& scene,
+                           const PictureOptions& options, const Progress& progress);
 
-/// A picture of what a document has grown, in the document's `scene`. The camera frames the plants, whatever is drawn
-/// around them. Throws what render_still throws.
-Image take_picture(const GrownDocument& grown, const Scene& scene, const PictureOptions& options, Progress& progress);
+/// A picture of what a document has grown, in the document's `scene`. `limits` are the document's. The camera frames
+/// the plants, whatever is drawn around them. Throws what render_still and overlay_layers throw.
+Image take_picture(const GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
+                   Progress& progress);
 
 }  // namespace meristem

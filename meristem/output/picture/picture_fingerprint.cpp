@@ -51,7 +51,8 @@ void add(const MeshScene& meshes, Fingerprint& to) {
 
 }  // namespace
 
-std::string picture_fingerprint(const GrownDocument& grown, const Scene& scene, const PictureOptions& options) {
+std::string picture_fingerprint(const GrownDocument& grown, const Limits& limits, const Scene& scene,
+                                const PictureOptions& options) {
   Fingerprint all;
   all.add(kLookOfStills).add(options.crown_hulls);
   const StillOptions& still = options.still;
@@ -78,7 +79,7 @@ std::string picture_fingerprint(const GrownDocument& grown, const Scene& scene, 
     add_meshes(grown.meshes);
     return fmt::format("{:016x}", all.hash());
   }
-  const PictureScene picture = picture_scene(grown, scene, options, Progress());
+  const PictureScene picture = picture_scene(grown, limits, scene, options, Progress());
   add_meshes(picture.meshes);
   for (const OverlayLayer& layer : picture.layers) {
     for (const OverlayLabel& label : layer.labels) all.add_text(label.text);

@@ -18,7 +18,7 @@ struct Subject {
   PictureOptions options;
 
   Subject() { grown.meshes = scene_of(triangle(), {Frame()}); }
-  std::string fingerprint() const { return picture_fingerprint(grown, scene, options); }
+  std::string fingerprint() const { return picture_fingerprint(grown, {}, scene, options); }
 };
 
 TEST(PictureFingerprint, IsThatOfAnEqualPicture) { EXPECT_EQ(Subject().fingerprint(), Subject().fingerprint()); }

@@ -30,7 +30,7 @@ TEST(Picture, WithoutHullsIsTheStillOfTheMeshes) {
   const GrownDocument grown = crown_about_a_triangle();
   const PictureOptions options = small_picture();
   Progress progress;
-  EXPECT_EQ(take_picture(grown, Scene(), options, progress).rgba,
+  EXPECT_EQ(take_picture(grown, {}, Scene(), options, progress).rgba,
             render_still(grown.meshes, Scene(), options.view, options.still, progress).rgba);
 }
 
@@ -38,9 +38,9 @@ TEST(Picture, HullsAreDrawnAboutThePlantsAndDoNotMoveThem) {
   const GrownDocument grown = crown_about_a_triangle();
   PictureOptions options = small_picture();
   Progress progress;
-  const Image plain = take_picture(grown, Scene(), options, progress);
+  const Image plain = take_picture(grown, {}, Scene(), options, progress);
   options.crown_hulls = true;
-  const Image with_hulls = take_picture(grown, Scene(), options, progress);
+  const Image with_hulls = take_picture(grown, {}, Scene(), options, progress);
   ASSERT_EQ(with_hulls.rgba.size(), plain.rgba.size());
   std::size_t covered = 0;
   std::size_t added = 0;
@@ -56,9 +56,9 @@ TEST(Picture, HullsAreDrawnAboutThePlantsAndDoNotMoveThem) {
 TEST(Picture, OfNothingHasNoHulls) {
   PictureOptions options = small_picture();
   Progress progress;
-  const Image plain = take_picture({}, Scene(), options, progress);
+  const Image plain = take_picture({}, {}, Scene(), options, progress);
   options.crown_hulls = true;
-  EXPECT_EQ(take_picture({}, Scene(), options, progress).rgba, plain.rgba);
+  EXPECT_EQ(take_picture({}, {}, Scene(), options, progress).rgba, plain.rgba);
 }
 
 }  // namespace meristem::picture_test

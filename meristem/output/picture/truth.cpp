@@ -137,8 +137,8 @@ class Census {
 
 }  // namespace
 
-Truth see_truth(const GrownDocument& grown, const Scene& scene, const View& view, const TruthOptions& options,
-                Progress& progress) {
+Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& scene, const View& view,
+                const TruthOptions& options, Progress& progress) {
   check_still_options({.width = options.width, .height = options.height});
   // The scene and the camera are those of the picture.
   const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
@@ -156,8 +156,8 @@ Truth see_truth(const GrownDocument& grown, const Scene& scene, const View& view
               .camera = camera};
   for (TruthMask& mask : truth.masks) mask.number.assign(pixels, 0);
   const Ground ground = ground_below(framed, scene);
-  const ExpandedPlant plant(grown.plant, progress);
-  const SurfaceLabels labels(grown.plant, shown, progress);
+  const ExpandedPlant plant(grown.plant, limits, progress);
+  const SurfaceLabels labels(grown.plant, limits, shown, progress);
   Census census(shown, labels, *plant, truth);
 
   // Each pixel's surface.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/document/grow.h"
@@ -65,7 +66,7 @@ struct TruthOptions {
 /// these must be painted (has_holes, foliage.h). A shoot's wood is told by the axis whose surface is nearest, an
 /// organ's shoot by the axis nearest to its base. The same on any number of threads. Throws InputError for sizes
 /// outside 1 to 16384, Cancelled.
-Truth see_truth(const GrownDocument& grown, const Scene& scene, const View& view, const TruthOptions& options,
-                Progress& progress);
+Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& scene, const View& view,
+                const TruthOptions& options, Progress& progress);
 
 }  // namespace meristem

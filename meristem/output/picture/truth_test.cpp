@@ -42,7 +42,7 @@ Seen look(const char* text, const View& view, int width, int height, bool transp
   Progress progress;
   GrownDocument grown = grow_document(document, progress);
   const TruthOptions options{.width = width, .height = height, .transparent = transparent};
-  Truth truth = see_truth(grown, document.scene, view, options, progress);
+  Truth truth = see_truth(grown, document.graph.limits, document.scene, view, options, progress);
   return {std::move(document), std::move(grown), std::move(truth)};
 }
 

@@ -44,11 +44,11 @@ class ScanFiles : public testing::Test {
     options_.around = 2;
     options_.ground = true;
     meshes_ = make_mesh_scene(plant_, {}, progress_);
-    scan_ = scan(plant_, meshes_, options_, progress_);
+    scan_ = scan(plant_, {}, meshes_, options_, progress_);
   }
 
   std::string written(const std::string& name) {
-    const Scanner scanner(plant_, meshes_, options_, progress_);
+    const Scanner scanner(plant_, {}, meshes_, options_, progress_);
     const std::string path = (folder_.path() / name).string();
     EXPECT_EQ(write_scan(scanner, std::span(&path, 1), {.name = "Fork", .version = "1"}, progress_),
               scan_.points.size());

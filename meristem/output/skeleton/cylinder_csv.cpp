@@ -46,8 +46,8 @@ void append_cylinder(const Cylinder& cylinder, std::string& out) {
 
 }  // namespace
 
-void write_cylinder_csv(const Plant& grown, const std::string& path, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_cylinder_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const std::vector<Cylinder> cylinders = cylinders_of(*expanded);
   progress.begin("writing CSV", cylinders.size());
   AtomicFile file(path);

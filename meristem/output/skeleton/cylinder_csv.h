@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 
@@ -16,6 +17,6 @@ namespace meristem {
 /// follow each other. Streams as write_skeleton_csv does, but for 48 bytes per cylinder; throws as that does.
 ///
 /// Based on: P. Raumonen et al., Fast automatic precision tree models from terrestrial laser scanner data, 2013.
-void write_cylinder_csv(const Plant& plant, const std::string& path, Progress& progress);
+void write_cylinder_csv(const Plant& plant, const Limits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -24,15 +24,15 @@ std::string text_of(const std::filesystem::path& path) {
 class CylinderTables : public testing::Test {
  protected:
   std::string csv(const Plant& plant) {
-    write_cylinder_csv(plant, at("x.qsm.csv"), progress_);
+    write_cylinder_csv(plant, {}, at("x.qsm.csv"), progress_);
     return text_of(at("x.qsm.csv"));
   }
   std::string trees(const Plant& plant) {
-    write_tree_file(plant, at("x.trees.txt"), {.name = "Fork", .version = "1"}, progress_);
+    write_tree_file(plant, {}, at("x.trees.txt"), {.name = "Fork", .version = "1"}, progress_);
     return text_of(at("x.trees.txt"));
   }
   static Skeleton read(const std::string& text) {
-    return skeleton_of(read_node_table(text, "x"), {.begins_at_origin = false}, "x");
+    return skeleton_of(read_node_table(text, "x", {}), {.begins_at_origin = false}, "x");
   }
 
  private:

@@ -49,8 +49,8 @@ std::vector<OperationRecord> operation_records(const Plant& plant) {
   return records;
 }
 
-void write_operation_csv(const Plant& grown, const std::string& path, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_operation_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const std::vector<OperationRecord> records = operation_records(*expanded);
   std::size_t longest = 0;
   for (const OperationRecord& record : records) {

@@ -33,7 +33,7 @@ Plant pruned() {
 TEST(OperationCsv, HasARowForEachThingDone) {
   const std::string path = testing::TempDir() + "pruned.operations.csv";
   Progress progress;
-  write_operation_csv(pruned(), path, progress);
+  write_operation_csv(pruned(), {}, path, progress);
   EXPECT_EQ(read_file(path, 1000),
             "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,bud_position_x,bud_position_y,"
             "bud_position_z,diameter,metamers,length,wood,light\n"
@@ -43,13 +43,13 @@ TEST(OperationCsv, HasARowForEachThingDone) {
 TEST(OperationCsv, OfAPlantThatNobodyPrunedHasItsHeadAlone) {
   const std::string path = testing::TempDir() + "wild.operations.csv";
   Progress progress;
-  write_operation_csv({}, path, progress);
+  write_operation_csv({}, {}, path, progress);
   EXPECT_EQ(read_file(path, 1000).find('\n') + 1, read_file(path, 1000).size());
 }
 
 TEST(OperationCsv, RefusesAPathThatCannotBeWritten) {
   Progress progress;
-  EXPECT_THROW(write_operation_csv(pruned(), "/no/such/folder/x.operations.csv", progress), MachineError);
+  EXPECT_THROW(write_operation_csv(pruned(), {}, "/no/such/folder/x.operations.csv", progress), MachineError);
 }
 
 }  // namespace meristem::operation_csv_test

@@ -48,8 +48,9 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant) {
   return numbers;
 }
 
-void write_organ_csv(const Plant& grown, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_organ_csv(const Plant& grown, const Limits& limits, std::span<const LitOrgan> lit, const std::string& path,
+                     Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   if (lit.size() != plant.organs.size()) throw std::invalid_argument("there must be one light per organ");
   std::vector<std::string> components;  // of each prototype, as fields
@@ -59,7 +60,7 @@ void write_organ_csv(const Plant& grown, std::span<const LitOrgan> lit, const st
     longest = std::max(longest, components.back().size());
   }
   const std::vector<std::uint32_t> numbers = organ_instances(plant);
-  const std::vector<std::uint32_t> trees = trees_of_organs(plant, progress);
+  const std::vector<std::uint32_t> trees = trees_of_organs(plant, limits, progress);
   progress.begin("writing CSV", lit.size());
   AtomicFile file(path);
   file.write(kHeader);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/measure/organ_light.h"
 #include "meristem/plant/plant.h"
@@ -19,6 +20,7 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant);
 /// `instance` (number among the component's organs, from 0), `tree` (as trees_of_organs in measures.h), `x`, `y`, `z`
 /// (where it is attached, metres), `area` (square metres), `exposure` and `irradiance` (organ_light.h). `lit` has an
 /// entry for each organ, else std::invalid_argument. Throws MachineError (path, disk), Cancelled.
-void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const std::string& path, Progress& progress);
+void write_organ_csv(const Plant& plant, const Limits& limits, std::span<const LitOrgan> lit, const std::string& path,
+                     Progress& progress);
 
 }  // namespace meristem

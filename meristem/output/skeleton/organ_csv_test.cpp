@@ -34,7 +34,7 @@ std::string written(std::size_t count) {
   const std::string path =
       testing::TempDir() + "organs_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
   Progress progress;
-  write_organ_csv(organs(count), light(count), path, progress);
+  write_organ_csv(organs(count), {}, light(count), path, progress);
   std::ifstream in(path, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(in), {});
   std::filesystem::remove(path);
@@ -66,13 +66,13 @@ TEST(OrganCsv, TheSameBytesOnAnyNumberOfThreads) {
 
 TEST(OrganCsv, WantsLightForEachOrgan) {
   Progress progress;
-  EXPECT_THROW(write_organ_csv(organs(3), light(2), testing::TempDir() + "organs.csv", progress),
+  EXPECT_THROW(write_organ_csv(organs(3), {}, light(2), testing::TempDir() + "organs.csv", progress),
                std::invalid_argument);
 }
 
 TEST(OrganCsv, ARefusedPathIsAnError) {
   Progress progress;
-  EXPECT_THROW(write_organ_csv(organs(3), light(3), "/no/such/folder/organs.csv", progress), MachineError);
+  EXPECT_THROW(write_organ_csv(organs(3), {}, light(3), "/no/such/folder/organs.csv", progress), MachineError);
 }
 
 }  // namespace meristem::organ_csv_test

@@ -64,8 +64,8 @@ class CsvRows {
 
 }  // namespace
 
-void write_skeleton_csv(const Plant& grown, const std::string& path, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_skeleton_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   const SkeletonTable table(plant);
   const CsvRows rows(table);

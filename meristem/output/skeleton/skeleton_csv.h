@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 
@@ -13,6 +14,6 @@ namespace meristem {
 /// empty where a node has no parent or a value is not known; numbers have the digits that give the same float when
 /// read. Streams: memory beyond the plant and the labels of its axes stays below 64 MB. The file appears whole or not
 /// at all; "-" is standard output. Throws MachineError (path, disk), Cancelled.
-void write_skeleton_csv(const Plant& plant, const std::string& path, Progress& progress);
+void write_skeleton_csv(const Plant& plant, const Limits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

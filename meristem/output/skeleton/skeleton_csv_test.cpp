@@ -18,7 +18,7 @@ std::string written(const Plant& plant) {
   const std::string path =
       testing::TempDir() + "skeleton_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
   Progress progress;
-  write_skeleton_csv(plant, path, progress);
+  write_skeleton_csv(plant, {}, path, progress);
   std::ifstream in(path, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(in), {});
   std::filesystem::remove(path);
@@ -93,8 +93,8 @@ TEST(SkeletonCsv, HasTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(SkeletonCsv, ReportsAFullDiskAndARefusedPath) {
   Progress progress;
-  EXPECT_THROW(write_skeleton_csv(two_stems(), "/dev/full", progress), MachineError);
-  EXPECT_THROW(write_skeleton_csv(two_stems(), "/nonexistent/plant.csv", progress), MachineError);
+  EXPECT_THROW(write_skeleton_csv(two_stems(), {}, "/dev/full", progress), MachineError);
+  EXPECT_THROW(write_skeleton_csv(two_stems(), {}, "/nonexistent/plant.csv", progress), MachineError);
 }
 
 TEST(SkeletonCsv, LeavesNothingWhenCancelled) {
@@ -105,7 +105,7 @@ TEST(SkeletonCsv, LeavesNothingWhenCancelled) {
     if (fraction > 0.5) self->cancel();
   });
   self = &progress;
-  EXPECT_THROW(write_skeleton_csv(long_stem(300'000), folder + "plant.csv", progress), Cancelled);
+  EXPECT_THROW(write_skeleton_csv(long_stem(300'000), {}, folder + "plant.csv", progress), Cancelled);
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   std::filesystem::remove(folder);
 }

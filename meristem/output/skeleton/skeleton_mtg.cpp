@@ -261,8 +261,9 @@ class MtgWriter {
 
 }  // namespace
 
-void write_skeleton_mtg(const Plant& grown, const std::string& path, const MtgOptions& options, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_skeleton_mtg(const Plant& grown, const Limits& limits, const std::string& path, const MtgOptions& options,
+                        Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   MtgWriter writer(plant, progress);
   AtomicFile file(path);

@@ -27,7 +27,7 @@ std::string written(const Plant& plant, const MtgOptions& options = {}) {
   const std::string path =
       testing::TempDir() + "skeleton_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".mtg";
   Progress progress;
-  write_skeleton_mtg(plant, path, options, progress);
+  write_skeleton_mtg(plant, {}, path, options, progress);
   std::string text = read_file(path, Limits{}.file_bytes);
   std::filesystem::remove(path);
   return text;
@@ -40,7 +40,7 @@ Plant plant_of(Skeleton skeleton) {
 }
 
 Skeleton read(const std::string& text, const MtgGeometry& geometry = {}) {
-  return skeleton_of(read_mtg(text, "plant.mtg"), "plant.mtg", geometry).skeleton;
+  return skeleton_of(read_mtg(text, "plant.mtg", {}), "plant.mtg", geometry, {}).skeleton;
 }
 
 /// The text from the line that names the columns on.
@@ -339,8 +339,8 @@ TEST(SkeletonMtg, HasTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(SkeletonMtg, ReportsAFullDiskAndARefusedPath) {
   Progress progress;
-  EXPECT_THROW(write_skeleton_mtg(two_stems(), "/dev/full", {}, progress), MachineError);
-  EXPECT_THROW(write_skeleton_mtg(two_stems(), "/nonexistent/plant.mtg", {}, progress), MachineError);
+  EXPECT_THROW(write_skeleton_mtg(two_stems(), {}, "/dev/full", {}, progress), MachineError);
+  EXPECT_THROW(write_skeleton_mtg(two_stems(), {}, "/nonexistent/plant.mtg", {}, progress), MachineError);
 }
 
 TEST(SkeletonMtg, LeavesNothingWhenCancelled) {
@@ -351,7 +351,7 @@ TEST(SkeletonMtg, LeavesNothingWhenCancelled) {
     if (fraction > 0.5) self->cancel();
   });
   self = &progress;
-  EXPECT_THROW(write_skeleton_mtg(long_stem(300'000), folder + "plant.mtg", {}, progress), Cancelled);
+  EXPECT_THROW(write_skeleton_mtg(long_stem(300'000), {}, folder + "plant.mtg", {}, progress), Cancelled);
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   std::filesystem::remove(folder);
 }

@@ -89,8 +89,9 @@ void append_segment(const TreeFileNode& node, bool is_first, std::string& out) {
 
 }  // namespace
 
-void write_tree_file(const Plant& grown, const std::string& path, const Provenance& provenance, Progress& progress) {
-  const ExpandedPlant expanded(grown, progress);
+void write_tree_file(const Plant& grown, const Limits& limits, const std::string& path, const Provenance& provenance,
+                     Progress& progress) {
+  const ExpandedPlant expanded(grown, limits, progress);
   const std::vector<TreeFileNode> nodes = nodes_of(*expanded);
   progress.begin("writing a tree file", nodes.size());
   AtomicFile file(path);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/plant/plant.h"
@@ -14,6 +15,7 @@ namespace meristem {
 /// segment is the root, a point with parent -1; every other one is a cylinder from its parent's position to its own, of
 /// the radius that cylinders_of gives. Metres; x east, y north, z up. Comments tell the provenance. Streams as
 /// write_skeleton_csv does, but for 60 bytes per node; throws as that does.
-void write_tree_file(const Plant& plant, const std::string& path, const Provenance& provenance, Progress& progress);
+void write_tree_file(const Plant& plant, const Limits& limits, const std::string& path, const Provenance& provenance,
+                     Progress& progress);
 
 }  // namespace meristem

@@ -41,7 +41,7 @@ struct NodeTable {
 /// Reads the text of a table; the names in its head line say which form it has. Throws InputError with line and column
 /// in `file`: columns that are missing (with the nearest name), texts for numbers, numbers that are used twice, parents
 /// that are not there, parents in a circle, negative radii, no nodes, more nodes than `limits` allow.
-NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits = {});
+NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits);
 
 /// How the nodes of a file become a skeleton.
 struct NodeTablePlacement {

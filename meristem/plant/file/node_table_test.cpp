@@ -13,7 +13,7 @@
 namespace meristem::node_table_test {
 
 Skeleton skeleton(const std::string& text, const NodeTablePlacement& placement = {}) {
-  return skeleton_of(read_node_table(text, "t.csv"), placement, "t.csv");
+  return skeleton_of(read_node_table(text, "t.csv", {}), placement, "t.csv");
 }
 
 std::string fault_of(const std::string& text, const Limits& limits = {}) {
@@ -85,7 +85,7 @@ TEST(NodeTable, MeristemsOwnTablesHaveYUpAndKeepAxesAndBirths) {
   const std::string own =
       "component,instance,node,parent,x,y,z,radius,axis,order,birth\n"
       "tree,0,0,,0,0,0,0.1,0,0,0\ntree,0,1,0,0,1,0,0.05,1,1,3\ntree,0,2,0,0,1,1,0.08,0,0,4\n";
-  const NodeTable table = read_node_table(own, "t.csv");
+  const NodeTable table = read_node_table(own, "t.csv", {});
   EXPECT_TRUE(table.is_y_up);
   const Skeleton tree = skeleton_of(table, {.is_y_up = true}, "t.csv");
   EXPECT_EQ(tree.position[1], Vec3(0, 1, 0));
@@ -149,7 +149,7 @@ TEST(NodeTable, TreeFilesHaveALinePerTree) {
       "# Tree file\nheight, x,y,z,radius,parent_id,section_id\n"
       "9, 0,0,0,0.1,-1,0, 0,0,1,0.1,0,1, 0,0,2,0.05,1,1\n"
       "4, 7,0,0,0.2,-1,0, 7,0,1,0.2,0,1\n";
-  const NodeTable table = read_node_table(trees, "t.txt");
+  const NodeTable table = read_node_table(trees, "t.txt", {});
   EXPECT_EQ(table.form, NodeTableForm::trees);
   const Skeleton both = skeleton_of(table, {}, "t.txt");
   EXPECT_EQ(both.parent, (Nodes{kNoNode, 0, 1, kNoNode, 3}));

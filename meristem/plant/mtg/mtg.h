@@ -85,6 +85,6 @@ struct MtgTree {
 
 /// Reads the text of an MTG file. Throws one InputError with all faults (up to the limit) that have line and column in
 /// `file`; entities past `limits.nodes` are one. Cost and memory are linear in the text and the entities.
-MtgTree read_mtg(std::string_view text, const std::string& file, const Limits& limits = {});
+MtgTree read_mtg(std::string_view text, const std::string& file, const Limits& limits);
 
 }  // namespace meristem

@@ -45,7 +45,7 @@ struct MtgSkeleton {
 /// without coordinates, coordinates beyond 1000 km and negative diameters, and for more than 16 numbers for each node
 /// that `limits` allow; std::invalid_argument for units that are not positive. Cost linear, but for the sorting of
 /// nodes.
-MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry = {},
-                        const Limits& limits = {});
+MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry,
+                        const Limits& limits);
 
 }  // namespace meristem

@@ -29,7 +29,7 @@ constexpr const char* kHeader =
     "TOPO\t\tXX\tYY\tZZ\tTopDia\n";
 
 MtgSkeleton read(const std::string& codes, const MtgGeometry& geometry = {}) {
-  return skeleton_of(read_mtg(kHeader + codes, "plant.mtg"), "plant.mtg", geometry);
+  return skeleton_of(read_mtg(kHeader + codes, "plant.mtg", {}), "plant.mtg", geometry, {});
 }
 
 std::string fault(const std::string& codes, const MtgGeometry& geometry = {}) {
@@ -118,7 +118,7 @@ std::string file_with(const std::vector<std::string>& features, const std::strin
 }
 
 Skeleton read_with(const std::vector<std::string>& features, const std::string& codes, const Limits& limits = {}) {
-  return skeleton_of(read_mtg(file_with(features, codes), "plant.mtg"), "plant.mtg", {}, limits).skeleton;
+  return skeleton_of(read_mtg(file_with(features, codes), "plant.mtg", {}), "plant.mtg", {}, limits).skeleton;
 }
 
 /// A stem of three segments from a base, with a lateral of one.

@@ -32,7 +32,7 @@ constexpr const char* kHeader =
     "MTG:\n"
     "ENTITY-CODE\t\t\t\tAlias\tLength\tState\n";
 
-MtgTree read(const std::string& codes) { return read_mtg(kHeader + codes, "plant.mtg"); }
+MtgTree read(const std::string& codes) { return read_mtg(kHeader + codes, "plant.mtg", {}); }
 
 /// "S2<S1" for an entity that follows another, "S1/A1" for one without a bearer in A1; in the order of the file.
 std::string joints(const MtgTree& tree) {
@@ -50,7 +50,7 @@ std::string joints(const MtgTree& tree) {
 /// The message of the only fault.
 std::string fault(const std::string& text) {
   try {
-    read_mtg(text, "plant.mtg");
+    read_mtg(text, "plant.mtg", {});
   } catch (const InputError& error) {
     EXPECT_EQ(error.diagnostics().size(), 1U) << error.what();
     return error.what();
@@ -154,9 +154,9 @@ TEST(Mtg, TheSceneMayBeNamed) { EXPECT_EQ(joints(read("/Scene0\n^/P1\n^/A1\n")),
 TEST(Mtg, CarriageReturnsCommentsBlanksAndMarksDoNotMatter) {
   std::string text =
       std::string("# a plant\n") + kHeader + "\n  # nothing\n/P1/A1  # the trunk\t\t\t\t\t9\n ^/S1 \t\t\t\t\t 3 \n\n";
-  EXPECT_TRUE(std::isnan(read_mtg(text, "plant.mtg").numbers(1)[2]));
+  EXPECT_TRUE(std::isnan(read_mtg(text, "plant.mtg", {}).numbers(1)[2]));
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
-  const MtgTree tree = read_mtg("\xEF\xBB\xBF" + text, "plant.mtg");
+  const MtgTree tree = read_mtg("\xEF\xBB\xBF" + text, "plant.mtg", {});
   EXPECT_EQ(joints(tree), "P1/$ A1/P1 S1/A1");
   EXPECT_EQ(tree.numbers(1)[3], 3);
 }
@@ -244,13 +244,13 @@ TEST(Mtg, FilesOfOthers) {
   const auto simple = find_shared_data("trees/simple_plant.mtg");
   const auto monopodial = find_shared_data("trees/monopodial_plant.mtg");
   if (!simple || !monopodial) GTEST_SKIP() << kNoSharedData;
-  const MtgTree plant = read_mtg(read_file(*simple, 1'000'000), *simple);
+  const MtgTree plant = read_mtg(read_file(*simple, 1'000'000), *simple, {});
   EXPECT_EQ(joints(plant),
             "Individual0/$ Axis0/Individual0 Internode0/Axis0 Leaf0+Internode0 Internode1<Internode0 "
             "Leaf0+Internode1");
   EXPECT_EQ(plant.numbers(*plant.find_feature("Width"))[6], 0.1);
   EXPECT_EQ(plant.texts(*plant.find_feature("dateDeath"))[4], "24/08/2022");
-  const MtgTree shoot = read_mtg(read_file(*monopodial, 1'000'000), *monopodial);
+  const MtgTree shoot = read_mtg(read_file(*monopodial, 1'000'000), *monopodial, {});
   EXPECT_EQ(shoot.vertex_count(), 40U);
   EXPECT_EQ(shoot.finest_scale(), 4);
   EXPECT_EQ(shoot.label(21), "E8");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "meristem/components/expanded.h"
@@ -89,7 +90,10 @@ Value operations_value(const GrownWish& grown, const OperationsRequest& request,
   for (const auto& [what, count] : counts)
     acts.push_back(Value::List{std::get<0>(what), std::get<1>(what), std::get<2>(what), count});
   const auto left = static_cast<double>(chosen - places.size());
-  return Value::Object{{"iteration", last ? Value(*last) : Value()},
+  // Not written as `condition ? Value(x) : Value()`: GCC 12 then warns of an uninitialised string at -O1.
+  Value iteration;
+  if (last) iteration = *last;
+  return Value::Object{{"iteration", std::move(iteration)},
                        {"training", expanded_training(*prototype)},
                        {"acts", std::move(acts)},
                        {"places", std::move(places)},

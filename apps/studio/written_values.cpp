@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "written_values.h"
 
+#include <utility>
+
 namespace meristem::studio {
 
 namespace {
@@ -9,7 +11,9 @@ Value count_or_null(int number) { return number > 0 ? Value(number) : Value(); }
 
 Value fault_value(Diagnostic fault, std::string_view text, const std::string& file) {
   if (!file.empty() && fault.line > 0) fault.file = file;
-  const bool is_placed = fault.line > 0 && !text.empty();
+  // Not written as `condition ? Value(x) : Value()`: GCC 12 then warns of an uninitialised string at -O1.
+  Value offset;
+  if (fault.line > 0 && !text.empty()) offset = static_cast<double>(unit_of(text, fault.line, fault.column));
   return Value::Object{
       {"severity", fault.severity == Severity::error ? "error" : "warning"},
       {"message", fault.message},
@@ -18,7 +22,7 @@ Value fault_value(Diagnostic fault, std::string_view text, const std::string& fi
       {"path", fault.path},
       {"line", count_or_null(fault.line)},
       {"column", count_or_null(fault.column)},
-      {"offset", is_placed ? Value(static_cast<double>(unit_of(text, fault.line, fault.column))) : Value()},
+      {"offset", std::move(offset)},
       {"text", fault.text()}};
 }
 

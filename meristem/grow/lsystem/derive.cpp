@@ -97,11 +97,12 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
 /// neighbours and no chance, so the order is all the same.
 Word timed_word(const Grammar& grammar, double end, RandomKey key, const Limits& limits, Progress& progress) {
   const RewritePlan production(grammar, grammar.production);
+  const Births births{.by_life = true, .until = end + kSoonEnough * (1 + std::abs(end))};
+  require_bounded_timed_words(grammar, production, births.until, limits);
   Rewriter rewriter(grammar, limits, progress);
   Word word = axiom_word(grammar, limits);
   word.births.assign(word.module_count(), 0);
   Word next;
-  const Births births{.by_life = true, .until = end + kSoonEnough * (1 + std::abs(end))};
   for (int round = 0;; ++round) {
     const RewriteOutcome outcome = rewriter.rewrite(production, word, key, "deriving", next, births);
     if (outcome.rule == nullptr) break;

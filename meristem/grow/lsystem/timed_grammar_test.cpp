@@ -166,6 +166,41 @@ TEST(TimedGrammar, WordsBeyondTheLimitAreRefused) {
   EXPECT_THROW(derive(read_grammar(compound_leaf("0.3")), 30, RandomKey(1), limits, progress), InputError);
 }
 
+/// How deriving until that time ends if it is cancelled from the start: refusals come before the first word is made.
+std::string outcome(const std::string& text, double time) {
+  Progress progress;
+  progress.cancel();
+  try {
+    derive(read_grammar(text), time, RandomKey(1), Limits(), progress);
+  } catch (const Cancelled&) {
+    return "cancelled";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "derived";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(TimedGrammar, WordsThatWillBeTooLongAreRefusedBeforeTheFirst) {
+  const std::string doubling = "F(1)\n#rules\nF(x) @ 0.5 -> F(x)F(x)\n";
+  const std::string fault = outcome(doubling, 14);  // 2^28
+  EXPECT_TRUE(has(fault, "268435456 modules of a word are too many")) << fault;
+  EXPECT_TRUE(has(fault, "'F(x) @ 0.5 -> F(x)F(x)' adds most")) << fault;
+  EXPECT_TRUE(has(fault, "limits.modules")) << fault;
+  EXPECT_EQ(outcome(doubling, 13.9), "cancelled");
+  // Modules of different lives: after each unit of time a golden ratio more.
+  EXPECT_TRUE(has(outcome("A\n#rules\nA @ 0.1 -> AB\nB @ 0.2 -> A\n", 100), "modules of a word are too many"));
+}
+
+TEST(TimedGrammar, WordsThatMayStayShortAreNotRefusedUnderived) {
+  EXPECT_EQ(outcome("A(1)\n#rules\nA(x) @ 1 : x > 2 -> A(x)A(x)\n", 60), "cancelled") << "a condition";
+  EXPECT_EQ(outcome("A(1)\n#rules\nA(x) @ x -> A(9*x)A(9*x)\n", 60), "cancelled") << "lives grow longer";
+  EXPECT_EQ(outcome("A\n#rules\nA @ 1 -> AA%\n", 60), "cancelled") << "branches are cut";
+  EXPECT_EQ(outcome("A\n#rules\nA @ 1 -> BB\nB @ 1 ->\n", 60), "cancelled") << "modules vanish";
+  EXPECT_EQ(derived("A\n#rules\nA @ 1 -> BB\nB @ 1 ->\n", 60), "");
+}
+
 TEST(TimedGrammar, FaultsAreLocated) {
   EXPECT_EQ(fault_of("A @ -> B"),
             "2:3: nothing follows '@'; expected the life of the module: predecessor @ life -> successor");

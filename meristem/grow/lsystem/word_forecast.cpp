@@ -2,7 +2,10 @@
 #include "meristem/grow/lsystem/word_forecast.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -85,6 +88,41 @@ const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
   return longest;
 }
 
+/// What is known of a letter of a timed grammar: after which life it is replaced, and by what.
+struct TimedLetter {
+  std::optional<double> life;  // unset: nothing is known to replace it
+  std::vector<LetterCount> successor;
+  const Rule* rule = nullptr;  // the rule that replaces it
+  bool stays = true;           // without a known life: there is always one of it, whatever its rules do
+};
+
+TimedLetter timed_letter(const RewritePlan& production, LetterIndex letter) {
+  const bool has_rules = letter < production.set->of_letter.size() && !production.set->of_letter[letter].empty();
+  if (!has_rules) return {};
+  const Rule& first = production.set->rules[production.set->of_letter[letter].front()];
+  const bool is_known = first.life && first.life->is_constant() && !first.condition && !first.weight &&
+                        first.left.empty() && first.right.empty();
+  if (const double life = is_known ? first.life->evaluate() : 0; life > 0 && std::isfinite(life)) {
+    return {life, counted(first.successor), &first};
+  }
+  const std::vector<LetterCount> least = least_successor(production, letter);
+  return {{}, {}, nullptr, std::ranges::any_of(least, [&](LetterCount one) { return one.letter == letter; })};
+}
+
+/// Modules of a word that will be replaced, by birth and letter, and how many others there are.
+struct TimedCounts {
+  std::map<std::pair<double, LetterIndex>, double> living;
+  double resting = 0;
+
+  void add(const TimedLetter& what, LetterIndex letter, double birth, double count, double until) {
+    if (what.life && birth + *what.life <= until) {
+      living[{birth, letter}] += count;
+    } else if (what.life || what.stays) {
+      resting += count;
+    }
+  }
+};
+
 bool has_cut(const Grammar& grammar) {
   const auto cuts = [&](const ModuleTemplate& module) { return module.letter == grammar.cut; };
   if (std::ranges::any_of(grammar.axiom, cuts)) return true;
@@ -120,6 +158,46 @@ void require_bounded_words(const Grammar& grammar, const RewritePlan& production
       throw_word_too_long("modules of a word", modules, limits.modules, *longest);
     }
     if (next == counts) return;
+    counts = std::move(next);
+  }
+}
+
+void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& production, double until,
+                                 const Limits& limits) {
+  if (has_cut(grammar)) return;
+  std::vector<TimedLetter> letters;
+  for (std::size_t letter = 0; letter < production.by_letter.size(); ++letter) {
+    letters.push_back(timed_letter(production, static_cast<LetterIndex>(letter)));
+  }
+  TimedCounts counts;
+  for (const LetterCount& of_axiom : counted(grammar.axiom)) {
+    counts.add(letters[of_axiom.letter], of_axiom.letter, 0, of_axiom.count, until);
+  }
+
+  // Replace one generation after another, as the derivation does.
+  std::size_t work = 0;
+  while (!counts.living.empty() && work < kMostWork) {
+    TimedCounts next{{}, counts.resting};
+    double most = 0;
+    const Rule* longest = nullptr;
+    for (const auto& [of, count] : counts.living) {
+      const TimedLetter& dying = letters[of.second];
+      const double birth = of.first + *dying.life;
+      for (const LetterCount& made : dying.successor) {
+        next.add(letters[made.letter], made.letter, birth, count * made.count, until);
+      }
+      work += dying.successor.size() + 1;
+      const double added = count * (static_cast<double>(dying.rule->successor.size()) - 1);
+      if (added > most) {
+        most = added;
+        longest = dying.rule;
+      }
+    }
+    double modules = next.resting;
+    for (const auto& [of, count] : next.living) modules += count;
+    if (modules > static_cast<double>(limits.modules) && longest != nullptr) {
+      throw_word_too_long("modules of a word", modules, limits.modules, *longest);
+    }
     counts = std::move(next);
   }
 }

@@ -15,4 +15,10 @@ namespace meristem {
 /// decompose or cut words, and of what happens after some thousands of steps.
 void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const Limits& limits);
 
+/// Like `require_bounded_words`, for a timed grammar that replaces modules whose lives end until the time `until`.
+/// Counts modules by letter and birth. Only a letter whose first rule has a constant life and no condition is known to
+/// be replaced; any other letter counts with what all of its rules have in common.
+void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& production, double until,
+                                 const Limits& limits);
+
 }  // namespace meristem

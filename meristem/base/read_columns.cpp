@@ -177,6 +177,9 @@ class ColumnReader {
         fault(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
                                                    in_quotes(cell.text.substr(0, kLongestShown)), forms_[k].name),
                             .expected = "a finite number"});
+      } else if (!forms_[k].limit.holds(*number)) {
+        fault(cell.offset, number_fault(fmt::format("{} in the column '{}'", in_quotes(cell.text), forms_[k].name),
+                                        forms_[k].limit));
       }
       found_.numbers[k].push_back(number.value_or(0));
     }
@@ -290,6 +293,11 @@ class TableReader {
     if (column.has_numbers() || row == 0) {
       const bool is_empty = cell.text.empty();
       const std::optional<double> number = is_empty ? std::nullopt : number_of(cell.text, separator_ != ',');
+      if (number && !kFileNumber.holds(*number)) {
+        fault(cell.offset,
+              number_fault(fmt::format("{} in the column {}", in_quotes(cell.text), in_quotes(column.name)),
+                           kFileNumber));
+      }
       if (number || is_empty) {
         column.numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
         return;
@@ -355,6 +363,26 @@ std::vector<std::string> TextTable::names() const {
 }
 
 TextTable read_text_table(std::string_view text, const Limits& limits) { return TableReader(text, limits).run(); }
+
+int column_of_cell(std::string_view text, int line, std::string_view column) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::string_view head;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view one = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (head.empty() && !without_blanks(one).empty()) head = one;
+    if (number < line) continue;
+    std::vector<Cell> names;
+    std::vector<Cell> cells;
+    split(head, separator_of(head), names);
+    split(one, separator_of(head), cells);
+    const auto found = std::ranges::find(names, column, &Cell::text);
+    const auto k = static_cast<std::size_t>(found - names.begin());
+    return found != names.end() && k < cells.size() ? column_at(one, cells[k].offset) : 1;
+  }
+  return 1;
+}
 
 Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits,
                      RowLimit rows) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meristem/base/limits.h"
+#include "meristem/base/number_limit.h"
 
 namespace meristem {
 
@@ -19,6 +20,7 @@ struct ColumnRequest {
   std::string name;
   bool is_needed = true;
   bool may_be_empty = false;  ///< a cell without text is NaN
+  NumberLimit limit = kFileNumber;
 };
 
 /// The columns asked for, in that order.
@@ -34,7 +36,7 @@ struct Columns {
 /// number may have one in place of its point. Cells may stand in quotes, empty lines do not count, and of columns that
 /// nobody asks for nothing is read. Throws an InputError with all faults by line and column: a column that is missing
 /// (with the nearest name) or there twice, a row with more or fewer cells than the head, a cell that is no finite
-/// number, no rows, more rows than the limit that counts them.
+/// number or not within the limit of its column, no rows, more rows than the limit that counts them.
 Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits,
                      RowLimit rows = RowLimit::points);
 
@@ -61,12 +63,16 @@ struct TextTable {
   std::vector<std::string> names() const;
 };
 
+/// Where the cell of a named column begins in the line `line` of a table's text, in characters from 1, for messages.
+/// Returns 1 if there is no such cell. Cost linear in the text.
+int column_of_cell(std::string_view text, int line, std::string_view column);
+
 /// Rows that a table may have.
 inline constexpr std::uint64_t kMostRows = 1'000'000;
 
 /// Reads all columns of a text that is written as read_columns() expects it. Throws an InputError with all faults by
-/// line and column: no columns, two of one name, a row with more or fewer cells than the head, no rows; and where there
-/// are more than kMostRows of them, before they are read.
+/// line and column: no columns, two of one name, a row with more or fewer cells than the head, a number that
+/// kFileNumber does not hold, no rows; and where there are more than kMostRows of them, before they are read.
 TextTable read_text_table(std::string_view text, const Limits& limits);
 
 }  // namespace meristem

@@ -112,6 +112,26 @@ TEST(ReadColumns, RejectsWhatIsNoFiniteNumberAtItsLineAndColumn) {
   }
 }
 
+TEST(ReadColumns, RejectsNumbersBeyondTheLimitOfTheirColumn) {
+  const Diagnostic found = fault_of("x,y\n1,2\n3,1e39\n");
+  EXPECT_EQ(found.text(), "3:3: '1e39' in the column 'y' is out of range; expected a number from -3.4e+38 to 3.4e+38");
+  const NumberLimit few{0, 10, "a count"};
+  try {
+    read_columns("x\n11\n", {{.name = "x", .limit = few}}, Limits());
+    ADD_FAILURE() << "11 is beyond the limit";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "2:1: '11' in the column 'x' is out of range; expected a count from 0 to 10");
+  }
+}
+
+TEST(ReadColumns, FindsTheCellOfANamedColumn) {
+  const std::string text = "\nname;x;y\n\nBl\xC3\xA4tter;?;2\n\"a;b\";3;4\n";
+  EXPECT_EQ(column_of_cell(text, 4, "y"), 11);
+  EXPECT_EQ(column_of_cell(text, 5, "x"), 7);
+  EXPECT_EQ(column_of_cell(text, 5, "z"), 1);
+  EXPECT_EQ(column_of_cell(text, 9, "x"), 1);
+}
+
 TEST(ReadColumns, ColumnsOfFaultsAreCharactersAndNotBytes) {
   EXPECT_EQ(fault_of("name,x,y\nBl\xC3\xA4tter,?,2\n").column, 9);
 }

@@ -155,6 +155,15 @@ TEST(Places, RejectsATextForANumberWithItsLineAndColumn) {
   EXPECT_NE(found[0].message.find("'east'"), std::string::npos) << found[0].message;
 }
 
+TEST(Places, RejectsNumbersThatAreOutOfRangeWithLineAndColumn) {
+  for (const char* row : {"0,1e8,1", "0,1e308,1", "0,-2e7,1"}) {
+    const auto found = table_faults(std::string("x,y,scale\n1,2,1\n") + row + "\n");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NE(found[0].message.find("table.csv:3:3"), std::string::npos) << found[0].message;
+  }
+  EXPECT_EQ(table_faults("x,y,years\n1,2,1e308\n").size(), 1U) << "a column that expressions may use";
+}
+
 TEST(Places, RejectsAnEmptyCellOfAPlace) {
   const auto found = table_faults("x,y\n1,2\n3,\n");
   ASSERT_EQ(found.size(), 1U);

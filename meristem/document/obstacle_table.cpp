@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/number_limit.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/scene/file/read_mesh.h"
 
@@ -14,7 +15,6 @@ namespace meristem {
 namespace {
 
 constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
-constexpr double kFarthest = 1e6;        // metres along an axis, where a float still tells centimetres apart
 constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
 
 /// The form's mesh where it stands in the scene.
@@ -68,9 +68,9 @@ void check_obstacle(const ObstacleParameters& form, const DocumentPath& path, Pa
     const DVec3 away = glm::abs(position);
     farthest = std::max({farthest, away.x, away.y, away.z});
   }
-  if (!(farthest <= kFarthest)) {
+  if (!(farthest <= kMaxCoordinate)) {
     reader.fault(path, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
-                 fmt::format("coordinates within {:.0f} m; scale and translate it", kFarthest));
+                 fmt::format("coordinates within {:.0f} m; scale and translate it", kMaxCoordinate));
   }
 }
 

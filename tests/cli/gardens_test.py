@@ -132,11 +132,12 @@ class Gardens(cli_case.Case):
         self.assertIn("nodes.csv:3", told)
 
     def test_numbers_of_tables_have_the_ranges_of_documents(self):
-        self.assertIn("'trees.csv:3': 1e+30 in the column 'x' is out of its range", self.faults("x,y,kind,years\n0,0,oak,2\n1e30,0,oak,2\n"))
+        self.assertIn("'trees.csv:3:1': 1e+30 in the column 'x' is out of its range", self.faults("x,y,kind,years\n0,0,oak,2\n1e30,0,oak,2\n"))
         self.assertIn("a number from -90 to 90", self.faults("lon,lat,kind,years\n0,91,oak,2\n"))
-        told = self.faults("x,y,kind,years,scale,rotation\n0,0,oak,2,0,0\n1,1,oak,2,-1,1e300\n")
-        self.assertIn("'trees.csv:2': 0 in the column 'scale' is out of its range", told)
-        self.assertIn("'trees.csv:3': 1e+300 in the column 'rotation' is out of its range", told)
+        told = self.faults("x,y,kind,years,scale,rotation\n0,0,oak,2,0,0\n1,1,oak,2,-1,1e30\n")
+        self.assertIn("'trees.csv:2:11': 0 in the column 'scale' is out of its range", told)
+        self.assertIn("'trees.csv:3:14': 1e+30 in the column 'rotation' is out of its range", told)
+        self.assertIn("'trees.csv:2:9': '1e308' in the column 'years' is out of range", self.faults("x,y,kind,years\n0,0,oak,1e308\n"))
 
     def test_documents_that_multiply_each_other_are_stopped(self):
         """A hundred of a hundred of a hundred ...: the plants are counted as they grow, at all levels together."""

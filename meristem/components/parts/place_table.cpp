@@ -27,7 +27,8 @@ constexpr ColumnRange kMetres{-1e7, 1e7}, kLongitudes{-360, 360}, kLatitudes{-90
 /// Finds the columns that say where rows stand, and that they are numbers.
 class PlaceColumns {
  public:
-  PlaceColumns(PlaceTable& places, const Limits& limits) : places_(places), limits_(limits) {}
+  PlaceColumns(PlaceTable& places, std::string_view text, const Limits& limits)
+      : places_(places), text_(text), limits_(limits) {}
 
   void find() {
     find_ground();
@@ -92,7 +93,9 @@ class PlaceColumns {
     for (std::size_t row = 0; row < column.numbers.size(); ++row) {
       const double number = column.numbers[row];
       if (number >= range.low && number <= range.high) continue;
-      tell(row, 0, fmt::format("{:.6g} in the column '{}' is out of its range", number, column.name),
+      if (faults_.size() >= limits_.diagnostics) return;
+      tell(row, column_of_cell(text_, places_.table.lines[row], column.name),
+           fmt::format("{:.6g} in the column '{}' is out of its range", number, column.name),
            fmt::format("a number from {:.6g} to {:.6g}", range.low, range.high));
     }
   }
@@ -106,6 +109,7 @@ class PlaceColumns {
   }
 
   PlaceTable& places_;
+  std::string_view text_;
   const Limits& limits_;
   std::vector<Diagnostic> faults_;
 };
@@ -149,7 +153,7 @@ PlaceTable read_place_table(const std::string& text, const std::string& file_pat
   PlaceTable places;
   places.file = std::filesystem::path(file_path).filename().string();
   places.table = read_text_table(text, reader.limits());
-  PlaceColumns(places, reader.limits()).find();
+  PlaceColumns(places, text, reader.limits()).find();
   places.middle = {middle_of(places.east->numbers), middle_of(places.north->numbers), 0};
   return places;
 }

@@ -61,11 +61,12 @@ Skeleton skeleton_of_mtg(const SkeletonSource& plant, const Limits& limits) {
 Skeleton skeleton_of_table(const SkeletonSource& plant) {
   const NodeTable& table = plant.file->table;
   const bool is_y_up = plant.up == UpAxis::file ? table.is_y_up : plant.up == UpAxis::y;
-  Skeleton skeleton = skeleton_of(table, {.unit = plant.unit, .is_y_up = is_y_up, .begins_at_origin = plant.at_origin},
-                                  plant.file->path);
-  const auto thicker = static_cast<float>(plant.diameter_unit.value_or(plant.unit) / plant.unit);
-  for (float& radius : skeleton.radius) radius *= thicker;
-  return skeleton;
+  return skeleton_of(table,
+                     {.unit = plant.unit,
+                      .radius_factor = plant.diameter_unit.value_or(plant.unit) / plant.unit,
+                      .is_y_up = is_y_up,
+                      .begins_at_origin = plant.at_origin},
+                     plant.file->path);
 }
 
 const ParameterTable& features_table() {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ constexpr const char* kForms = "a list of numbers, or {\"file\": \"angles.csv\",
 std::string read_text(const std::string& path, const Limits& limits) { return read_file(path, limits.file_bytes); }
 
 /// A row of a file's column that a number of this kind cannot have.
-void check_rows(const Parameter& row, const Columns& columns, const std::string& column) {
+void check_rows(const Parameter& row, std::string_view text, const Columns& columns, const std::string& column) {
   const NumberRange& form = row.form;
   for (std::size_t k = 0; k < columns.row_count(); ++k) {
     const double value = columns.numbers[0][k];
@@ -31,7 +32,8 @@ void check_rows(const Parameter& row, const Columns& columns, const std::string&
     throw InputError(Diagnostic{
         .message = fmt::format("the value {:.12g} of the column '{}' cannot be that of '{}'", value, column, row.name),
         .expected = row.expectation(),
-        .line = columns.lines[k]});
+        .line = columns.lines[k],
+        .column = column_of_cell(text, columns.lines[k], column)});
   }
 }
 
@@ -56,7 +58,7 @@ std::vector<double> values_of_file(const Parameter& row, const Value& said, cons
   reader.file(file_row, *file, DocumentPath(path, "file"), [&](const std::string& file_path) {
     const std::shared_ptr<const std::string> text = reader.kept_file<std::string>(file_path, read_text);
     Columns columns = read_columns(*text, {{*column->text()}}, reader.limits());
-    check_rows(row, columns, *column->text());
+    check_rows(row, *text, columns, *column->text());
     values = std::move(columns.numbers[0]);
   });
   return values;

@@ -8,12 +8,11 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/number_limit.h"
 
 namespace meristem {
 
 namespace {
-
-constexpr double kFarthestNode = 1e6;  // metres
 
 /// For each node the child that continues its axis, or kNoNode.
 std::vector<NodeIndex> continuations(const NodeTable& table) {
@@ -57,22 +56,29 @@ Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement
   DVec3 origin(0);
   if (placement.begins_at_origin && table.node_count() > 0) origin = table.position.front();
   const std::vector<NodeIndex> next = continuations(table);
+  const auto thicker = static_cast<float>(placement.radius_factor);
   Skeleton skeleton;
   skeleton.reserve(table.node_count());
   AxisIndex axes = 0;
   for (NodeIndex node = 0; node < table.node_count(); ++node) {
     // The difference is taken before floats make it coarse, as map coordinates are large.
     const DVec3 at = placement.unit * world(table.position[node] - origin, placement.is_y_up);
-    if (!(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kFarthestNode)) {
+    if (!(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMaxCoordinate)) {
       throw InputError(Diagnostic{.message = "the node is too far away",
-                                  .expected = fmt::format("coordinates within {:.0f} m", kFarthestNode),
+                                  .expected = fmt::format("coordinates within {:.0f} m", kMaxCoordinate),
                                   .file = file,
                                   .line = table.line[node]});
     }
     const NodeIndex parent = table.parent[node];
     skeleton.add_node(parent, Vec3(at), table.birth.empty() ? 0 : table.birth[node]);
     const double radius = placement.unit * table.radius[node];
-    skeleton.radius[node] = std::isnan(radius) ? 0 : static_cast<float>(radius);
+    skeleton.radius[node] = std::isnan(radius) ? 0 : static_cast<float>(radius) * thicker;
+    if (!(skeleton.radius[node] <= kMaxRadius)) {
+      throw InputError(Diagnostic{.message = fmt::format("the radius of {:.6g} m is too large", radius * thicker),
+                                  .expected = fmt::format("radii up to {:.0f} m", kMaxRadius),
+                                  .file = file,
+                                  .line = table.line[node]});
+    }
     if (parent != kNoNode && next[parent] == node) {
       skeleton.axis[node] = skeleton.axis[parent];
       skeleton.order[node] = skeleton.order[parent];

@@ -40,12 +40,14 @@ struct NodeTable {
 
 /// Reads the text of a table; the names in its head line say which form it has. Throws InputError with line and column
 /// in `file`: columns that are missing (with the nearest name), texts for numbers, numbers that are used twice, parents
-/// that are not there, parents in a circle, negative radii, no nodes, more nodes than `limits` allow.
+/// that are not there, parents in a circle, numbers that are out of range (base/number_limit.h), no nodes, more nodes
+/// than `limits` allow.
 NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits);
 
 /// How the nodes of a file become a skeleton.
 struct NodeTablePlacement {
   double unit = 1;               ///< metres that a coordinate or radius of 1 means
+  double radius_factor = 1;      ///< factor on radii, besides the unit
   bool is_y_up = false;          ///< false: z is up, x east and y north
   bool begins_at_origin = true;  ///< the first root comes to stand there; else coordinates are as in the file
 };
@@ -53,7 +55,7 @@ struct NodeTablePlacement {
 /// The nodes as a skeleton, with radius 0 where the file has none. Nodes of one branch make an axis, as long as they
 /// are a chain; where the file tells no branches, of each node's children the thickest continues its axis (tie: the
 /// lower index), or where radii are missing the one that bears the longest way to a tip. Throws InputError for
-/// coordinates beyond 1000 km of the origin or the first root. Cost linear.
+/// coordinates beyond 1000 km of the origin or the first root, and for radii above 1 km. Cost linear.
 Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement, const std::string& file);
 
 }  // namespace meristem

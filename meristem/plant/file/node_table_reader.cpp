@@ -38,12 +38,13 @@ struct Row {
 };
 
 [[noreturn]] void fail(const std::string& file, int line, std::string message, std::string expected,
-                       std::string nearest = {}) {
+                       std::string nearest = {}, int column = 0) {
   throw InputError(Diagnostic{.message = std::move(message),
                               .expected = std::move(expected),
                               .nearest = std::move(nearest),
                               .file = file,
-                              .line = line});
+                              .line = line,
+                              .column = column});
 }
 
 /// A name of a column without capitals, units and signs: "Radius (m)" -> "radius", "start_X" -> "startx".
@@ -201,14 +202,16 @@ class TableReader {
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  std::size_t ask(const ColumnNames& column, bool is_needed, bool may_be_empty = false) {
+  std::size_t ask(const ColumnNames& column, bool is_needed, bool may_be_empty = false,
+                  const NumberLimit& limit = kFileNumber) {
     const std::optional<std::string> name = column.in(head_);
     if (!name && !is_needed) return kNone;
-    requests_.push_back({name.value_or(column.names[0]), true, may_be_empty});
+    requests_.push_back({name.value_or(column.names[0]), true, may_be_empty, limit});
     return requests_.size() - 1;
   }
   std::array<std::size_t, 3> ask(const std::array<ColumnNames, 3>& columns) {
-    return {ask(columns[0], true), ask(columns[1], true), ask(columns[2], true)};
+    const auto ask_for = [this](const ColumnNames& column) { return ask(column, true, false, kFileCoordinate); };
+    return {ask_for(columns[0]), ask_for(columns[1]), ask_for(columns[2])};
   }
 
   void ask_for_nodes() {
@@ -225,13 +228,13 @@ class TableReader {
     ask_for_radius(true);
     const bool has_end = kEnd[0].in(head_).has_value();
     other_ = ask(has_end ? kEnd : kDirection);
-    if (!has_end) length_ = ask(kLength, true);
+    if (!has_end) length_ = ask(kLength, true, false, kFileCoordinate);
     number_ = ask(kNumber, false);
     branch_ = ask(kCylinderBranch, false);
   }
   void ask_for_radius(bool is_needed) {
     is_diameter_ = !kRadius.in(head_) && kDiameter.in(head_);
-    radius_ = ask(is_diameter_ ? kDiameter : kRadius, is_needed, true);
+    radius_ = ask(is_diameter_ ? kDiameter : kRadius, is_needed, true, kFileRadius);
   }
 
   Columns read() {
@@ -353,9 +356,6 @@ class Sorter {
     std::map<std::array<double, 3>, NodeIndex> roots_at;  // where cylinders begin that have no parent
     for (const std::uint32_t k : order_) {
       const Row& row = rows_[k];
-      if (row.radius < 0) {
-        fail(file_, row.line, fmt::format("the radius {:.6g} is below 0", row.radius), "a radius of at least 0");
-      }
       NodeIndex parent = parent_[k] == kNoRow ? kNoNode : node_of[parent_[k]];
       const std::uint32_t branch =
           branches.emplace(row.branch, static_cast<std::uint32_t>(branches.size())).first->second;
@@ -445,21 +445,26 @@ class TreeFileReader {
     if (branch != names.end()) branch_ = static_cast<std::size_t>(branch - names.begin());
   }
 
-  double number(std::string_view text, std::string_view what) {
+  /// `text` is a part of the present line.
+  double number(std::string_view text, std::string_view what, const NumberLimit& limit = kFileNumber) {
     const std::string_view bare = without_blanks(text);
     double value = 0;
     const auto [end, error] = std::from_chars(bare.data(), bare.data() + bare.size(), value);
+    const std::string place = fmt::format("{} in the segment {} of the tree", in_quotes(bare), segment_);
+    const int column = 1 + static_cast<int>(text.data() - line_begin_);
     if (error != std::errc() || end != bare.data() + bare.size() || !std::isfinite(value)) {
-      fail(file_, line_,
-           fmt::format("{} in the segment {} of the tree is not a number", in_quotes(bare.substr(0, kMostLetters)),
-                       segment_),
-           fmt::format("{}, a finite number", what));
+      fail(file_, line_, place + " is not a number", fmt::format("{}, a finite number", what), {}, column);
+    }
+    if (!limit.holds(value)) {
+      const Diagnostic fault = number_fault(place, limit);
+      fail(file_, line_, fault.message, fault.expected, {}, column);
     }
     return value;
   }
 
   void read_tree(std::string_view line) {
     const double base = static_cast<double>(rows_.size());
+    line_begin_ = line.data();
     segment_ = 0;
     std::size_t skip = skipped_;
     std::vector<std::string_view> cells;
@@ -491,8 +496,9 @@ class TreeFileReader {
       }
       Row& row = rows_.emplace_back();
       row.number = base + static_cast<double>(segment_);
-      row.end = {number(cells[0], "x"), number(cells[1], "y"), number(cells[2], "z")};
-      row.radius = number(cells[3], "radius");
+      row.end = {number(cells[0], "x", kFileCoordinate), number(cells[1], "y", kFileCoordinate),
+                 number(cells[2], "z", kFileCoordinate)};
+      row.radius = number(cells[3], "radius", kFileRadius);
       const double parent = number(cells[parent_], "parent_id");
       row.parent = parent < 0 ? -1 : base + parent;
       if (branch_ != kNoColumn) row.branch = number(cells[branch_], "branch_id");
@@ -505,7 +511,8 @@ class TreeFileReader {
   const std::string& file_;
   const Limits& limits_;
   int line_ = 0;
-  std::size_t skipped_ = 0;  // parts of a line before its segments
+  const char* line_begin_ = nullptr;  // of the present line
+  std::size_t skipped_ = 0;           // parts of a line before its segments
   std::size_t width_ = 0;
   static constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
   std::size_t parent_ = 0;

@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/hash.h"
+#include "meristem/base/number_limit.h"
 #include "meristem/plant/mtg/mtg.h"
 #include "meristem/plant/mtg/mtg_header.h"
 #include "meristem/plant/mtg/mtg_text.h"
@@ -159,6 +160,13 @@ class TreeReader {
                     {.message = fmt::format("{} cannot be the {} of {}", shown(cells[k].text), declared.name,
                                             tree_.label(named_.last)),
                      .expected = "a number or nothing"});
+        continue;
+      }
+      if (declared.is_number && !kFileNumber.holds(*to_number(cells[k].text))) {
+        faults_.add(line_, cells[k].offset,
+                    number_fault(
+                        fmt::format("{}, the {} of {},", shown(cells[k].text), declared.name, tree_.label(named_.last)),
+                        kFileNumber));
         continue;
       }
       if (declared.name == "Alias") aliases_.insert_or_assign(std::string(cells[k].text), named_.last);

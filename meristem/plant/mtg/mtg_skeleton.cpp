@@ -8,13 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/number_limit.h"
 #include "meristem/plant/mtg/mtg_columns.h"
 #include "meristem/plant/mtg/mtg_text.h"
 
 namespace meristem {
 namespace {
-
-constexpr double kFarthest = 1e6;  // metres
 
 class SkeletonReader {
  public:
@@ -108,9 +107,10 @@ class SkeletonReader {
     DVec3 given;
     for (int k = 0; k < 3; ++k) given[k] = position_.at(static_cast<std::size_t>(k))[vertex];
     if (std::isnan(given.x + given.y + given.z)) return {};
-    if (std::abs(given.x) > kFarthest || std::abs(given.y) > kFarthest || std::abs(given.z) > kFarthest) {
+    if (std::abs(given.x) > kMaxCoordinate || std::abs(given.y) > kMaxCoordinate ||
+        std::abs(given.z) > kMaxCoordinate) {
       fail(vertex, fmt::format("{} is too far away", tree_.label(vertex)),
-           fmt::format("coordinates within {:.0f} m", kFarthest));
+           fmt::format("coordinates within {:.0f} m", kMaxCoordinate));
     }
     return Vec3(given.x, given.z, -given.y);
   }
@@ -118,9 +118,9 @@ class SkeletonReader {
   std::optional<float> radius(MtgVertex vertex) const {
     const double diameter = diameter_[vertex];
     if (std::isnan(diameter)) return {};
-    if (diameter < 0 || diameter > kFarthest) {
+    if (diameter < 0 || diameter > 2 * kMaxRadius) {
       fail(vertex, fmt::format("{} has a diameter of {:.4g} m", tree_.label(vertex), diameter),
-           fmt::format("one from 0 to {:.0f} m", kFarthest));
+           fmt::format("one from 0 to {:.0f} m", 2 * kMaxRadius));
     }
     return static_cast<float>(diameter / 2);
   }

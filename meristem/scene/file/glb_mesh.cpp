@@ -16,6 +16,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/number_limit.h"
 #include "meristem/scene/file/glb_file.h"
 
 namespace meristem {
@@ -170,6 +171,12 @@ class SceneReader {
       const DVec3 position(placed * local);
       if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
         glb_.fail(place, fmt::format("vertex {} has a coordinate that is not finite", k), "finite numbers");
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        if (kFileCoordinate.holds(position[axis])) continue;
+        const Diagnostic fault =
+            number_fault(fmt::format("the coordinate {:.6g} of vertex {}", position[axis], k), kFileCoordinate);
+        glb_.fail(place, fault.message, fault.expected);
       }
       mesh_.positions.push_back(position);
     }

@@ -10,6 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/number_limit.h"
 #include "meristem/base/read_file.h"
 #include "meristem/scene/file/glb_mesh.h"
 #include "meristem/scene/file/ply_file.h"
@@ -64,6 +65,7 @@ class ObjReader {
       if (!number || !std::isfinite(*number)) {
         text_.fail(fmt::format("{} is not a finite number", in_quotes(word)), "a coordinate");
       }
+      if (!kFileCoordinate.holds(*number)) text_.fail(number_fault(in_quotes(word), kFileCoordinate));
       position[k] = *number;
     }
   }
@@ -128,6 +130,9 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Li
       for (int k = 0; k < 3; ++k) {
         position[k] = row.values[columns[static_cast<std::size_t>(k)]];
         if (!std::isfinite(position[k])) ply.fail(element, row, "a coordinate is not a finite number", "a number");
+        if (kFileCoordinate.holds(position[k])) continue;
+        const Diagnostic fault = number_fault(fmt::format("the coordinate {:.6g}", position[k]), kFileCoordinate);
+        ply.fail(element, row, fault.message, fault.expected);
       }
     } else if (&element == faces) {
       corners.clear();

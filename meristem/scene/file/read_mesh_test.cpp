@@ -75,11 +75,14 @@ TEST(ReadMesh, EveryFaultHasItsPlace) {
 
 TEST(ReadMesh, WhatIsNoNumberOrPromisesTooMuchIsRefused) {
   EXPECT_EQ(fault("v 0 -inf 0\n"), "body:1:5: '-inf' is not a finite number; expected a coordinate");
+  EXPECT_EQ(fault("v 0 0 1e308\n"), "body:1:7: '1e308' is out of range; expected a coordinate from -1e+12 to 1e+12");
   EXPECT_EQ(fault("v 0 1e999 0\n"), "body:1:5: '1e999' is not a finite number; expected a coordinate");
   EXPECT_EQ(fault("v 0 0 0\nf 1 1 1000000000\n"), "body:2:7: there is no vertex 1000000000; expected at most 1");
   std::string text = kPly;
   text.replace(text.find("1 1 0"), 5, "nan 1");
   EXPECT_EQ(fault(text), "body:13: row 3 of 'vertex': a coordinate is not a finite number; expected a number");
+  text.replace(text.find("nan 1"), 5, "1e13 ");
+  EXPECT_EQ(fault(text).substr(0, 62), "body:13: row 3 of 'vertex': the coordinate 1e+13 is out of ran");
   text = kPly;
   text.replace(text.find("element face 2"), 14, "element face 1000000000");
   EXPECT_EQ(fault(text),

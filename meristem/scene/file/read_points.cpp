@@ -9,6 +9,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/number_limit.h"
 #include "meristem/base/read_file.h"
 #include "meristem/scene/file/ply_file.h"
 #include "meristem/scene/file/text_scanner.h"
@@ -45,9 +46,12 @@ PointCloud parse_ply_points(std::string_view bytes, const std::string& file, con
     DVec3& point = points.emplace_back();
     for (int k = 0; k < 3; ++k) {
       point[k] = row.values[columns[static_cast<std::size_t>(k)]];
-      if (std::isfinite(point[k])) continue;
-      ply.fail(element, row, fmt::format("{} is not a finite number", kAxes[static_cast<std::size_t>(k)]),
-               "a number (m)");
+      if (kFileCoordinate.holds(point[k])) continue;
+      const char* const axis = kAxes[static_cast<std::size_t>(k)];
+      if (!std::isfinite(point[k]))
+        ply.fail(element, row, fmt::format("{} is not a finite number", axis), "a number (m)");
+      const Diagnostic fault = number_fault(fmt::format("{} = {:.6g}", axis, point[k]), kFileCoordinate);
+      ply.fail(element, row, fault.message, fault.expected);
     }
   });
   return points;
@@ -72,6 +76,7 @@ PointCloud parse_text(std::string_view bytes, const std::string& file, const Lim
       const std::optional<double> number = parse_number(word);
       if (!number) text.fail(fmt::format("{} is not a number", in_quotes(word)), fmt::format("{} (m)", axis));
       if (!std::isfinite(*number)) text.fail(fmt::format("{} is not a finite number", axis), "a number (m)");
+      if (!kFileCoordinate.holds(*number)) text.fail(number_fault(in_quotes(word), kFileCoordinate));
       point[k] = *number;
     }
     if (points.size() >= limits.points) throw_too_many(static_cast<double>(points.size()) + 1, limits, file);

@@ -94,6 +94,7 @@ TEST(ReadPoints, EveryFaultOfATextHasItsLine) {
   EXPECT_EQ(fault("1 2 3\n\n1 2 nan\n"), "scan:3:5: z is not a finite number; expected a number (m)");
   EXPECT_EQ(fault("inf 2 3\n"), "scan:1:1: x is not a finite number; expected a number (m)");
   EXPECT_EQ(fault("1 2 1e999\n"), "scan:1:5: z is not a finite number; expected a number (m)");
+  EXPECT_EQ(fault("1 -2e12 3\n"), "scan:1:3: '-2e12' is out of range; expected a coordinate from -1e+12 to 1e+12");
   EXPECT_EQ(fault("# nothing\n"), "scan: the file has no points; expected a point or more");
   EXPECT_THROW(parse("1 2 3\n1 2 3\n1 2 3\n", 2), InputError);
 }
@@ -120,6 +121,8 @@ TEST(ReadPoints, EveryFaultOfAPlyHasItsPlace) {
             "scan:3:16: 'two' is not a number of rows; expected a whole number of at least 0");
   EXPECT_EQ(with("end_header", "endheader").substr(0, 45), "scan:10:1: 'endheader' has no meaning in a he");
   EXPECT_EQ(with("2.5 -3", "2.5 nan"), "scan:11: row 1 of 'vertex': z is not a finite number; expected a number (m)");
+  EXPECT_EQ(with("2.5 -3", "2.5 1e13"),
+            "scan:11: row 1 of 'vertex': z = 1e+13 is out of range; expected a coordinate from -1e+12 to 1e+12");
   EXPECT_EQ(with("4 0 5", "4 0 five"), "scan:12: row 2 of 'vertex': 'five' is not a number; expected a number");
   EXPECT_EQ(with("4 0 5 6e-3\n3 0 1 0\n", "4 0 5"),
             "scan:12: row 2 of 'vertex': the file is cut off here; expected the whole file");

@@ -68,12 +68,14 @@ bool TextScanner::next_line() {
 }
 
 void TextScanner::fail(std::string message, std::string expected, std::string nearest) const {
-  throw InputError(Diagnostic{.message = std::move(message),
-                              .expected = std::move(expected),
-                              .nearest = std::move(nearest),
-                              .file = file_,
-                              .line = word_line_,
-                              .column = static_cast<int>(word_column_)});
+  fail(Diagnostic{.message = std::move(message), .expected = std::move(expected), .nearest = std::move(nearest)});
+}
+
+void TextScanner::fail(Diagnostic fault) const {
+  fault.file = file_;
+  fault.line = word_line_;
+  fault.column = static_cast<int>(word_column_);
+  throw InputError(std::move(fault));
 }
 
 }  // namespace meristem

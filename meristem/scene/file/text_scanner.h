@@ -31,6 +31,7 @@ class TextScanner {
 
   /// Throws InputError at the last word.
   [[noreturn]] void fail(std::string message, std::string expected, std::string nearest = {}) const;
+  [[noreturn]] void fail(Diagnostic fault) const;
 
  private:
   void skip_blanks();

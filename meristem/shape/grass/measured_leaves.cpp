@@ -227,8 +227,13 @@ bool turn_to_base(MeasuredCurve& widths) {
 
 std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits,
                                         std::vector<Diagnostic>& warnings) {
-  const Columns columns =
-      read_columns(text, {{"rank", false}, {"lindex", false}, {"age", false}, {"x"}, {"y"}}, limits);
+  const Columns columns = read_columns(text,
+                                       {{"rank", false},
+                                        {"lindex", false},
+                                        {"age", false},
+                                        {"x", .limit = kFileCoordinate},
+                                        {"y", .limit = kFileCoordinate}},
+                                       limits);
   std::vector<Diagnostic> faults;
   std::vector<MeasuredCurve> midribs =
       curves_of(columns, {.rank = 0, .lindex = 1, .age = 2, .first = 3, .second = 4}, faults);
@@ -241,8 +246,14 @@ std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& lim
 }
 
 std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings) {
-  Columns columns = read_columns(
-      text, {{"rank", false}, {"rankclass", false}, {"lindex", false}, {"age", false}, {"s"}, {"r"}}, limits);
+  Columns columns = read_columns(text,
+                                 {{"rank", false},
+                                  {"rankclass", false},
+                                  {"lindex", false},
+                                  {"age", false},
+                                  {"s", .limit = kFileCoordinate},
+                                  {"r", .limit = kFileCoordinate}},
+                                 limits);
   const std::size_t rank = columns.has(0) ? 0 : 1;
   std::vector<Diagnostic> faults;
   std::vector<MeasuredCurve> all =

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 
 #include "apps/studio/job_watch.h"
 #include "apps/studio/page_files.h"
+#include "apps/studio/redirect_page.h"
 #include "apps/studio/server.h"
 #include "commands.h"
 #include "documents.h"
@@ -32,22 +34,27 @@ struct StudioOptions {
   bool no_browser = false;
 };
 
-/// Opens the address in the user's browser, where there is a desktop with one.
-void open_browser(const std::string& address) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+/// Returns true if the user has a desktop, which can open a browser.
+bool has_desktop() { return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr; }
+
+/// Opens a page in the user's browser.
+void open_browser(const studio::RedirectPage& page) {
   const pid_t child = ::fork();
   if (child != 0) {
-    // It ends at once: what opens the browser is its child, and nobody's once it has ended.
+    // The child ends at once. The program that opens the browser is a grandchild, which nobody needs to wait for.
     while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
     }
     return;
   }
-  // It must not take the studio's Ctrl-C, nor write between its lines.
+  // A session of its own: Ctrl-C in the terminal must not end the browser, and its output must not mix with the
+  // studio's.
   ::setsid();
   if (::fork() != 0) _exit(0);
   const int nowhere = ::open("/dev/null", O_RDWR);
-  if (nowhere < 0 || ::dup2(nowhere, 1) < 0 || ::dup2(nowhere, 2) < 0) _exit(1);
-  ::execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (nowhere < 0 || ::dup2(nowhere, stream) < 0) _exit(1);
+  }
+  ::execlp("xdg-open", "xdg-open", page.path().c_str(), static_cast<char*>(nullptr));
   _exit(1);
 }
 
@@ -89,12 +96,18 @@ void run_studio(const StudioOptions& options) {
   }
   studio::ServeOptions serving;
   if (options.port >= 0) serving.port = static_cast<std::uint16_t>(options.port);
+  std::optional<studio::RedirectPage> redirect;  // exists until the studio ends, since browsers may start slowly
   studio::serve(host, serving, [&](const std::string& address) {
     if (!studio::has_page())
       print_status("meristem: this program was built without the studio's page, which needs node");
     fmt::print("{}\n", address);
     std::fflush(stdout);
-    if (!options.no_browser) open_browser(address);
+    if (options.no_browser || !has_desktop()) return;
+    try {
+      open_browser(redirect.emplace(address));
+    } catch (const MachineError& error) {
+      print_status(fmt::format("meristem: no browser was opened: {}", error.what()));
+    }
   });
 }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <deque>
+#include <list>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -21,6 +22,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include "addresses.h"
@@ -44,14 +46,20 @@ using HttpRequest = http::request<http::empty_body>;
 
 constexpr std::uint16_t kPortsTried = 8;
 constexpr std::uint32_t kMostHeadBytes = 16'384;  // of a request
-constexpr int kMostHttpConnections = 64;
-constexpr std::chrono::seconds kHttpPatience{30};
-constexpr std::chrono::milliseconds kFarewell{300};    // for closing sockets
-constexpr std::size_t kMostQueuedBytes = 512'000'000;  // for a page that does not read
+// Anybody on this machine can connect. Connections that have not shown the secret get few places and little time, so
+// that they never keep a page out.
+constexpr std::size_t kMaxUnauthenticated = 32;
+constexpr std::chrono::seconds kUnauthenticatedPatience{5};  // for the whole head of the first request
+constexpr std::size_t kMaxAuthenticated = 64;                // HTTP connections; pages keep some of them open
+constexpr std::chrono::seconds kHttpPatience{30};            // for one request or answer of these
+constexpr std::chrono::milliseconds kAcceptPause{100};       // after the system has refused a connection
+constexpr std::chrono::milliseconds kFarewell{300};          // for closing sockets
+constexpr std::size_t kMostQueuedBytes = 512'000'000;        // for a page that does not read
 constexpr std::uint64_t kMostBeyond = 1'000'000;
 constexpr std::size_t kMostQueuedNews = 64;  // beyond which progress is not told
 
 class SocketConnection;
+class HttpConnection;
 
 /// What all connections share.
 struct Serving {
@@ -60,7 +68,9 @@ struct Serving {
   std::uint16_t port = 0;
   std::string tables{};
   std::set<SocketConnection*> sockets{};  // that are open, or will be
-  int http_connections = 0;
+  // HTTP connections by the time of their last request, oldest first.
+  std::list<HttpConnection*> unauthenticated{};
+  std::list<HttpConnection*> authenticated{};
   Worker messages{};
   asio::io_context io{1};  // the last, as what it has to do speaks of the others
 };
@@ -198,18 +208,30 @@ void SocketConnection::begin() {
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(Serving& serving, tcp::socket socket) : serving_(serving), stream_(std::move(socket)) {
-    ++serving_.http_connections;
+    serving_.unauthenticated.push_back(this);
   }
-  ~HttpConnection() { --serving_.http_connections; }
+  ~HttpConnection() { leave(); }
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
+  /// Returns true while a request is answered.
+  bool is_answering() const { return is_answering_; }
+
+  /// Closes the connection.
+  void drop() {
+    leave();
+    stream_.close();
+  }
+
   void read() {
+    is_answering_ = false;
     parser_.emplace();
     parser_->header_limit(kMostHeadBytes);
     parser_->body_limit(0);
-    stream_.expires_after(kHttpPatience);
+    // A fixed end: bytes that drip in do not move it.
+    stream_.expires_after(patience());
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      self->is_answering_ = true;
       if (error == http::error::header_limit)
         return self->refuse(http::status::request_header_fields_too_large,
                             "the request's head is too long (16384 bytes)");
@@ -226,6 +248,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     return {text.data(), text.size()};
   }
 
+  std::chrono::seconds patience() const { return is_authenticated_ ? kHttpPatience : kUnauthenticatedPatience; }
+
+  void leave() { (is_authenticated_ ? serving_.authenticated : serving_.unauthenticated).remove(this); }
+
+  /// Moves the connection to the list of authenticated ones. Returns false if there is no place for another one.
+  bool authenticate();
+
   void answer() {
     const HttpRequest& request = parser_->get();
     const auto hosts = request.equal_range(http::field::host);
@@ -234,6 +263,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       return refuse(http::status::forbidden, "the studio does not serve this host");
     const auto name = name_below_token({request.target().data(), request.target().size()}, serving_.token);
     if (!name) return refuse(http::status::not_found, "there is nothing here");
+    if (!authenticate()) {
+      return refuse(http::status::service_unavailable,
+                    fmt::format("{} answers are on their way already", kMaxAuthenticated));
+    }
     if (*name == "socket") return upgrade();
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return refuse(http::status::method_not_allowed, "only GET and HEAD are served");
@@ -331,7 +364,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       }
       self->read();
     };
-    stream_.expires_after(kHttpPatience);
+    stream_.expires_after(patience());
     if (wants_head) {
       auto serializer = std::make_shared<http::response_serializer<Body>>(*kept);
       http::async_write_header(stream_, *serializer,
@@ -346,15 +379,51 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::empty_body>> parser_;
   bool is_last_ = false;
+  bool is_authenticated_ = false;
+  bool is_answering_ = false;
 };
+
+/// Drops the connection that has waited longest for a request, if the list is full. Returns false if the list is still
+/// full, since all connections are being answered.
+bool make_room(std::list<HttpConnection*>& connections, std::size_t maximum) {
+  if (connections.size() < maximum) return true;
+  const auto idle = std::find_if(connections.begin(), connections.end(),
+                                 [](const HttpConnection* connection) { return !connection->is_answering(); });
+  if (idle == connections.end()) return false;
+  (*idle)->drop();
+  return true;
+}
+
+bool HttpConnection::authenticate() {
+  leave();
+  const bool has_room = is_authenticated_ || make_room(serving_.authenticated, kMaxAuthenticated);
+  is_authenticated_ = is_authenticated_ || has_room;
+  (is_authenticated_ ? serving_.authenticated : serving_.unauthenticated).push_back(this);
+  return has_room;
+}
+
+/// Keeps a socket from programs that this one starts: a browser that outlives the studio would hold its port.
+void close_on_exec(int descriptor) { ::fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
+
+void admit(Serving& serving, tcp::socket socket) {
+  close_on_exec(socket.native_handle());
+  // All connections in the list are being refused: close the oldest one earlier.
+  if (!make_room(serving.unauthenticated, kMaxUnauthenticated)) serving.unauthenticated.front()->drop();
+  std::make_shared<HttpConnection>(serving, std::move(socket))->read();
+}
 
 void accept_next(Serving& serving, tcp::acceptor& acceptor) {
   acceptor.async_accept([&serving, &acceptor](beast::error_code error, tcp::socket socket) {
     if (!acceptor.is_open()) return;
-    // Beyond that many, connections are closed without a word.
-    if (!error && serving.http_connections < kMostHttpConnections)
-      std::make_shared<HttpConnection>(serving, std::move(socket))->read();
-    accept_next(serving, acceptor);
+    if (!error) {
+      admit(serving, std::move(socket));
+      return accept_next(serving, acceptor);
+    }
+    // The system may be short of descriptors. Asking again at once would keep a processor busy.
+    auto pause = std::make_shared<asio::steady_timer>(serving.io, kAcceptPause);
+    pause->async_wait([&serving, &acceptor, pause](beast::error_code) {
+      if (acceptor.is_open()) accept_next(serving, acceptor);
+    });
   });
 }
 
@@ -363,6 +432,7 @@ bool listen(tcp::acceptor& acceptor, std::uint16_t port) {
   const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
   beast::error_code error;
   acceptor.open(here.protocol(), error);
+  if (!error) close_on_exec(acceptor.native_handle());
   if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
   if (!error) acceptor.bind(here, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);

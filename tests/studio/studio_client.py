@@ -24,12 +24,15 @@ class Response:
 
 
 class Studio:
-    """The program, serving a folder on a port of its own."""
+    """The program, serving a folder on a port of its own. With `environment`, which may name a desktop, it opens a browser."""
 
-    def __init__(self, program: str, root: Path, *arguments: str, path: str | None = None) -> None:
+    def __init__(self, program: str, root: Path, *arguments: str, path: str | None = None,
+                 environment: dict[str, str] | None = None) -> None:  # fmt: skip
+        browser = ["--no-browser"] if environment is None else []
         self.process = subprocess.Popen(
-            [program, "studio", "--no-browser", "--port", "0", "--root", str(root), *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ | ({"PATH": path} if path else {}),
+            [program, "studio", *browser, "--port", "0", "--root", str(root), *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            env=os.environ | ({"PATH": path} if path else {}) | (environment or {}),
         )  # fmt: skip
         assert self.process.stdout is not None
         self.address = self.process.stdout.readline().strip()

@@ -6,8 +6,11 @@ In:  the program; the folder of the source tree.
 
 from __future__ import annotations
 
+import contextlib
 import io
+import itertools
 import json
+import select
 import socket
 import subprocess
 import sys
@@ -17,7 +20,7 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from studio_client import Closed, Page, Studio, upgrade
+from studio_client import Closed, Page, Studio, read_response, upgrade
 
 PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
 BUSH = """{
@@ -45,6 +48,115 @@ class StudioTest(unittest.TestCase):
     def tearDownClass(cls) -> None:
         cls.studio.__exit__()
         cls.folder.cleanup()
+
+    # Many more connections than the server keeps without the secret.
+    FLOOD = 200
+    MAX_UNAUTHENTICATED = 32
+
+    def test_connections_without_the_secret_keep_no_page_out(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio, contextlib.ExitStack() as stack:
+            flood = [stack.enter_context(studio.connect()) for _ in range(self.FLOOD)]
+            slow = [stack.enter_context(studio.connect()) for _ in range(8)]
+            begin = time.monotonic()
+            self.assertEqual(studio.get("tables.json").status, 200)
+            with studio.page() as page:
+                self.assertLess(time.monotonic() - begin, 10)
+                # Each new connection takes the place of the oldest one.
+                open_ones = [one for one in flood if not select.select([one], [], [], 0)[0]]
+                self.assertLess(len(open_ones), self.MAX_UNAUTHENTICATED)
+                self.assertEqual(open_ones, flood[-len(open_ones):])
+                # The others end soon, whether they are silent or send a byte now and then.
+                left, head = [*open_ones, *slow], itertools.cycle(b"GET /index.html HTTP/1.1")
+                while left and time.monotonic() - begin < 20:
+                    byte = bytes([next(head)])
+                    for one in slow:
+                        with contextlib.suppress(OSError):
+                            one.sendall(byte)
+                    left = [one for one in left if not select.select([one], [], [], 0)[0]]
+                    time.sleep(0.1)
+                self.assertEqual(left, [])
+                self.assertEqual(page.ask("models")["is"], "done")
+
+    def test_pages_are_served_while_others_go_on_to_connect(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio, contextlib.ExitStack() as stack:
+            for _ in range(20):
+                for _ in range(self.MAX_UNAUTHENTICATED):
+                    stack.enter_context(studio.connect())
+                self.assertEqual(studio.get("tables.json").status, 200)
+
+    def test_a_connection_with_the_secret_stays_open_for_more(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio, contextlib.ExitStack() as stack:
+            kept = stack.enter_context(studio.connect())
+            stream = kept.makefile("rb")
+            request = f"GET /{studio.token}/tables.json HTTP/1.1\r\nHost: 127.0.0.1:{studio.port}\r\n\r\n".encode()
+            kept.sendall(request)
+            self.assertEqual(read_response(stream).status, 200)
+            for _ in range(self.FLOOD):
+                stack.enter_context(studio.connect())
+            kept.sendall(request)
+            self.assertEqual(read_response(stream).status, 200)
+
+    # Notes what a browser is started with: its arguments, its sockets, and the page that it is to open.
+    BROWSER = """#!/bin/sh
+printf '%s\\n' "$@" >{notes}/arguments
+for one in /proc/$$/fd/*; do
+  [ "${{one##*/}}" -le 2 ] || readlink "$one" | grep socket:
+done >{notes}/sockets
+stat -c '%a %n' "$1" "$(dirname "$1")" >{notes}/modes
+cp "$1" {notes}/page
+mv {notes}/page {notes}/page.html
+"""
+
+    def test_the_browser_is_given_a_private_page_in_place_of_the_secret(self) -> None:
+        with tempfile.TemporaryDirectory() as notes_folder:
+            notes = Path(notes_folder)
+            (notes / "bin").mkdir()
+            (notes / "temporary").mkdir()
+            browser = notes / "bin" / "xdg-open"
+            browser.write_text(self.BROWSER.format(notes=notes))
+            browser.chmod(0o755)
+            desktop = {"DISPLAY": ":0", "PATH": f"{browser.parent}:/usr/bin:/bin", "TMPDIR": str(notes / "temporary")}
+            with Studio(PROGRAM, Path(self.folder.name), environment=desktop) as studio:
+                while not (notes / "page.html").exists():
+                    self.assertIsNone(studio.process.poll())
+                    time.sleep(0.02)
+                self.assertIn(f'content="0; url={studio.address}"', (notes / "page.html").read_text())
+                path = (notes / "arguments").read_text().strip()
+                self.assertEqual((notes / "modes").read_text().split("\n")[:2], [f"600 {path}", f"700 {Path(path).parent}"])
+                self.assertNotIn(studio.token, path)
+                # A browser that outlives the studio would hold the studio's port.
+                self.assertEqual((notes / "sockets").read_text(), "")
+                for words in Path("/proc").glob("[0-9]*/cmdline"):
+                    with contextlib.suppress(OSError):
+                        self.assertNotIn(studio.token.encode(), words.read_bytes(), words)
+                self.assertTrue(Path(path).exists())
+                self.assertEqual(studio.stop(), 0)
+                self.assertEqual(list((notes / "temporary").iterdir()), [])
+
+    def test_serves_without_a_place_for_the_browsers_page(self) -> None:
+        desktop = {"DISPLAY": ":0", "TMPDIR": "/dev/null/nowhere"}
+        with Studio(PROGRAM, Path(self.folder.name), environment=desktop) as studio:
+            self.assertEqual(studio.get("tables.json").status, 200)
+            self.assertEqual(studio.stop(), 0)
+            assert studio.process.stderr is not None
+            self.assertIn("no browser was opened", studio.process.stderr.read())
+
+    def test_says_the_secret_nowhere_but_in_its_own_line(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio:
+            answers = [studio.get(path) for path in ("", "nothing", "socket", "/", "page.js")]
+            for response in answers:
+                self.assertEqual(response.headers["referrer-policy"], "no-referrer")
+                self.assertNotIn(studio.token, str(response.headers))
+                self.assertNotIn(studio.token.encode(), response.body)
+            with studio.page() as page:
+                page.ask("open", path="bush.json")
+                page.ask("command", format=".glb", name="bush")
+                page.ask("export", format=".glb", name="bush")
+                self.assertNotIn(studio.token, json.dumps(page.news))
+            self.assertEqual(studio.stop(), 0)
+            for stream in (studio.process.stdout, studio.process.stderr):
+                assert stream is not None
+                self.assertNotIn(studio.token, stream.read())
 
     def test_serves_tables_with_headers_that_keep_a_page_safe(self) -> None:
         response = self.studio.get("tables.json")

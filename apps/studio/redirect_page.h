@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opens the studio in a browser without its address in the arguments of a process.
+#pragma once
+
+#include <string>
+
+#include "meristem/base/whole_file.h"
+
+namespace meristem::studio {
+
+/// A page on the disk that sends a browser on to an address. All users of the machine can read the arguments of each
+/// process, and the address holds the studio's secret. The program that opens the browser gets only the path of this
+/// page. Only the user can read the page. It is removed with this object.
+class RedirectPage {
+ public:
+  /// Writes the page to a new private folder among the system's temporary files. Throws MachineError.
+  explicit RedirectPage(const std::string& address);
+
+  /// The absolute path of the page.
+  const std::string& path() const { return path_; }
+
+ private:
+  ScratchFolder folder_;
+  std::string path_;
+};
+
+}  // namespace meristem::studio

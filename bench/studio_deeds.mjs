@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person might do next in the studio, chosen by chance: each deed takes the page and draws all that it decides.
-// A deed that finds nothing to do gives false. None of them calls functions of the page: hands and keys do all.
-import { choose, leave_fields, open_file, open_model } from '../tests/studio/page/hands.mjs';
-import { settled } from '../tests/studio/page/support.mjs';
+// Random deeds of a person in the studio. Each deed takes the page and draws its decisions from `chance`.
+// A deed that finds nothing to do gives false. None of them calls functions of the page: hands and keys do all. Deeds
+// that save take the files of the server's folder as well (studio_soak.mjs).
+import { choose, leave_fields, open_file, open_model, row, save_as, save_here, start_new, type_into } from '../tests/studio/page/hands.mjs';
+import { patient, settled } from '../tests/studio/page/support.mjs';
 
 export const kModels = ['oak', 'pear-espalier', 'slender', 'sunflower', 'box-hedge', 'tulip', 'fern', 'caladium', 'low-poly-shrub', 'mint'];
-const kPatience = { timeout: 5000 };
+/// The small document that is open while memory is measured. No deed saves it.
+export const kRestFile = 'small.json';
+const kPatience = { timeout: patient(5000) };
+/// Names of files with letters that take two, three and four bytes, and with signs that shells and addresses treat apart.
+export const kFileNames = ['plain.json', 'Ähre.json', '樹 木.json', '🌳🌿.json', "it's 100% #1 & more.json"];
+/// Names of plants, likewise.
+export const kPlantNames = ['Ähre für Jürgen', '樹木', '🌳 with a "quoted" \\ word', 'Сосна'];
+
 
 /// Numbers from 0 to 1 that follow from a seed (mulberry32), and what is drawn with them.
 export class Chance {
@@ -151,7 +159,7 @@ async function see_growth(page, chance) {
   await steps.waitFor(kPatience);
   const slider = page.getByRole('slider', { name: 'Step of growth' });
   const [back, on] = [chance.whole(1, 25), chance.whole(0, 10)];
-  await slider.waitFor({ timeout: 3000 }).catch(() => undefined);
+  await slider.waitFor({ timeout: patient(3000) }).catch(() => undefined);
   if (await slider.isVisible()) {
     await slider.focus();
     await press(page, 'ArrowLeft', back);
@@ -217,7 +225,7 @@ async function look_at_strips(page, chance) {
   const button = one.getByRole('button', { name: /^Plants over/ });
   if (!(await button.isVisible())) return false;
   await button.click(kPatience);
-  await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length > 1, null, { timeout: 8000 }).catch(() => undefined);
+  await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length > 1, null, { timeout: patient(8000) }).catch(() => undefined);
   if (takes) await (await any(chance, page.locator('.strip button')))?.click(kPatience);
   if (closes) await button.click(kPatience);
   return true;
@@ -283,7 +291,7 @@ async function export_files(page, chance) {
   const button = dialog.getByRole('button', { name: 'Export', exact: true });
   if (await button.isEnabled(kPatience)) {
     await button.click(kPatience);
-    await dialog.locator('.made-file').waitFor({ timeout: chance.happens(0.8) ? 20000 : 50 }).catch(() => undefined);
+    await dialog.locator('.made-file').waitFor({ timeout: chance.happens(0.8) ? patient(20000) : 50 }).catch(() => undefined);
   }
   return true;
 }
@@ -319,12 +327,75 @@ async function hide_and_show(page, chance) {
   return true;
 }
 
+/// Types the document's name in the inspector.
+export async function name_the_plant(page, name) {
+  await leave_fields(page);
+  await show_inspector(page);
+  await choose(page, 'Document');
+  await type_into(page, row(page, 'name').getByRole('textbox'), name);
+}
+
+async function rename_the_plant(page, chance) {
+  await name_the_plant(page, chance.one_of(kPlantNames));
+  return true;
+}
+
+async function start_a_new_one(page, chance) {
+  await start_new(page);
+  const name = chance.one_of(kPlantNames);
+  if (chance.happens(0.7)) await name_the_plant(page, name);
+  return true;
+}
+
+const answer_of = (chance) => (chance.happens(0.8) ? 'Save anyway' : 'Do not save');
+
+async function save_under_a_name(page, chance) {
+  return save_as(page, chance.one_of(kFileNames), answer_of(chance));
+}
+
+/// Saves where it was opened or saved before.
+async function save_it_here(page, chance) {
+  const [name, answer] = [chance.one_of(kFileNames), answer_of(chance)];
+  const { path } = await page.evaluate(() => window.studio.document.state.get());
+  return path === null || path === kRestFile ? save_as(page, name, answer) : save_here(page, answer);
+}
+
+/// Saves after another program has written the file.
+async function save_over_others(page, chance, files) {
+  const answer = answer_of(chance);
+  const { path } = await page.evaluate(() => window.studio.document.state.get());
+  if (path === null || path === kRestFile) return false;
+  const other = `{"meristem": 1, "name": "Written by another program", "seed": ${chance.whole(1, 9999)}}\n`;
+  await files.write(path, other);
+  return save_here(page, answer);
+}
+
+async function save_change_and_save(page, chance) {
+  const [name, answer] = [chance.one_of(kFileNames), answer_of(chance)];
+  if (!(await save_as(page, name, answer))) return false;
+  await leave_fields(page);
+  await press(page, 'r', chance.whole(1, 3));
+  await settled(page);
+  return save_here(page, answer);
+}
+
+async function reopen_a_file(page, chance, files) {
+  const share = chance.next();
+  const names = await files.documents();
+  if (names.length === 0) return false;
+  const name = names[Math.min(names.length - 1, Math.floor(share * names.length))];
+  await open_file(page, name);
+  await files.compare_opened(page, name);
+  return true;
+}
+
 /// With how often each is done, beside the others.
 export const kDeeds = [
   [6, open_another], [12, pull_a_handle], [12, pull_a_row], [12, type_a_number], [10, undo_and_redo], [8, click_the_plant],
   [6, walk_the_tree], [5, see_growth], [5, scrub_time], [10, open_panels], [4, type_text], [4, look_at_strips],
   [2, throw_nine], [3, pin_a_state], [6, move_the_camera], [6, move_grips], [4, export_files], [4, work_on_the_board],
-  [4, draw_anew], [4, hide_and_show],
+  [4, draw_anew], [4, hide_and_show], [3, rename_the_plant], [3, start_a_new_one], [4, save_under_a_name], [6, save_it_here],
+  [2, save_over_others], [3, save_change_and_save], [4, reopen_a_file],
 ];
 
 export function next_deed(chance) {

@@ -1,39 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 // The studio under random hands for a long time: node bench/studio_soak.mjs [MINUTES] [SEED]
 //
-// A headless browser shows the page of a real server; deeds follow each other by chance (studio_deeds.mjs). A fault is an
-// error of the page, a server that ends, a page that does not come to rest, a text of which page and server have not the
-// same, or undoing everything without the first text. All deeds follow from the seed, as far as the machine is equally
-// fast, and the last ones before a fault are told. Memory is measured each minute with a small document at rest: what the
-// page's script holds after its garbage was collected, and that with the code that the engine compiles of it, the more
-// the longer it is used; the view's buffers; and the server's. It begins when each document has been open, each deed has
-// been done, and a sixth of the time is over, so that all that is made once is there. How much memory rises is told by
-// the least of the first and of the last third of these figures: the server's allocator and the system's large pages keep
-// now more and now less of what was freed, up to as much again, and a leak raises the least too. The table's lines go to
-// the file that MERISTEM_BENCH_TABLE names. MERISTEM_BENCH=small does a few deeds and measures nothing. MERISTEM,
-// MERISTEM_CHROMIUM: as for the page's tests; MERISTEM_SOAK_MINUTES, MERISTEM_SOAK_SEED: for words that are not given;
-// MERISTEM_SOAK_TELLS=1 prints each deed; MERISTEM_SOAK_SNAPSHOTS: a folder for the page's heap at the first and at the
-// last of these moments, which the browser's tools can compare.
-import { appendFile, mkdir, readFile, writeFile } from 'node:fs/promises';
+// A headless browser shows the page of a real server. First comes a tour (studio_tour.mjs), which sends each request of
+// the protocol at least once. Then random deeds follow each other (studio_deeds.mjs). The run fails in these cases:
+// - The page reports an error, or does not come to rest. The server ends, or a sanitizer reports a fault.
+// - A request of the protocol was never sent.
+// - A saved file does not hold the page's text, or the page shows another text than the file that it opened.
+// - The server has another text than the page. Undoing everything does not give back the first text.
+// The seed decides all deeds, on machines that are equally fast. A fault is printed with the last deeds before it and with
+// what the server has written.
+//
+// Memory is measured each minute while a small document is open: the page's script after a garbage collection (with and
+// without compiled code), the view's buffers, and the server. Measuring begins after each document was open, each deed was
+// done, and a sixth of the time has passed: by then everything exists that is made once. The rise of memory compares the
+// smallest figure of the first third with that of the last third. Single figures vary up to twofold, since the server's
+// allocator and the system's large pages keep freed memory; a leak raises the smallest figure too.
+//
+// MERISTEM, MERISTEM_CHROMIUM, MERISTEM_SLOWNESS: as for the page's tests. MERISTEM_SOAK_MINUTES, MERISTEM_SOAK_SEED:
+// defaults of the two arguments. MERISTEM_SOAK_SANITIZED=1: the server has sanitizers, so memory is not measured.
+// MERISTEM_SOAK_TELLS=1 prints each deed. MERISTEM_SOAK_SNAPSHOTS: a folder for the page's heap at the first and at the last
+// measurement, which the browser's tools can compare. MERISTEM_BENCH=small: the tour and a few deeds, without measurements.
+// MERISTEM_BENCH_TABLE: a file that gets the lines of the table.
+import { appendFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import { existsSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import process from 'node:process';
 
 import { buffers_of, heap_of, memory_of, objects_in, snapshot_of } from './studio_measure.mjs';
-import { Chance, kDeeds, kModels, next_deed } from './studio_deeds.mjs';
+import { Chance, kDeeds, kModels, kRestFile, next_deed } from './studio_deeds.mjs';
+import { kTour, prepare_tour, protocol_requests } from './studio_tour.mjs';
 import { leave_fields, open_file, open_model, undo_all } from '../tests/studio/page/hands.mjs';
-import { kSource, open_page, settled, start_browser, start_server, temporary_folder, text_of, write_document } from '../tests/studio/page/support.mjs';
+import { kSource, open_page, patient, settled, start_browser, start_server, temporary_folder, text_of, write_document } from '../tests/studio/page/support.mjs';
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
+const is_measured = !is_small && !process.env.MERISTEM_SOAK_SANITIZED;
 const minutes = Number(process.argv[2] ?? process.env.MERISTEM_SOAK_MINUTES ?? 3);
 const seed = Number(process.argv[3] ?? process.env.MERISTEM_SOAK_SEED ?? 1);
 const kSmall = { meristem: 1, components: { stem: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 0.1, width: 0.05 } }, links: [{ from: 'stem', to: 'leaf', kind: 'branch', count: 8 }] };
-const kSmallDeeds = 6;
+const kSmallDeeds = 6; // that are done at least, after the tour
 const kMostFaults = 10;
 const kFlat = 10; // percent that memory may rise
 const kRests = 0.25; // share of deeds after which the page must come to rest
 const kToFirst = 0.05; // share after which all is undone
+const kReport = /AddressSanitizer|LeakSanitizer|UndefinedBehaviorSanitizer|runtime error:/;
 
 const chance = new Chance(seed);
 const faults = [];
@@ -49,8 +59,8 @@ function add_fault(what) {
   console.log(`FAULT ${faults.length} at ${((Date.now() - began) / 1000).toFixed(0)} s, seed ${seed}: ${what}\n  after ${last.slice(-12).join(', ')}`);
 }
 
-/// All that chance decides in the page follows from the seed, too; and texts that are sent whole are counted, since the
-/// page sends them where the server has another one.
+/// Runs in the page before its own script. Draws the page's random numbers from the seed, counts requests by their names,
+/// and keeps the texts that were saved. A `text` request tells that the server had another text than the page.
 function prepare(from) {
   let state = from >>> 0;
   Math.random = () => {
@@ -59,7 +69,8 @@ function prepare(from) {
     mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
     return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
   };
-  window.whole_texts = 0;
+  window.requests = {};
+  window.saved_texts = {};
   window.restored = 0;
   let studio;
   Object.defineProperty(window, 'studio', {
@@ -68,9 +79,12 @@ function prepare(from) {
       studio = one;
       const { connection, keeper } = one;
       const request = connection.request.bind(connection);
-      connection.request = (what, ...rest) => {
-        if (what === 'text') window.whole_texts += 1;
-        return request(what, ...rest);
+      connection.request = async (what, ...rest) => {
+        window.requests[what] = (window.requests[what] ?? 0) + 1;
+        const { text } = one.document.state.get();
+        const answer = await request(what, ...rest);
+        if (what === 'save') window.saved_texts[answer.path] = text;
+        return answer;
       };
       const restore = keeper.restore.bind(keeper);
       keeper.restore = (work) => {
@@ -90,12 +104,12 @@ async function close_all(page) {
 /// A growth that a limit of the document refuses is at rest, too: what was shown before stays.
 async function rest(page) {
   await close_all(page);
-  await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0, null, { timeout: 60_000 });
+  await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0, null, { timeout: patient(60_000) });
   const is_refused = await page.evaluate(() => window.studio.growth.get().failed !== null);
   if (!is_refused) await settled(page).catch(async (fault) => {
     if ((await page.evaluate(() => window.studio.growth.get().failed)) === null) throw fault;
   });
-  const { whole, restored } = await page.evaluate(() => ({ whole: window.whole_texts, restored: window.restored }));
+  const { whole, restored } = await page.evaluate(() => ({ whole: window.requests.text ?? 0, restored: window.restored }));
   if (whole > restored + rest.known) {
     add_fault('the server had another text than the page');
     rest.known = whole - restored;
@@ -103,7 +117,8 @@ async function rest(page) {
 }
 rest.known = 0;
 
-const document_of = (page) => page.evaluate(() => `${window.studio.document.state.get().path} ${window.studio.document.state.get().model}`);
+/// Another text for each document, and for each time that one is opened.
+const document_of = (page) => page.evaluate(() => `${window.studio.document.state.get().path} ${window.studio.document.state.get().model} ${window.requests.open}`);
 
 /// The text with which the document was opened, or with which unsaved work has begun.
 const first_text = (page) => page.evaluate(() => {
@@ -129,7 +144,7 @@ async function held(page, session, server) {
     studio.change_view({ drawing: 'shaded' });
   });
   // Opened twice: with the second growth goes what the jobs of the document before have freed late.
-  for (let k = 0; k < 2; k += 1) await open_file(page, 'small.json');
+  for (let k = 0; k < 2; k += 1) await open_file(page, kRestFile);
   await page.waitForTimeout(1000); // kept work is let go
   await settled(page);
   const heap = await heap_of(session);
@@ -155,7 +170,7 @@ async function do_deed(page, deed, opened, first) {
   last.push(deed.name);
   const began_at = Date.now();
   try {
-    const is_done = await deed(page, chance);
+    const is_done = await deed(page, chance, files);
     done.set(deed.name, (done.get(deed.name) ?? 0) + (is_done ? 1 : 0));
   } catch (fault) {
     const why = `${deed.name}: ${String(fault.message).split('\n')[0].slice(0, 160)}`;
@@ -171,14 +186,44 @@ async function do_deed(page, deed, opened, first) {
   if (process.env.MERISTEM_SOAK_TELLS) console.log(`  ${deed.name} ${Date.now() - began_at} ms`);
 }
 
+/// The files in the server's folder, which the deeds save and open.
+const files = {
+  folder: '',
+  read: (name) => readFile(path.join(files.folder, name), 'utf8'),
+  write: (name, text) => write_document(files.folder, name, text),
+  /// Names of the documents that may be saved over.
+  async documents() {
+    return (await readdir(files.folder)).filter((name) => name.endsWith('.json') && name !== kRestFile).sort();
+  },
+  async compare_opened(page, name) {
+    if ((await text_of(page)) !== (await files.read(name))) add_fault(`the page shows ${name} with another text than the file's`);
+  },
+  /// Compares what was saved since the last time with the files.
+  async compare_saved(page) {
+    const saved = await page.evaluate(() => {
+      const texts = window.saved_texts;
+      window.saved_texts = {};
+      return texts;
+    });
+    for (const [name, text] of Object.entries(saved)) {
+      const there = await files.read(name).catch(String);
+      if (there !== text) add_fault(`${name} was saved with another text than the page's: ${JSON.stringify(there.slice(0, 80))} in place of ${JSON.stringify(text.slice(0, 80))}`);
+      saves += 1;
+    }
+  },
+};
+let saves = 0;
+
 const place = await temporary_folder();
+files.folder = place.folder;
 const browser = await start_browser();
 const load = os.loadavg()[0];
 try {
-  await write_document(place.folder, 'small.json', JSON.stringify(kSmall));
+  await prepare_tour(place.folder);
+  await write_document(place.folder, kRestFile, JSON.stringify(kSmall));
   await write_document(place.folder, 'own.json', await readFile(path.join(kSource, 'models', 'oak.json'), 'utf8'));
-  const server = await start_server(place.folder, is_small ? 'small.json' : 'own.json');
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+  const server = await start_server(place.folder, is_measured ? 'own.json' : kRestFile);
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, permissions: ['clipboard-read', 'clipboard-write'] });
   await context.addInitScript(prepare, seed);
   const page = await open_page(context, server.address);
   await page.getByRole('button', { name: 'Start', exact: true }).click();
@@ -191,17 +236,43 @@ try {
   let deeds = 0;
   let opened = '';
   let first = null;
-  const do_one = async (deed) => {
+  const look_for_faults = async () => {
+    if (kReport.test(server.log())) throw new Error('a sanitizer reports a fault of the server');
+    if (!existsSync(`/proc/${server.pid}`)) throw new Error('the server has ended');
+    const complaints = page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault));
+    for (const fault of complaints.slice(told)) add_fault(`the page: ${fault}`);
+    if (complaints.length > told) await page.screenshot({ path: path.join(folder, `soak-fault-${faults.length}.png`) }).catch(() => undefined);
+    told = complaints.length;
+    await files.compare_saved(page);
+  };
+  const has_ended = server.ended.then(() => {
+    throw new Error('the server has ended');
+  });
+  has_ended.catch(() => undefined); // where nothing waits for it
+  /// Does something that ends with the server.
+  const while_served = (act) => Promise.race([act(), has_ended]);
+  const do_one = (deed) => while_served(async () => {
     const name = await document_of(page);
     if (name !== opened) first = await first_text(page);
     opened = name;
     await do_deed(page, deed, opened, first);
     deeds += 1;
-    const complaints = page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault));
-    for (const fault of complaints.slice(told)) add_fault(`the page: ${fault}`);
-    if (complaints.length > told) await page.screenshot({ path: path.join(folder, `soak-fault-${faults.length}.png`) }).catch(() => undefined);
-    told = complaints.length;
-    if (!existsSync(`/proc/${server.pid}`)) throw new Error('the server has ended');
+    await look_for_faults();
+  });
+  const go_on_tour = async () => {
+    for (const part of kTour) {
+      last.push(part.name);
+      const began_at = Date.now();
+      await while_served(() => part(page, files)).catch((fault) => {
+        throw new Error(`the tour, ${part.name}: ${fault.message}`, { cause: fault });
+      });
+      await while_served(look_for_faults);
+      if (process.env.MERISTEM_SOAK_TELLS) console.log(`  ${part.name} ${Date.now() - began_at} ms`);
+    }
+    const sent = await page.evaluate(() => window.requests);
+    const missing = (await protocol_requests()).filter((name) => !(name in sent));
+    if (missing.length > 0) add_fault(`the tour never sends these requests of the protocol: ${missing.join(', ')}`);
+    console.log(`the tour took ${((Date.now() - began) / 1000).toFixed(0)} s and sent ${Object.keys(sent).length} kinds of requests`);
   };
   const tell_held = (now) => console.log(`${((Date.now() - began) / 60_000).toFixed(1).padStart(6)} min  ${String(deeds).padStart(5)} deeds  page ${digits(now.objects)} MB of ${digits(now.heap)} with code, ${now.buffers} buffers, ${now.nodes} nodes, ${now.listeners} listeners; server ${digits(now.server)} MB`);
   const measure = async () => {
@@ -212,25 +283,29 @@ try {
   };
   const figures = [];
   try {
-    if (!is_small) {
+    await go_on_tour();
+    if (is_measured) {
       for (const [k, model] of kModels.entries()) {
         await open_model(page, model);
         for (let n = k; n < kDeeds.length; n += kModels.length) await do_one(kDeeds[n][1]);
       }
     }
     let next_minute = 0;
-    while ((is_small ? deeds < kSmallDeeds : share() < 1) && faults.length < kMostFaults) {
+    while ((deeds < kSmallDeeds || (!is_small && share() < 1)) && faults.length < kMostFaults) {
       await do_one(next_deed(chance));
-      if (!is_small && share() >= 1 / 6 && Date.now() - began > next_minute * 60_000) {
+      if (is_measured && share() >= 1 / 6 && Date.now() - began > next_minute * 60_000) {
         figures.push(await measure());
         next_minute = Math.floor((Date.now() - began) / 60_000) + 1;
       }
     }
-    const end = is_small ? null : await measure();
+    const end = is_measured ? await measure() : null;
     if (end && (figures.length < 2 || Date.now() - began > (next_minute - 0.7) * 60_000)) figures.push(end);
   } catch (fault) {
     add_fault(String(fault.message));
   }
+  const code = await server.stop();
+  if (code !== 0) add_fault(`the server has ended with ${code}`);
+  else if (kReport.test(server.log())) add_fault('a sanitizer reports a fault of the server at its end');
   console.log([...done].map(([name, count]) => `${name} ${count}`).join(', '));
   for (const [why, count] of missed) console.log(`  could not be done ${count} times: ${why}`);
   const lines = [['faults', faults.length, '', 0]];
@@ -241,9 +316,9 @@ try {
     console.log(`${`soak/${what}`.padEnd(24)} ${digits(value).padStart(8)} ${unit.padEnd(8)} ${asked}  ${verdict}`);
     if (process.env.MERISTEM_BENCH_TABLE && !is_small) await appendFile(process.env.MERISTEM_BENCH_TABLE, `${[`studio soak:${minutes}min/${what}`, `${digits(value)} ${unit}`, '', '', asked, verdict].join('\t')}\n`);
   }
-  console.log(`${deeds} deeds in ${((Date.now() - began) / 60_000).toFixed(1)} minutes, seed ${seed}; load ${load.toFixed(2)} before, ${os.loadavg()[0].toFixed(2)} after`);
+  if (faults.length > 0 && server.log() !== '') console.log(`what the server has written:\n${server.log()}`);
+  console.log(`${deeds} deeds and ${saves} saved files in ${((Date.now() - began) / 60_000).toFixed(1)} minutes, seed ${seed}; load ${load.toFixed(2)} before, ${os.loadavg()[0].toFixed(2)} after`);
   await context.close();
-  await server.stop();
 } finally {
   await browser.close();
   await place.remove();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person does with mouse and keyboard. The page's own functions are asked what came of it, and never called.
-import { changes, settled, text_of } from './support.mjs';
+import { changes, patient, settled, text_of } from './support.mjs';
 
 export const slider = (page, name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
 export const field = (page, name) => page.getByRole('textbox', { name, exact: true });
@@ -27,12 +27,17 @@ async function kept_text(page, name) {
   }, `file:${name}`);
 }
 
-/// Opens a file of the server's folder; unsaved work on it is let go.
-export async function open_file(page, name) {
-  const packets = await page.evaluate(() => window.studio.connection.counts.packets);
+/// Chooses a file of the server's folder in the dialog.
+export async function choose_from_files(page, name) {
   await page.getByRole('button', { name: 'Open a file' }).click();
   for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
   await page.getByRole('dialog').waitFor({ state: 'detached' });
+}
+
+/// Opens a file of the server's folder, and discards unsaved work on it.
+export async function open_file(page, name) {
+  const packets = await page.evaluate(() => window.studio.connection.counts.packets);
+  await choose_from_files(page, name);
   await page.waitForFunction(
     ([path, known]) => {
       const { studio } = window;
@@ -53,12 +58,64 @@ export async function open_file(page, name) {
   await banner.waitFor({ state: 'detached' });
 }
 
+/// Begins a new plant.
+export async function start_new(page) {
+  await page.getByRole('button', { name: 'New plant' }).click();
+  await page.waitForFunction(() => {
+    const { path, model, undo } = window.studio.document.state.get();
+    return path === null && model === null && undo.done.length === 0;
+  });
+  await settled(page);
+}
+
+/// Does something that saves. If the page asks, since the file on the disk is another one, `answer` is the button to press.
+/// Returns true if the file was saved. Throws if the page says that it was not.
+async function saves(page, act, answer) {
+  const last = await page.evaluate(() => Math.max(0, ...window.studio.toasts.shown.get().map((one) => one.id)));
+  const outcome = async () => {
+    const found = await page.waitForFunction((known) => {
+      const { toasts, shell } = window.studio;
+      const news = toasts.shown.get().find(({ id, text, is_fault }) => id > known && (is_fault || text.startsWith('Saved ')));
+      if (news) return news.text;
+      return shell.get().conflict && 'conflict';
+    }, last);
+    return found.jsonValue();
+  };
+  await act();
+  let said = await outcome();
+  if (said === 'conflict') {
+    const banner = page.locator('[data-banner="conflict"]');
+    await banner.getByRole('button', { name: answer }).click();
+    await banner.waitFor({ state: 'detached' });
+    if (answer === 'Do not save') return false;
+    said = await outcome();
+  }
+  if (!said.startsWith('Saved ')) throw new Error(`not saved: ${said}`);
+  return true;
+}
+
+/// Saves a document that has a file.
+export async function save_here(page, answer = 'Save anyway') {
+  await leave_fields(page);
+  return saves(page, () => page.keyboard.press('Control+s'), answer);
+}
+
+/// Saves under a name in the server's folder.
+export async function save_as(page, name, answer = 'Save anyway') {
+  await leave_fields(page);
+  await page.keyboard.press('Control+Shift+s');
+  const dialog = page.getByRole('dialog');
+  const is_saved = await saves(page, () => type_into(page, dialog.getByRole('textbox', { name: 'Name' }), name), answer);
+  await dialog.waitFor({ state: 'detached' });
+  return is_saved;
+}
+
 /// Opens a shipped plant from the list with their pictures.
 export async function open_model(page, name) {
   await leave_fields(page);
   await page.keyboard.press('Control+m');
   await page.locator(`[data-model="${name}"]`).click();
-  await page.waitForFunction((wanted) => window.studio.document.state.get().model === wanted && window.studio.growth.get().shown, name, { timeout: 60000 });
+  await page.waitForFunction((wanted) => window.studio.document.state.get().model === wanted && window.studio.growth.get().shown, name, { timeout: patient(60_000) });
   await settled(page);
 }
 

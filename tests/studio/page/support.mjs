@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser,
 // MERISTEM_CHROMIUM_SHELL the same one without windows; MERISTEM_PAGE a folder with another page than the program's own.
+// MERISTEM_SLOWNESS multiplies all times of waiting, as for a program with sanitizers.
 import { execFile, spawn } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -18,7 +19,10 @@ export const kAxe = require.resolve('axe-core/axe.min.js');
 export const validator = require('gltf-validator');
 
 export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/dev/bin/meristem');
-const kLongest = 20_000; // ms until the text must have changed
+const kSlowness = Number(process.env.MERISTEM_SLOWNESS ?? 1);
+/// A time of waiting, for the machine and program at hand.
+export const patient = (ms) => ms * kSlowness;
+const kLongest = patient(20_000); // ms until the text must have changed
 const kOften = 20; // ms between looks at whether what is waited for has come
 const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
 // The same browser without its windows, where there is one: without forms to fill in, profiles and the like.
@@ -42,26 +46,25 @@ export async function meristem(...words) {
   }
 }
 
-/// A server on a free port, with the address that it prints.
+/// A server on a free port, with the address that it prints. `stop` gives the code that it ends with, `ended`
+/// waits for that, `log` is what it has written to standard error.
 export async function start_server(folder, ...words) {
   const child = spawn(kProgram, ['studio', ...words, '--root', folder, '--no-browser'], { cwd: folder });
   let said = '';
   child.stderr.on('data', (data) => (said += data));
+  const ended = new Promise((done) => child.on('close', done));
   const address = await new Promise((resolve, reject) => {
     child.stdout.on('data', (data) => {
       const found = /http:\/\/\S+/.exec(String(data));
       if (found) resolve(found[0]);
     });
-    child.on('exit', (code) => reject(new Error(`the studio ended with ${code}: ${said}`)));
+    child.on('close', (code) => reject(new Error(`the studio ended with ${code}: ${said}`)));
   });
-  const stop = (signal = 'SIGTERM') =>
-    new Promise((done) => {
-      child.removeAllListeners('exit');
-      if (child.exitCode !== null || child.signalCode !== null) return done();
-      child.on('exit', done);
-      child.kill(signal);
-    });
-  return { address, stop, pid: child.pid };
+  const stop = (signal = 'SIGTERM') => {
+    if (child.exitCode === null && child.signalCode === null) child.kill(signal);
+    return ended;
+  };
+  return { address, stop, ended, pid: child.pid, log: () => said };
 }
 
 /// A browser that puts its pages together without the graphics card as well, and shows them on half as many pixels each
@@ -78,6 +81,7 @@ export async function start_browser({ as_users_do = false } = {}) {
 /// A page of the studio, with what it complained about.
 export async function open_page(context, address) {
   const page = await context.newPage();
+  page.setDefaultTimeout(patient(30_000));
   // Asked now and then, since each look at a picture's time has the browser make the next picture.
   const wait = page.waitForFunction.bind(page);
   page.waitForFunction = (wanted, fact, wishes) => wait(wanted, fact, { polling: kOften, ...wishes });
@@ -105,7 +109,7 @@ async function serve_folder(page, address, folder) {
 
 /// When the document is open and its plant is shown.
 export async function ready(page) {
-  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: 60000 });
+  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: patient(60_000) });
   await settled(page);
 }
 
@@ -120,7 +124,7 @@ export async function settled(page) {
       return Object.keys(studio.dragged.get()).length === 0 && (!good || (shown?.hash === hash && !shown.draft && !working));
     },
     null,
-    { timeout: 60000 },
+    { timeout: patient(60_000) },
   ).catch(async (fault) => {
     throw new Error(`the page does not settle: ${await state()}`, { cause: fault });
   });

@@ -231,8 +231,8 @@ std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& lim
                                        {{"rank", false},
                                         {"lindex", false},
                                         {"age", false},
-                                        {"x", .limit = kFileCoordinate},
-                                        {"y", .limit = kFileCoordinate}},
+                                        {.name = "x", .limit = kFileCoordinate},
+                                        {.name = "y", .limit = kFileCoordinate}},
                                        limits);
   std::vector<Diagnostic> faults;
   std::vector<MeasuredCurve> midribs =
@@ -251,8 +251,8 @@ std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limi
                                   {"rankclass", false},
                                   {"lindex", false},
                                   {"age", false},
-                                  {"s", .limit = kFileCoordinate},
-                                  {"r", .limit = kFileCoordinate}},
+                                  {.name = "s", .limit = kFileCoordinate},
+                                  {.name = "r", .limit = kFileCoordinate}},
                                  limits);
   const std::size_t rank = columns.has(0) ? 0 : 1;
   std::vector<Diagnostic> faults;

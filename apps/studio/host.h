@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "downloads.h"
+#include "meristem/base/utf8.h"
 #include "meristem/graph/component.h"
 #include "root_folder.h"
 #include "worker.h"
@@ -24,7 +26,7 @@ struct StudioLimits {
   int connections = 8;
 };
 
-/// Takes what goes to the page; called from any thread. After the page has gone, calls do nothing.
+/// Sends messages to the page. Called from any thread; after the page has gone, calls do nothing.
 class Outbox {
  public:
   Outbox() = default;
@@ -32,8 +34,14 @@ class Outbox {
   Outbox& operator=(const Outbox&) = delete;
   virtual ~Outbox() = default;
 
-  virtual void send_text(std::string message) = 0;
-  virtual void send_packet(std::string packet) = 0;
+  /// Sends a text. A byte that is not UTF-8 becomes U+FFFD: browsers close a connection that sends such a byte.
+  void send_text(std::string message) { deliver_text(with_valid_utf8(std::move(message))); }
+  void send_packet(std::string packet) { deliver_packet(std::move(packet)); }
+
+ private:
+  /// `message` is UTF-8.
+  virtual void deliver_text(std::string message) = 0;
+  virtual void deliver_packet(std::string packet) = 0;
 };
 
 /// What there is once for all connections. It outlives them.

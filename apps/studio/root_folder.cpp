@@ -13,6 +13,7 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/read_file.h"
 #include "meristem/base/utf8.h"
+#include "meristem/document/locate.h"
 #include "meristem/graph/table/file_access.h"
 #include "refusal.h"
 #include "text_units.h"
@@ -95,7 +96,27 @@ std::vector<FolderEntry> RootFolder::list(const std::string& folder) const {
 }
 
 std::string RootFolder::read(const std::string& file) const {
-  return read_file(absolute(file), Limits().document_bytes);
+  std::string text = read_file(absolute(file), Limits().document_bytes);
+  const std::size_t invalid = find_invalid_utf8(text);
+  if (invalid == text.size()) return text;
+  const TextPosition at = text_position(text, invalid);
+  throw InputError(Diagnostic{.message = fmt::format("byte 0x{:02x} in line {} (byte {} of the file) is not UTF-8 text",
+                                                     static_cast<unsigned char>(text[invalid]), at.line, invalid + 1),
+                              .expected = "a file that an editor has saved as UTF-8",
+                              .file = file,
+                              .line = at.line,
+                              .column = at.column});
+}
+
+std::optional<std::string> RootFolder::hash_on_disk(const std::string& file) const {
+  const std::string path = absolute(file);
+  std::error_code error;
+  if (!fs::exists(path, error)) return std::nullopt;
+  try {
+    return text_hash(read_file(path, Limits().document_bytes));
+  } catch (const InputError&) {
+    return "";
+  }
 }
 
 void RootFolder::write(const std::string& file, const std::string& text, const std::optional<std::string>& known,
@@ -106,14 +127,7 @@ void RootFolder::write(const std::string& file, const std::string& text, const s
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) throw Refusal("this is not a file");
   if (!over) {
-    std::optional<std::string> there;
-    if (fs::exists(status)) {
-      try {
-        there = text_hash(read_file(path, Limits().document_bytes));
-      } catch (const InputError&) {
-        there = "";  // empty or too large: not what was opened
-      }
-    }
+    const std::optional<std::string> there = hash_on_disk(file);
     if (there != known) {
       throw Refusal(there ? "the file has been changed by somebody else" : "the file no longer exists",
                     {{"changed", true}});

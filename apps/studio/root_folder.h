@@ -31,8 +31,12 @@ class RootFolder {
 
   /// What is in a folder, by name; hidden ones and what is neither file nor folder are left out. Throws a Refusal.
   std::vector<FolderEntry> list(const std::string& folder) const;
-  /// A document's text. Throws Refusal, InputError, MachineError.
+  /// Returns a document's text. Throws an InputError with line and column if the file is not UTF-8, also Refusal and
+  /// MachineError.
   std::string read(const std::string& file) const;
+  /// Returns the hash of a file as it is on the disk. Returns nothing if there is none, and an empty text if the file
+  /// is empty or too large to be a document. Throws Refusal, MachineError.
+  std::optional<std::string> hash_on_disk(const std::string& file) const;
   /// Writes a document: all of it or nothing. `known` is the hash of what is thought to be there, null for a new file;
   /// unless `over`, a Refusal with "changed" where that is not so. Throws Refusal, MachineError.
   void write(const std::string& file, const std::string& text, const std::optional<std::string>& known,

@@ -183,10 +183,9 @@ class SocketOutbox : public Outbox {
   SocketOutbox(asio::io_context& io, std::weak_ptr<SocketConnection> connection)
       : io_(io), connection_(std::move(connection)) {}
 
-  void send_text(std::string message) override { send(true, std::move(message)); }
-  void send_packet(std::string packet) override { send(false, std::move(packet)); }
-
  private:
+  void deliver_text(std::string message) override { send(true, std::move(message)); }
+  void deliver_packet(std::string packet) override { send(false, std::move(packet)); }
   void send(bool is_text, std::string message) {
     asio::post(io_, [connection = connection_, is_text, message = std::move(message)]() mutable {
       if (const auto still = connection.lock()) still->enqueue(is_text, std::move(message));

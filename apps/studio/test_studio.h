@@ -38,22 +38,6 @@ inline const std::string kBush = R"json({
 /// What the page would have received, in order.
 class Mailbox : public Outbox {
  public:
-  void send_text(std::string message) override {
-    const std::lock_guard lock(mutex_);
-    texts_.push_back(parse_json(message));
-    news_.notify_all();
-  }
-  void send_packet(std::string packet) override {
-    const std::lock_guard lock(mutex_);
-    if (packet.starts_with("MSA1")) {
-      texts_.push_back(ReadPacket(packet, "MSA1").head);
-      packed_answers_[*texts_.back().find("re")->number()] = std::move(packet);
-    } else {
-      packets_.push_back(std::move(packet));
-    }
-    news_.notify_all();
-  }
-
   /// The first message for which that holds, which comes if it is not there yet.
   template <class Holds>
   Value wait_for(Holds holds) {
@@ -92,6 +76,22 @@ class Mailbox : public Outbox {
   }
 
  private:
+  void deliver_text(std::string message) override {
+    const std::lock_guard lock(mutex_);
+    texts_.push_back(parse_json(message));
+    news_.notify_all();
+  }
+  void deliver_packet(std::string packet) override {
+    const std::lock_guard lock(mutex_);
+    if (packet.starts_with("MSA1")) {
+      texts_.push_back(ReadPacket(packet, "MSA1").head);
+      packed_answers_[*texts_.back().find("re")->number()] = std::move(packet);
+    } else {
+      packets_.push_back(std::move(packet));
+    }
+    news_.notify_all();
+  }
+
   std::mutex mutex_;
   std::condition_variable news_;
   std::vector<Value> texts_;

@@ -132,6 +132,7 @@ StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
                                                    {"protocol", kProtocol},
                                                    {"version", std::string(version())},
                                                    {"root", host_.root.name()},
+                                                   {"root_key", text_hash(host_.root.path())},
                                                    {"document", text_or_null(host_.document)},
                                                    {"model", text_or_null(host_.model)},
                                                    {"formats", formats_value()},
@@ -159,6 +160,7 @@ void StudioSession::receive(std::string_view message) {
     if (done) answer(request.id, std::move(*done));
     // Only now, so that no packet of a document comes before the answer that opens it.
     if (std::exchange(is_opened_, false)) grower_->open({.document = document_, .hash = hash_});
+    watch_file();
     return;
   } catch (const Refusal& refusal) {
     refuse(id ? id : request_id(message.substr(0, host_.limits.message_bytes)), refusal.what(), refusal.members());
@@ -218,6 +220,14 @@ void StudioSession::show(bool at_once) {
   grower_->want({.document = document_, .hash = hash_, .is_dragged = !session().overrides().empty()}, at_once);
 }
 
+/// Tells the page from now on who else has its file open. Called after the answer that tells the page its file.
+void StudioSession::watch_file() {
+  if (watched_ == path_) return;
+  watched_ = path_;
+  watch_ = path_ ? std::make_shared<OpenFileWatch>(host_, outbox_, *path_) : nullptr;
+  if (watch_) watch_->begin();
+}
+
 /// What answers say of a text that was read.
 void StudioSession::add_reading(Answer& answer) {
   const Session& read = session();
@@ -248,11 +258,8 @@ StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
   if (request.path) {
     opened.file = host_.root.absolute(*request.path);
     opened.name = fs::path(*request.path).filename().string();
-    std::error_code error;
-    if (!request.text || fs::exists(opened.file, error)) {
-      opened.text = host_.root.read(*request.path);
-      opened.saved = text_hash(opened.text);
-    }
+    if (!request.text) opened.text = host_.root.read(*request.path);
+    opened.saved = request.text ? host_.root.hash_on_disk(*request.path) : text_hash(opened.text);
   } else {
     opened.file = (fs::path(opened.root) / kUntitled).string();
     opened.name = "untitled";

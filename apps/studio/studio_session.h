@@ -16,6 +16,7 @@
 #include "job_watch.h"
 #include "measure_job.h"
 #include "meristem/document/edit/session.h"
+#include "open_files.h"
 #include "request.h"
 #include "still_maker.h"
 
@@ -93,6 +94,7 @@ class StudioSession {
   void require_base(const std::string& base);
   void begin_session(std::string text, std::string file);
   void show(bool at_once);
+  void watch_file();
   void add_reading(Answer& answer);
   template <class Question>
   void ask_grown(double id, Question question);
@@ -117,6 +119,8 @@ class StudioSession {
   const std::shared_ptr<AskedJobs> measures_ = std::make_shared<AskedJobs>();
   std::shared_ptr<StillMaker> still_maker_;  // of the document; the worker's thread alone calls it
   std::shared_ptr<SweepMaker> sweep_maker_;  // the same
+  std::shared_ptr<OpenFileWatch> watch_;     // of the file; none for models and new texts
+  std::optional<std::string> watched_;       // its path
   std::optional<Session> session_;
   std::string root_;                                            // of the session's files
   std::optional<std::string> path_;                             // below the host's root; none for models and new texts

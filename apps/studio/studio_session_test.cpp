@@ -145,6 +145,27 @@ TEST(StudioSession, WritesNoOtherTextThanThePages) {
   EXPECT_EQ(studio.content("bush.json"), kBush);
 }
 
+TEST(StudioSession, SaysWhereAFileIsNotUtf8AndGoesOn) {
+  Studio studio;
+  const std::string latin = "{\n  \"meristem\": 1,\n  \"author\": \"K\xF6hler\"\n}\n";
+  std::ofstream(studio.folder() / "latin.json") << latin;
+  std::ofstream(studio.folder() / "caf\xE9.json") << kBush;
+  studio.open_bush();
+  const Value refused = studio.ask("open", R"("path": "latin.json")");
+  EXPECT_TRUE(is_refused(refused));
+  const Value& fault = (*refused.find("faults")->list())[0];
+  EXPECT_EQ(*fault.find("line")->number(), 3);
+  EXPECT_EQ(*fault.find("column")->number(), 15);
+  EXPECT_NE(Studio::text_of(refused, "message").find("byte 0xf6 in line 3 (byte 34 of the file)"), std::string::npos)
+      << Studio::text_of(refused, "message");
+  // The mailbox reads each message as JSON, which refuses what is not UTF-8.
+  EXPECT_EQ(studio.ask("files", R"("folder": "")").find("files")->list()->size(), 3U);
+  EXPECT_FALSE(is_refused(studio.edit(R"([{"set": "leaf.length", "value": 0.2}])")));
+  // A page that held the text before the file changed has it again.
+  const Value back = studio.ask("open", R"("path": "latin.json", "text": "{}")");
+  EXPECT_EQ(Studio::text_of(back, "saved"), text_hash(latin));
+}
+
 TEST(StudioSession, MakesAnEditOnlyIfTheTextStaysGood) {
   Studio studio;
   studio.open_bush();

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "meristem/components/parts/shared_shape.h"
+#include "meristem/graph/table/curve_range.h"
 #include "meristem/shape/leaf/leaf_outline.h"
 
 namespace meristem {
@@ -178,7 +179,7 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
 }
 
 const ParameterTable& leaf_blade_table() {
-  static const ParameterTable table =
+  static const ParameterTable table = with_curve_range(
       with_bends(with_outline(Table<LeafBlade>("a leaf", "A leaf blade with its stalk.")))
           .integer("rows", &LeafBlade::rows, {.min = 1, .max = 256, .usual = {1, 32}, .fixed = true},
                    "Number of quads from base to tip; raised, the mesh follows outline and curl more closely.")
@@ -186,7 +187,8 @@ const ParameterTable& leaf_blade_table() {
                    "Number of quads from edge to edge, which must be even; raised, bends across are smoother.")
           .choice("edge", &LeafBlade::edge, {"shape", "picture"},
                   "How the edge is made: with 'shape', the mesh follows the outline; with 'picture', the texture cuts "
-                  "the outline out of a simple hull.");
+                  "the outline out of a simple hull."),
+      "outline", 0, 1);
   return table;
 }
 

@@ -120,6 +120,7 @@ class TableList {
     Object made{{"name", row.name}, {"kind", std::string(kind_name(row.kind))}, {"doc", row.doc}};
     if (row.form.unit != Unit::none) made.emplace_back("unit", std::string(unit_name(row.form.unit)));
     if (has_numbers(row)) add_numbers(row, fallback, made);
+    if (row.kind == ParameterKind::curve) add_range(row.form, made);
     if (!row.choices.empty()) made.emplace_back("choices", texts_of(row.choices));
     if (!row.names.empty()) made.emplace_back("names", texts_of(row.names));
     if (row.count > 0) made.emplace_back("count", static_cast<double>(row.count));
@@ -146,10 +147,14 @@ class TableList {
     return Object{{"key", kinds.key}, {"doc", kinds.key_doc}, {"tables", std::move(tables)}};
   }
 
-  static void add_numbers(const Parameter& row, const Value& fallback, Object& made) {
-    const NumberRange& form = row.form;
+  static void add_range(const NumberRange& form, Object& made) {
     if (std::isfinite(form.min)) made.emplace_back(form.above_min ? "above" : "min", form.min);
     if (std::isfinite(form.max)) made.emplace_back("max", form.max);
+  }
+
+  static void add_numbers(const Parameter& row, const Value& fallback, Object& made) {
+    const NumberRange& form = row.form;
+    add_range(form, made);
     const UsualSpan usual = usual_range(row, fallback);
     made.emplace_back("usual", List{usual.low, usual.high});
     if (row.may_vary()) made.emplace_back("varies", form.per_child ? "child" : "instance");

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/math.h"
+#include "meristem/graph/table/curve_range.h"
 #include "meristem/graph/table/table.h"
 
 namespace meristem {
@@ -216,7 +217,7 @@ GrassStock make_stock(const GrassSource& source, const StockOptions& how) {
 }
 
 const ParameterTable& grass_source_table() {
-  static const ParameterTable table =
+  static const ParameterTable table = with_curve_range(
       Table<GrassSource>("a grass leaf", "Sources of midribs and widths.")
           .text_file("midrib", &GrassSource::midrib, read_midrib_file,
                      "CSV file of digitised midribs with columns x (away from the stem) and y (up), and rank, lindex "
@@ -237,7 +238,8 @@ const ParameterTable& grass_source_table() {
           .never_with("midrib", {"midrib_points", "midribs"})
           .never_with("midribs", {"midrib_points"})
           .never_with("widths", {"profile"})
-          .only_where({{"widths"}}, {"fit.width_smoothing"});
+          .only_where({{"widths"}}, {"fit.width_smoothing"}),
+      "profile", 0);
   return table;
 }
 

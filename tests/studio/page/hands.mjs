@@ -11,20 +11,19 @@ export async function leave_fields(page) {
   await page.locator('.status').click({ position: { x: 300, y: 10 } });
 }
 
-/// The text of unsaved work on a file that the browser keeps; null where there is none.
+/// The text of unsaved work on a file that the browser keeps for this tab; null where there is none.
 async function kept_text(page, name) {
-  return page.evaluate(async (key) => {
+  return page.evaluate(async (wanted) => {
     const database = await new Promise((done, fail) => {
-      const asked = indexedDB.open('meristem-studio', 1);
-      asked.onupgradeneeded = () => asked.result.createObjectStore('work', { keyPath: 'key' });
+      const asked = indexedDB.open('meristem-studio');
       asked.onsuccess = () => done(asked.result);
       asked.onerror = () => fail(asked.error);
     });
-    const asked = database.transaction('work').objectStore('work').get(key);
-    const found = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
+    const asked = database.transaction('slots').objectStore('slots').getAll();
+    const all = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
     database.close();
-    return found?.text ?? null;
-  }, `file:${name}`);
+    return all.find((one) => one.path === wanted && one.tab === sessionStorage.getItem('meristem.tab'))?.text ?? null;
+  }, name);
 }
 
 /// Chooses a file of the server's folder in the dialog.

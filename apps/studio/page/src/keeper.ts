@@ -1,84 +1,136 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps unsaved work 300 ms after each edit, and offers it again after a reload or a crash.
+// Keeps unsaved work 300 ms after each edit, and offers it again after a reload, a crash or the loss of the server. Each
+// tab keeps its own; the work of a tab that is closed or has lost its server is offered to other tabs.
 import { of_this_page, remember_for_this_page } from './base/preferences.ts';
+import { living_tabs } from './base/tab.ts';
 import type { KeptWork } from './recovery.ts';
-import { forget, keep, kept_work, work_key } from './recovery.ts';
-import type { Hello, Opened } from './server/protocol.ts';
-import type { OpenWish, Studio } from './studio.ts';
+import { forget, keep, kept_work, slot_of, work_key } from './recovery.ts';
+import type { Hello, Opened, OpenWish } from './server/protocol.ts';
+import type { Studio } from './studio.ts';
 
 const kPause = 300;
+const kFile = 'file:';
+const kModel = 'model:';
+const kNew = 'new';
 
 export class Keeper {
   private timer_ = 0;
   private last_text_ = '';
+  private last_waiting_ = 0;
   private is_first_ = true;
 
-  constructor(private readonly studio_: Studio) {
+  constructor(
+    private readonly studio_: Studio,
+    private readonly tab_: string,
+  ) {
     studio_.document.state.subscribe(() => this.look());
     document.addEventListener('visibilitychange', () => void this.flush());
+    window.addEventListener('pagehide', () => void this.flush());
   }
 
-  /// What a page begins with: after a reload what it had open, else what the server was started with.
-  first_document(hello: Hello): OpenWish {
+  /// What a page may begin with, the best first: after a reload what it had open, else what the server was started with.
+  async first_documents(hello: Hello): Promise<OpenWish[]> {
     const last = of_this_page();
-    if (last?.startsWith('model:')) return { model: last.slice(6) };
-    if (last?.startsWith('file:')) return { path: last.slice(5) };
-    if (hello.document !== null) return { path: hello.document };
-    return { model: hello.model ?? 'oak' };
+    const wishes: OpenWish[] = [];
+    if (last?.startsWith(kModel)) wishes.push({ model: last.slice(kModel.length) });
+    if (last?.startsWith(kFile)) wishes.push({ path: last.slice(kFile.length) });
+    const mine = last === kNew ? (await kept_work()).find((one) => one.slot === slot_of(this.tab_, kNew)) : undefined;
+    if (mine) wishes.push({ text: mine.text, path: null });
+    if (hello.document !== null) wishes.push({ path: hello.document });
+    return [...wishes, { model: hello.model ?? 'oak' }, { model: 'oak' }];
   }
 
   /// Offers kept work of the document that was opened, where it says something else; on the page's first document also
   /// what was left of another one.
   async offer(opened: Opened): Promise<void> {
-    const key = work_key(opened.path, opened.model);
-    remember_for_this_page(key);
-    const all = await kept_work();
-    const work = all.find((one) => one.key === key);
+    const key = this.key_of(opened.path, opened.model);
+    this.remember();
+    const living = await living_tabs();
+    const all = (await kept_work()).filter((one) => one.tab === this.tab_ || one.is_lost || !living.has(one.tab));
+    const own = slot_of(this.tab_, key);
+    const work = all.find((one) => one.slot === own) ?? all.find((one) => one.key === key && key !== kNew);
     const other = this.is_first_ ? all.find((one) => one.key !== key) : undefined;
     this.is_first_ = false;
-    if (work && work.text === opened.text && key !== 'new') await forget(key);
-    if (work && work.text !== opened.text) this.studio_.shell.merge({ kept: { work, before: opened.text } });
+    const differs = work !== undefined && (work.text !== opened.text || work.waiting.length > 0);
+    if (differs) this.studio_.shell.merge({ kept: { work, before: opened.text } });
     else this.studio_.shell.merge({ kept: other ? { work: other, before: null } : null });
+    if (!work || differs) return;
+    if (key !== kNew) await forget(work.slot);
+    else this.studio_.document.take_kept(work.text, work.undo);
   }
 
   /// Opens the document of kept work, which is then offered with what differs.
-  open_other(work: KeptWork): void {
+  async open_other(work: KeptWork): Promise<void> {
     this.studio_.shell.merge({ kept: null });
-    if (work.model !== null) void this.studio_.open({ model: work.model });
-    else if (work.path !== null) void this.studio_.open({ path: work.path });
-    else void this.studio_.open({ text: work.text, path: null });
+    if (work.model !== null) await this.studio_.open({ model: work.model });
+    else if (work.path !== null) await this.studio_.open({ path: work.path });
+    else if (await this.studio_.open({ text: work.text, path: null })) await this.restore(work);
   }
 
-  restore(work: KeptWork): void {
+  /// What it was kept as goes only once this tab keeps it.
+  async restore(work: KeptWork): Promise<void> {
     this.studio_.shell.merge({ kept: null });
-    this.studio_.document.take_kept(work.text, work.undo);
+    this.studio_.document.take_kept(work.text, work.undo, work.waiting);
     this.studio_.tell('Unsaved changes are back');
+    await this.store();
+    if (work.slot !== this.slot()) await forget(work.slot);
   }
 
   async discard(work: KeptWork): Promise<void> {
     this.studio_.shell.merge({ kept: null });
-    await forget(work.key);
+    await forget(work.slot);
   }
 
   /// Keeps now what waits for its pause, as before another document is opened or the page goes.
   async flush(): Promise<void> {
     if (this.timer_ === 0) return;
-    clearTimeout(this.timer_);
     await this.store();
   }
 
-  async forget_open(): Promise<void> {
-    this.stop();
+  /// Saved, perhaps under a new name: what was kept before it is done with. What was typed meanwhile is kept.
+  async take_saved(slot_before: string): Promise<void> {
+    this.remember();
+    await forget(slot_before);
+    await this.store();
+  }
+
+  /// The server is gone: another tab may take the work over. Called again for each attempt to connect that fails.
+  note_lost(): void {
+    const { server, shell } = this.studio_;
+    if (server.get().link === 'lost') return;
+    server.merge({ link: 'lost' });
+    shell.merge({ elsewhere: null });
+    this.note_link();
+  }
+
+  /// Keeps whether the server is there, with the work.
+  note_link(): void {
+    const { hash, base, waiting } = this.studio_.document.state.get();
+    if (hash !== base || waiting.length > 0) void this.store();
+  }
+
+  slot(): string {
     const { path, model } = this.studio_.document.state.get();
-    await forget(work_key(path, model));
+    return slot_of(this.tab_, this.key_of(path, model));
+  }
+
+  private key_of(path: string | null, model: string | null): string {
+    return work_key(path, model, this.studio_.server.get().hello?.root_key ?? '');
+  }
+
+  /// What a reload opens.
+  private remember(): void {
+    const { path, model } = this.studio_.document.state.get();
+    remember_for_this_page(path !== null ? kFile + path : model !== null ? kModel + model : kNew);
   }
 
   private look(): void {
-    const { text, undo } = this.studio_.document.state.get();
-    if (text === this.last_text_) return;
+    const { text, undo, waiting } = this.studio_.document.state.get();
+    if (text === this.last_text_ && waiting.length === this.last_waiting_) return;
     this.last_text_ = text;
+    this.last_waiting_ = waiting.length;
     this.stop();
-    if (undo.done.length === 0 && undo.undone.length === 0) return;
+    if (undo.done.length === 0 && undo.undone.length === 0 && waiting.length === 0) return;
     this.timer_ = window.setTimeout(() => void this.store(), kPause);
   }
 
@@ -88,10 +140,12 @@ export class Keeper {
   }
 
   private async store(): Promise<void> {
-    this.timer_ = 0;
-    const { path, model, name, text, hash, base, undo } = this.studio_.document.state.get();
-    const key = work_key(path, model);
-    if (hash === base && key !== 'new') return forget(key);
-    await keep({ key, name, path, model, text, base, undo, at: Date.now() });
+    this.stop();
+    const { path, model, name, text, hash, base, undo, waiting } = this.studio_.document.state.get();
+    const key = this.key_of(path, model);
+    const slot = slot_of(this.tab_, key);
+    if (hash === base && waiting.length === 0 && key !== kNew) return forget(slot);
+    const is_lost = this.studio_.server.get().link === 'lost';
+    await keep({ slot, tab: this.tab_, key, name, path, model, text, base, undo, waiting, is_lost, at: Date.now() });
   }
 }

@@ -2,6 +2,7 @@
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 
+import { claim_tab } from './base/tab.ts';
 import { start_tooltips } from './controls/tooltip.ts';
 import { App } from './panels/app.tsx';
 import { listen_to_keys } from './shortcuts.ts';
@@ -34,7 +35,7 @@ async function start(): Promise<void> {
   const tables = (await (await fetch('tables.json')).json()) as Tables;
   const socket = new URL('socket', document.baseURI);
   socket.protocol = socket.protocol === 'https:' ? 'wss:' : 'ws:';
-  const studio = new Studio(tables, socket.href);
+  const studio = new Studio(tables, socket.href, await claim_tab());
   studio.board.starters = await fetch('starters.json').then((answer) => (answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {}));
   window.studio = studio;
   follow_theme(studio);

@@ -1,25 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unsaved work, kept in the browser: text, the hash it was opened with, and the undo list, one record a document.
+// Unsaved work, kept in the browser: text, the hash it was opened with, the undo list, and edits that no server has made
+// yet. One record for each document of each tab.
+import type { WaitingEdits } from './document/document_state.ts';
 import type { UndoState } from './document/undo_list.ts';
 
 export interface KeptWork {
-  key: string;
+  slot: string;
+  tab: string;
+  key: string; // of the document
   name: string;
   path: string | null;
   model: string | null;
   text: string;
   base: string;
   undo: UndoState;
+  waiting: WaitingEdits[];
+  is_lost: boolean; // its tab has no server, so that another tab may take the work over
   at: number; // ms since 1970
 }
 
-const kStore = 'work';
+const kStore = 'slots';
+const kVersion = 2;
 
 function open(): Promise<IDBDatabase> {
   return new Promise((resolve, reject) => {
-    const asked = indexedDB.open('meristem-studio', 1);
-    asked.onupgradeneeded = () => asked.result.createObjectStore(kStore, { keyPath: 'key' });
-    asked.onsuccess = () => resolve(asked.result);
+    const asked = indexedDB.open('meristem-studio', kVersion);
+    asked.onupgradeneeded = () => {
+      const { result: database } = asked;
+      if (!database.objectStoreNames.contains(kStore)) database.createObjectStore(kStore, { keyPath: 'slot' });
+      if (database.objectStoreNames.contains('work')) database.deleteObjectStore('work');
+    };
+    asked.onblocked = () => reject(new Error('another page holds an older store'));
+    asked.onsuccess = () => {
+      asked.result.onversionchange = () => asked.result.close();
+      resolve(asked.result);
+    };
     asked.onerror = () => reject(asked.error ?? new Error('the browser keeps nothing'));
   });
 }
@@ -37,8 +52,13 @@ async function run<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => 
   }
 }
 
-export function work_key(path: string | null, model: string | null): string {
-  return path !== null ? `file:${path}` : model !== null ? `model:${model}` : 'new';
+/// The name of a document in the browser; `root` tells one served folder from another.
+export function work_key(path: string | null, model: string | null, root: string): string {
+  return path !== null ? `file:${root}:${path}` : model !== null ? `model:${model}` : 'new';
+}
+
+export function slot_of(tab: string, key: string): string {
+  return `${tab} ${key}`;
 }
 
 /// A browser that keeps nothing, as in a private window, is no fault: work goes on without.
@@ -46,10 +66,11 @@ export async function keep(work: KeptWork): Promise<void> {
   await run('readwrite', (store) => store.put(work)).catch(() => undefined);
 }
 
-export async function forget(key: string): Promise<void> {
-  await run('readwrite', (store) => store.delete(key)).catch(() => undefined);
+export async function forget(slot: string): Promise<void> {
+  await run('readwrite', (store) => store.delete(slot)).catch(() => undefined);
 }
 
+/// The newest first.
 export async function kept_work(): Promise<KeptWork[]> {
   const all = await run('readonly', (store) => store.getAll() as IDBRequest<KeptWork[]>).catch(() => []);
   return all.sort((a, b) => b.at - a.at);

@@ -4,28 +4,22 @@ import { prefer, preference } from './base/preferences.ts';
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
-import type { EditWish } from './document/document_model.ts';
+import type { EditWish } from './document/edit_queue.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
 import { InstanceChoice } from './instance_choice.ts';
 import { Keeper } from './keeper.ts';
+import { save_document } from './saving.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Fault, Hello, News, Opened, Saved } from './server/protocol.ts';
-import { Refusal } from './server/protocol.ts';
+import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
 import { kNoGrowth, with_growth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
 import { Workbench } from './workbench.ts';
-
-export interface OpenWish {
-  path?: string | null;
-  model?: string;
-  text?: string;
-}
 
 export class Studio {
   readonly chosen = new Store('');
@@ -53,6 +47,7 @@ export class Studio {
   constructor(
     readonly tables: Tables,
     readonly address: string, // of the server's socket
+    tab: string, // this one's name
   ) {
     this.shell = new Store<ShellState>({
       dialog: null,
@@ -63,14 +58,15 @@ export class Studio {
       shows_hints: preference('hints') !== 'seen',
       kept: null,
       conflict: null,
+      elsewhere: null,
     });
     this.connection = new Connection(address, {
       on_news: (news) => this.hear(news),
       on_packet: (bytes) => this.show_packet(bytes),
-      on_lost: () => this.server.merge({ link: 'lost' }),
+      on_lost: () => this.keeper.note_lost(),
     });
     this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.tell(message, true));
-    this.keeper = new Keeper(this);
+    this.keeper = new Keeper(this, tab);
   }
 
   tell(text: string, is_fault = false, kind = ''): void {
@@ -144,8 +140,15 @@ export class Studio {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  /// Whether it could be opened.
+  /// Whether it could be opened; says why not.
   async open(wish: OpenWish): Promise<boolean> {
+    const fault = await this.try_open(wish);
+    if (fault !== null) this.tell(fault, true);
+    return fault === null;
+  }
+
+  /// Returns why it could not be opened, or null.
+  async try_open(wish: OpenWish): Promise<string | null> {
     await this.document.idle();
     await this.keeper.flush();
     const { is_changed } = this.document;
@@ -157,41 +160,17 @@ export class Studio {
       const is_another = left.path !== opened.path || left.model !== opened.model;
       if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
       await this.keeper.offer(opened);
-      return true;
+      return null;
     } catch (fault) {
       this.bench.time.come_back(time);
-      if (fault instanceof Refusal) this.tell(fault.message, true);
-      return false;
+      if (fault instanceof Error) return fault.message;
+      throw fault;
     }
   }
 
   /// Whether it was saved.
-  async save(path: string, over = false): Promise<boolean> {
-    await this.document.idle();
-    try {
-      const answer = await this.ask_save(path, over);
-      await this.keeper.forget_open();
-      this.document.take_saved(answer);
-      this.tell(`Saved ${answer.path}`);
-      return true;
-    } catch (fault) {
-      if (fault instanceof Refusal && fault.facts.changed) this.shell.merge({ conflict: { path } });
-      else if (fault instanceof Error) this.tell(fault.message, true);
-      return false;
-    }
-  }
-
-  /// Saves the page's text and no other: a server that holds another one is told it first.
-  private async ask_save(path: string, over: boolean): Promise<Saved> {
-    for (let tries = 0; ; tries += 1) {
-      const { path: known, saved, hash } = this.document.state.get();
-      try {
-        return await this.connection.request<Saved>('save', { path, hash, saved: path === known ? saved : null, over });
-      } catch (fault) {
-        if (!(fault instanceof Refusal) || !fault.facts.stale || tries > 0) throw fault;
-        this.document.send_whole();
-      }
-    }
+  save(path: string, over = false): Promise<boolean> {
+    return save_document(this, path, over);
   }
 
   set_theme(theme: Theme): void {
@@ -204,7 +183,9 @@ export class Studio {
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
+    if (!opened.good) this.view?.plant.clear(); // no packet comes to do so
+    // Of a text with faults the server knows none, and they are as the text says.
+    this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();
     this.bench.clear();
@@ -221,6 +202,7 @@ export class Studio {
     if (news.is === 'hello') void this.greet(news);
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
     if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
+    if (news.is === 'elsewhere') this.shell.merge({ elsewhere: news.count > 0 ? news : null });
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
   }
 
@@ -236,10 +218,12 @@ export class Studio {
       const opened = await this.connection.request<Opened>('open', model !== null ? { text, model } : { text, path }).catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();
+      this.keeper.note_link();
       return;
     }
-    const wish = this.keeper.first_document(hello);
-    if (!(await this.open(wish))) await this.open({ model: 'oak' });
+    for (const wish of await this.keeper.first_documents(hello)) {
+      if (await this.open(wish)) return;
+    }
   }
 
   private tell_budgets(): void {

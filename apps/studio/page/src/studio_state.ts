@@ -63,4 +63,5 @@ export interface ShellState {
   /// Unsaved work that is offered again, and the text that was opened; null where it is of another document.
   kept: { work: KeptWork; before: string | null } | null;
   conflict: { path: string } | null; // a file that someone else has changed
+  elsewhere: { path: string; count: number } | null; // the file is open in other tabs or programs
 }

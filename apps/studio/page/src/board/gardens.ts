@@ -4,7 +4,8 @@
 import { Store } from '../base/store.ts';
 import { member_of } from '../document/path.ts';
 import { folder_of } from '../rows/file_path.ts';
-import type { OpenWish, Studio } from '../studio.ts';
+import type { OpenWish } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
 
 export interface Entered {
   title: string;
@@ -55,7 +56,7 @@ export class Gardens {
   /// What was changed before it was left is there again.
   private restore(): void {
     const { kept } = this.studio_.shell.get();
-    if (kept !== null && kept.before !== null) this.studio_.keeper.restore(kept.work);
+    if (kept !== null && kept.before !== null) void this.studio_.keeper.restore(kept.work);
   }
 }
 

@@ -79,12 +79,18 @@ export function size_text(bytes: number): string {
 export function OpenDialog({ close }: { close: () => void }): ReactElement {
   const studio = use_studio();
   const [folder, set_folder] = useState('');
+  const [fault, set_fault] = useState<string | null>(null);
   const open = (path: string): void => {
-    close();
-    void studio.open({ path });
+    set_fault(null);
+    void studio.try_open({ path }).then((why) => (why === null ? close() : set_fault(why)));
   };
   return (
     <Dialog title="Open a plant" close={close} footer={<Button press={() => studio.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}>
+      {fault !== null && (
+        <p className="fault-line" role="alert">
+          {fault}
+        </p>
+      )}
       <Files folder={folder} enter={set_folder} take={open} endings={['.json']} empty="No plant documents in this folder." />
     </Dialog>
   );

@@ -6,32 +6,23 @@ import type { Connection } from '../server/connection.ts';
 import { Lost } from '../server/connection.ts';
 import type { Edit, Edited, Fault, Opened, Reading, Saved } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { DocumentState } from './document_state.ts';
-import { kNoDocument, reading_of, sets_the_same, tree_of } from './document_state.ts';
+import type { DocumentState, WaitingEdits } from './document_state.ts';
+import type { EditWish, QueuedEdit } from './edit_queue.ts';
+import { EditQueue } from './edit_queue.ts';
+import { kNoDocument, reading_of, tree_of } from './document_state.ts';
 import { text_hash } from './hash.ts';
+import { text_with_edits } from './text_edits.ts';
+import { variables_of_text } from './text_variables.ts';
 import type { Patch } from './patch.ts';
 import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
 import type { UndoState } from './undo_list.ts';
 import { step_back, step_forward, with_last, with_step } from './undo_list.ts';
 
-/// How an edit is made.
-export interface EditWish {
-  only_if_good?: boolean | undefined; // not where the text would then have errors
-  choose?: string | undefined; // path that is chosen after it
-}
-
-interface Waiting {
-  edits: Edit[];
-  label: string;
-  wish: EditWish;
-  done: ((faults: Fault[] | null) => void)[];
-}
-
 const kTypingPause = 700; // ms after which typing begins a new step
 
 export class DocumentModel {
   readonly state = new Store<DocumentState>(kNoDocument);
-  private readonly waiting_: Waiting[] = [];
+  private readonly waiting_ = new EditQueue();
   private is_asking_ = false;
   private typed_: string | null = null; // text of the editor, typed while an edit was on its way
   private typed_at_ = 0;
@@ -49,50 +40,37 @@ export class DocumentModel {
     return hash !== base;
   }
 
-  take_opened(opened: Opened): void {
-    this.waiting_.length = 0;
-    this.state.set({
-      ...kNoDocument,
-      ...reading_of(opened),
-      path: opened.path,
-      model: opened.model,
-      name: opened.name,
-      text: opened.text,
-      hash: opened.hash,
-      saved: opened.saved,
-      base: opened.hash,
-      tree: tree_of(opened.text, null),
-    });
+  take_opened({ path, model, name, text, hash, saved, ...reading }: Opened): void {
+    this.waiting_.clear();
+    this.typed_ = null;
+    const read = tree_of(text, null);
+    this.state.set({ ...kNoDocument, ...reading_of(reading, read.tree, []), path, model, name, text, hash, saved, base: hash, ...read });
   }
 
-  /// Puts back what was kept of an earlier session.
-  take_kept(text: string, undo: UndoState): void {
+  /// Puts back what was kept of an earlier session, and makes the edits that no server has made yet.
+  take_kept(text: string, undo: UndoState, waiting: readonly WaitingEdits[] = []): void {
     this.change_text(text, undo);
     this.send_whole();
+    for (const { edits, label } of waiting) void this.edit(edits, label);
   }
 
   take_saved({ path, name, saved, good, faults, variables, implied, notes }: Saved): void {
-    const reading = good !== undefined && faults && variables ? reading_of({ good, faults, variables, tree: null, implied: implied ?? [], notes: notes ?? {} }) : {};
-    this.state.merge({ ...reading, path, saved, base: saved, model: null, name });
+    this.state.merge({ path, saved, base: saved, model: null, name });
+    if (good === undefined || !faults || !variables) return;
+    this.take_reading(saved, { good, faults, variables, tree: null, implied: implied ?? [], notes: notes ?? {} });
   }
 
   take_reading(hash: string, reading: Reading): void {
-    if (hash === this.state.get().hash) this.state.merge(reading_of(reading));
+    const { hash: now, tree, variables } = this.state.get();
+    if (hash === now) this.state.merge(reading_of(reading, tree, variables));
   }
 
   /// Has the library change the text, as one step. Edits that set one and the same value while others are on their way
   /// become one: the last counts. Resolves to what was wrong, or null.
   edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
-    return new Promise((done) => {
-      const last = this.waiting_.at(-1);
-      if (last && sets_the_same(last.edits, edits)) {
-        last.edits = edits;
-        last.done.push(done);
-      } else {
-        this.waiting_.push({ edits, label, wish, done: [done] });
-      }
-      void this.ask_next();
-    });
+    const made = this.waiting_.add(edits, label, wish);
+    void this.ask_next();
+    return made;
   }
 
   /// Takes over what was typed into the text.
@@ -179,24 +157,49 @@ export class DocumentModel {
 
   private change_text(text: string, undo: UndoState): string {
     const hash = text_hash(text);
-    this.state.merge({ text, hash, undo, tree: tree_of(text, this.state.get().tree) });
+    const { tree, good, variables } = this.state.get();
+    this.state.merge({ text, hash, undo, ...tree_of(text, tree) });
+    // Without faults the server reads the text in a moment, and knows what expressions come to.
+    if (!good || !this.connection_().is_open) this.state.merge({ variables: variables_of_text(variables, this.state.get().tree) });
     return hash;
   }
 
   private async ask_next(): Promise<void> {
-    if (this.is_asking_ || !this.connection_().is_open) return;
-    const next = this.waiting_.shift();
+    if (this.is_asking_) return;
+    while (this.make_here());
+    if (!this.connection_().is_open) return this.note_waiting();
+    const next = this.waiting_.take();
+    this.note_waiting();
     if (!next) return;
     this.is_asking_ = true;
     const faults = await this.ask(next);
     this.is_asking_ = false;
     if (this.typed_ !== null) this.take_typed(this.typed_);
     if (faults !== 'lost') for (const done of next.done) done(faults);
-    if (this.waiting_.length === 0 || faults === 'lost') for (const done of this.idle_.splice(0)) done();
+    if (this.waiting_.first === null || faults === 'lost') for (const done of this.idle_.splice(0)) done();
     void this.ask_next();
   }
 
-  private async ask(wish: Waiting): Promise<Fault[] | null | 'lost'> {
+  /// Makes the first of the waiting edits in the text, without the server: if it is not there, or if the text is no JSON.
+  private make_here(): boolean {
+    const { text, tree_is } = this.state.get();
+    const next = this.waiting_.first;
+    if (!next || (this.connection_().is_open && tree_is !== 'mended')) return false;
+    const made = text_with_edits(text, next.edits);
+    if (made === null) return false;
+    this.waiting_.take();
+    this.put(patch_between(text, made), next.label);
+    for (const done of next.done) done(null);
+    return true;
+  }
+
+  /// What waits is kept with the text, while no server is there to make it.
+  private note_waiting(): void {
+    const waiting = this.connection_().is_open ? [] : this.waiting_.plain();
+    if (waiting.length > 0 || this.state.get().waiting.length > 0) this.state.merge({ waiting });
+  }
+
+  private async ask(wish: QueuedEdit): Promise<Fault[] | null | 'lost'> {
     for (let tries = 0; ; tries += 1) {
       const { text, hash: base, undo } = this.state.get();
       try {
@@ -206,13 +209,13 @@ export class DocumentModel {
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
         this.typed_base_ = { text, patch };
         const hash = this.change_text(after, patch.length > 0 ? with_step(undo, step) : undo);
-        if (hash === edited.hash) this.state.merge(reading_of(edited));
+        if (hash === edited.hash) this.take_reading(hash, edited);
         else this.send_whole();
         return null;
       } catch (fault) {
         if (fault instanceof Lost) {
           // The wish stays, and is asked again when the server is back.
-          this.waiting_.unshift(wish);
+          this.waiting_.put_back(wish);
           return 'lost';
         }
         if (!(fault instanceof Refusal)) throw fault;
@@ -222,7 +225,7 @@ export class DocumentModel {
     }
   }
 
-  private refuse(refusal: Refusal, wish: Waiting): Fault[] {
+  private refuse(refusal: Refusal, wish: QueuedEdit): Fault[] {
     const faults = refusal.facts.faults ?? [];
     if (!wish.wish.only_if_good) this.tell_(refusal.message);
     // What was refused always has a reason.

@@ -29,19 +29,29 @@ export class JsonFault extends Error {
 }
 
 const kMostNested = 256;
+const kMostIndent = 64;
 const kNumber = /-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 const kText = /"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y;
 const kGap = /(?:[ \t\r\n\ufeff]|\/\/[^\n]*|\/\*[^]*?\*\/)*/y;
 
+const kBrokenText = /"(?:[^"\\\n,}\]]|\\.)*"?/y; // ends with its line or its container
+const kNoValue = /[^,\]}\n"]*/y;
+const kUntilName = /[^"}\]]*/y;
+
 class Parser {
   private at_ = 0;
   private nested_ = 0;
+  private top_indent_: string | null = null; // blanks before the names at the top
 
-  constructor(private readonly text_: string) {}
+  /// `mends`: faults of the form are passed over, so that the values around them are found.
+  constructor(
+    private readonly text_: string,
+    private readonly mends_ = false,
+  ) {}
 
   document(): JsonNode {
     const node = this.value();
-    if (this.at_ < this.text_.length) throw new JsonFault('expected the end of the document', this.at_);
+    if (this.at_ < this.text_.length && !this.mends_) throw new JsonFault('expected the end of the document', this.at_);
     return node;
   }
 
@@ -65,6 +75,7 @@ class Parser {
   }
 
   private expect(sign: string): void {
+    if (this.text_[this.at_] !== sign && this.mends_) return;
     if (this.text_[this.at_] !== sign) throw new JsonFault(`expected '${sign}'`, this.at_);
     this.at_ += 1;
   }
@@ -91,14 +102,26 @@ class Parser {
       return { start, value, end: this.at_ };
     }
     const number = this.match(kNumber);
+    if (number === null && this.mends_) {
+      this.match(kNoValue);
+      return { start, value: null, end: this.at_ };
+    }
     if (number === null) throw new JsonFault('expected a value', start);
     return { start, value: Number(number), end: this.at_ };
   }
 
   private text(): string {
     const found = this.match(kText);
+    if (found === null && this.mends_) return (this.match(kBrokenText) ?? '').replaceAll('"', '');
     if (found === null) throw new JsonFault('this text is not closed, or has a sign that must be escaped', this.at_);
     return JSON.parse(found) as string;
+  }
+
+  /// True where a name of the root begins a line, as indents tell, so that a bracket before it is missing.
+  private is_at_top(): boolean {
+    const indent = /(?:^|\n)([ \t]*)$/.exec(this.text_.slice(Math.max(0, this.at_ - kMostIndent), this.at_))?.[1];
+    if (this.nested_ === 1) this.top_indent_ ??= indent ?? null;
+    return this.nested_ > 1 && indent !== undefined && indent !== '' && indent === this.top_indent_;
   }
 
   private object(start: number): JsonNode {
@@ -108,7 +131,9 @@ class Parser {
     this.expect('{');
     this.skip();
     while (this.text_[this.at_] !== '}') {
-      if (members.length > 0 && !this.take(',')) throw new JsonFault("expected ',' or '}'", this.at_);
+      if (members.length > 0 && !this.take(',') && !this.mends_) throw new JsonFault("expected ',' or '}'", this.at_);
+      if (this.mends_) this.match(kUntilName);
+      if (this.mends_ && (this.text_[this.at_] !== '"' || this.is_at_top())) break;
       const name_start = this.at_;
       if (this.text_[name_start] !== '"') throw new JsonFault('expected a name in quotes', name_start);
       const name = this.text();
@@ -128,8 +153,11 @@ class Parser {
     this.expect('[');
     this.skip();
     while (this.text_[this.at_] !== ']') {
-      if (elements.length > 0 && !this.take(',')) throw new JsonFault("expected ',' or ']'", this.at_);
+      const before = this.at_;
+      if (elements.length > 0 && !this.take(',') && !this.mends_) throw new JsonFault("expected ',' or ']'", this.at_);
+      if (this.mends_ && (this.text_[this.at_] === ']' || this.is_at_top())) break; // a comma too many
       elements.push(this.value());
+      if (this.at_ === before) break; // a bracket that is missing
     }
     this.expect(']');
     return { start, end: this.at_, value: elements.map((node) => node.value), elements };
@@ -139,6 +167,12 @@ class Parser {
 /// Throws a JsonFault.
 export function parse_json(text: string): JsonNode {
   return new Parser(text).document();
+}
+
+/// Returns the values of a text that is no JSON, with their places, as far as they are found around its faults. Throws a
+/// JsonFault if it is nested too deeply.
+export function parse_broken_json(text: string): JsonNode {
+  return new Parser(text, true).document();
 }
 
 /// Puts the values that stood there before in place of equal ones, from the root down, so that who looks at a part of the

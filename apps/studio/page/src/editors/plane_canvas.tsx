@@ -9,6 +9,8 @@ import type { PictureSize, Snapped } from './plane.ts';
 import { grid_lines, levels_of, Scale, snapped } from './plane.ts';
 import type { PlaneLine } from './plane_lines.tsx';
 import { DrawnLine } from './plane_lines.tsx';
+import { LimitLines } from './limit_lines.tsx';
+import type { Limits } from './limits.ts';
 import type { Frame, Point } from './shape.ts';
 import { use_held } from './use_held.ts';
 
@@ -19,6 +21,7 @@ export interface PlaneCanvasProps {
   points: readonly Point[];
   lines: readonly PlaneLine[];
   frame: Frame; // stands still while a hand holds a point
+  limits?: Limits; // drawn where they are in sight; who shows it keeps points within
   is_even: boolean; // both ways have one scale
   size: PictureSize;
   is_numbered: boolean; // numbers stand at the lines of the grid
@@ -133,6 +136,7 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
       }}
     >
       <Grid scale={scale} size={size} pixels={grid_pixels} is_numbered={props.is_numbered} names={props.names} />
+      {props.limits && <LimitLines scale={scale} size={size} limits={props.limits} />}
       {held.shown && <Guides scale={scale} size={size} guides={held.shown.guides} />}
       {props.lines.map((line, k) => (
         <DrawnLine key={k} scale={scale} line={line} />

@@ -9,6 +9,8 @@ import { fitting_step } from '../document/arithmetic.ts';
 import type { PlaneLine } from './plane_lines.tsx';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import { use_snapping } from './snapping.ts';
+import type { Limits } from './limits.ts';
+import { drawn_limits, limits_of, with_legal_point, with_limits, within_range } from './limits.ts';
 import type { Frame, Point, Shape } from './shape.ts';
 import { frame_of, is_two_sided, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, with_room_for, without_point } from './shape.ts';
 import type { EditorSize } from './sizes.ts';
@@ -18,6 +20,7 @@ interface PlaneEditorProps {
   label: string;
   shape: Shape;
   is_dim: boolean; // a default that nobody gave
+  limits?: Limits; // that its row sets; none: those of its form alone
   behind?: readonly PlaneLine[]; // drawn below it, as what it was fitted to
   size: EditorSize;
   drag: (shape: Shape) => void; // for a while
@@ -31,7 +34,8 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
   const [chosen, choose] = useState(0);
   const { snaps, set_snaps } = use_snapping();
   const behind = props.behind ?? [];
-  const frame = with_room_for(frame_of(shape), behind.flatMap((line) => line.points));
+  const limits = props.limits ?? limits_of({}, shape.form);
+  const frame = with_limits(with_room_for(frame_of(shape), behind.flatMap((line) => line.points)), drawn_limits(limits, shape));
   const index = Math.min(chosen, shape.points.length - 1);
   const digits = Math.min(fitting_step(frame.x.low, frame.x.high, 200), fitting_step(frame.y.low, frame.y.high, 200));
   const least = least_points(shape);
@@ -41,7 +45,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
   };
   const put = (made: { shape: Shape; index: number } | null): void => {
     if (!made) return;
-    commit(made.shape);
+    commit(with_legal_point(made.shape, made.index, limits));
     focus(made.index);
   };
   const remove = (which: number): void => {
@@ -49,7 +53,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
     commit(without_point(shape, which));
     focus(Math.max(0, which - 1));
   };
-  const moved = (which: number, point: Point, step: number): Shape => with_point_at(shape, which, point, frame, step);
+  const moved = (which: number, point: Point, step: number): Shape => with_legal_point(with_point_at(shape, which, point, frame, step), which, limits);
   const kind = { function: 'Curve', line: 'Line', polygon: 'Polygon', silhouette: 'Silhouette', profile: 'Profile' }[shape.form];
   return (
     <div ref={root} className={`curve-editor of-${size}${props.is_dim ? ' dim' : ''}`}>
@@ -60,6 +64,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
         points={shape.points}
         lines={[...behind, ...lines_of(shape)]}
         frame={frame}
+        limits={drawn_limits(limits, shape)}
         is_even={shape.form !== 'function'}
         size={kPlaneSizes[size]}
         is_numbered={size === 'large'}
@@ -74,7 +79,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
         add_after={(which) => put(with_point_after(shape, which, digits))}
         remove={remove}
       />
-      <PointFields {...props} index={index} frame={frame} digits={digits} />
+      <PointFields {...props} index={index} frame={frame} digits={digits} limits={limits} />
       <div className="curve-tools">
         <IconButton is_small icon="left" label={`Point before, of ${label}`} is_off={index === 0} press={() => focus(index - 1)} />
         <IconButton is_small icon="right" label={`Point behind, of ${label}`} is_off={index + 1 >= shape.points.length} press={() => focus(index + 1)} />
@@ -109,19 +114,21 @@ interface PointFieldsProps extends PlaneEditorProps {
   index: number;
   frame: Frame;
   digits: number;
+  limits: Limits;
 }
 
 /// The numbers of the chosen point.
-function PointFields({ label, shape, index, frame, digits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
+function PointFields({ label, shape, index, frame, digits, limits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
   const point = shape.points[index];
   if (!point) return null;
   const names = shape.form === 'profile' ? names_of(shape) : ['x', 'y'];
   const field = (axis: 0 | 1): ReactElement => {
     const at = (value: number): Shape => with_point_at(shape, index, axis === 0 ? [value, point[1]] : [point[0], value], frame, 1e-6);
+    const legal = (value: number): number => within_range(value, axis === 0 ? limits.x : limits.y);
     return (
       <label className="curve-field">
         <span className="quiet">{names[axis]}</span>
-        <NumberField label={`${label}, ${names[axis]} of point ${index + 1}`} value={point[axis]} step={digits} limit={(one) => one} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
+        <NumberField label={`${label}, ${names[axis]} of point ${index + 1}`} value={point[axis]} step={digits} limit={legal} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
       </label>
     );
   };

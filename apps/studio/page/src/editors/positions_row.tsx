@@ -20,7 +20,7 @@ export function PositionsRow(props: RowEditorProps): ReactElement {
   const places = places_of(positions);
   return (
     <div className={`stacked positions of-${size}`}>
-      {places && places.length > 0 && <SpaceEditor label={label} places={places} is_joined={row.together === 'line'} is_dim={props.value === undefined} size={size} drag={actions.drag} commit={actions.commit} cancel={actions.cancel} />}
+      {places && places.length > 0 && <SpaceEditor label={label} places={places} is_joined={row.together === 'line'} is_dim={props.value === undefined} range={{ low: row.min ?? -Infinity, high: row.max ?? Infinity }} size={size} drag={actions.drag} commit={actions.commit} cancel={actions.cancel} />}
       <div className="stacked position-fields">
         <PositionFields {...props} positions={positions} />
         <div className="add-line">

@@ -11,6 +11,7 @@ import type { RowEditorProps } from '../rows/row_editor.tsx';
 import { PlaneEditor } from './plane_editor.tsx';
 import type { PlaneLine } from './plane_lines.tsx';
 import type { Form } from './shape.ts';
+import { limits_of } from './limits.ts';
 import { shape_of, with_points } from './shape.ts';
 import type { Row } from '../tables/tables.ts';
 
@@ -25,7 +26,7 @@ export function ShapeRow(props: RowEditorProps): ReactElement {
   const behind: PlaneLine[] = cloud.length > 0 ? [{ points: cloud, kind: 'cloud' }] : [];
   return (
     <div className="stacked">
-      <PlaneEditor label={props.label} shape={shape} size={size} behind={behind} is_dim={props.value === undefined} drag={(one) => drag(with_points(shown, one))} commit={(one) => commit(with_points(shown, one))} cancel={cancel} />
+      <PlaneEditor label={props.label} shape={shape} size={size} limits={limits_of(row, shape.form)} behind={behind} is_dim={props.value === undefined} drag={(one) => drag(with_points(shown, one))} commit={(one) => commit(with_points(shown, one))} cancel={cancel} />
       {size === 'row' && (
         <Button kind="quiet" is_open={is_written} press={() => set_written(!is_written)}>
           {is_written ? 'Hide the text' : 'As text'}

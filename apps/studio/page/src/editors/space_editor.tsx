@@ -8,6 +8,8 @@ import { IconButton, Segments } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
 import { next_position } from './next_position.ts';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
+import type { Range } from './shape.ts';
+import { within_range } from './limits.ts';
 import { use_snapping } from './snapping.ts';
 import type { EditorSize } from './sizes.ts';
 import type { Side } from './space.ts';
@@ -18,6 +20,7 @@ interface SpaceEditorProps {
   places: readonly Vec[];
   is_joined: boolean;
   is_dim: boolean;
+  range: Range; // of each number
   size: EditorSize;
   drag: (places: Json) => void;
   commit: (places: Json) => void;
@@ -36,7 +39,8 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
   const index = Math.min(chosen, places.length - 1);
   const digits = step_of(places);
   const plain = (made: readonly Vec[]): Json => made.map((one) => [...one]);
-  const moved = (view: Side, which: number, point: readonly [number, number], step: number): Json => plain(places.map((one, k) => (k === which ? moved_in(view, one, point, step) : one)));
+  const legal = (place: Vec): Vec => place.map((one) => within_range(one, props.range)) as unknown as Vec;
+  const moved = (view: Side, which: number, point: readonly [number, number], step: number): Json => plain(places.map((one, k) => (k === which ? legal(moved_in(view, one, point, step)) : one)));
   const put = (made: readonly Vec[], which: number): void => {
     commit(plain(made));
     choose(which);

@@ -11,10 +11,12 @@ import { member_of, path_below, value_at } from '../document/path.ts';
 import { PlaneEditor } from '../editors/plane_editor.tsx';
 import type { PlaneLine } from '../editors/plane_lines.tsx';
 import { StillPlane } from '../editors/still_plane.tsx';
+import { limits_of } from '../editors/limits.ts';
 import { shape_of, with_points } from '../editors/shape.ts';
 import type { Edit } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { LeafCurves } from './curves.ts';
+import { row_at } from '../tables/resolve.ts';
 import { draw_midrib, draw_widths, line_length, name_of } from './curves.ts';
 
 export function CurvePanel(): ReactElement | null {
@@ -120,6 +122,7 @@ function Part({ title, names, path, row, form, value, behind, is_file, edits }: 
   const dragged = use_store(studio.dragged)[at];
   const shown = dragged ?? value;
   const shape = is_file ? null : shape_of(shown, form);
+  const range = row_at(studio.tables, use_document().tree, at);
   const label = `Set ${row.replaceAll('_', ' ')}`;
   return (
     <div className="leaf-curve" aria-label={title} role="group">
@@ -132,7 +135,7 @@ function Part({ title, names, path, row, form, value, behind, is_file, edits }: 
         )}
       </h3>
       {shape ? (
-        <PlaneEditor label={title} shape={shape} is_dim={value === undefined} size="large" behind={behind} drag={(one) => studio.drag({ [at]: with_points(shown, one) })} commit={(one) => studio.set_value(at, with_points(shown, one), label)} cancel={() => studio.stop_drag()} />
+        <PlaneEditor label={title} shape={shape} is_dim={value === undefined} size="large" limits={limits_of(range ?? {}, shape.form)} behind={behind} drag={(one) => studio.drag({ [at]: with_points(shown, one) })} commit={(one) => studio.set_value(at, with_points(shown, one), label)} cancel={() => studio.stop_drag()} />
       ) : (
         <StillPlane label={title} names={names} lines={behind} is_even={row === 'midrib_points'} />
       )}

@@ -17,7 +17,7 @@ import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
 import { TimelinePanel } from '../time/timeline_panel.tsx';
 import type { ShellState } from '../studio_state.ts';
-import { ConflictBanner, KeptBanner, LostBanner } from './banners.tsx';
+import { ConflictBanner, ElsewhereBanner, KeptBanner, LostBanner } from './banners.tsx';
 import { Handles } from './handles.tsx';
 import { Hints } from './hints.tsx';
 import { Inspector } from './inspector.tsx';
@@ -48,6 +48,7 @@ export function App(): ReactElement {
         <LostBanner />
         <KeptBanner />
         <ConflictBanner />
+        <ElsewhereBanner />
       </div>
       <main className="work">
         <LeftPanel />

@@ -7,17 +7,46 @@ import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { line_difference } from '../document/line_difference.ts';
+import type { Studio } from '../studio.ts';
 import { use_studio } from '../studio_context.ts';
 
 export function LostBanner(): ReactElement | null {
-  const { link } = use_store(use_studio().server);
+  const studio = use_studio();
+  const { link } = use_store(studio.server);
   if (link !== 'lost') return null;
   return (
-    <div className="banner warning" role="alert">
+    <div className="banner warning" role="alert" data-banner="lost">
       <Icon name="warning" />
       <p>
-        The server is gone. Your work is kept in this browser: start <code>meristem studio</code> again and open the address that it prints.
+        The server is gone. Your work is kept in this browser: start <code>meristem studio</code> again and open the address that it prints. What you change here until then is kept, too.
       </p>
+      <Button press={() => save_copy(studio)}>Download the text</Button>
+    </div>
+  );
+}
+
+/// Hands the text to the browser's downloads, for which no server is needed.
+function save_copy(studio: Studio): void {
+  const { text, name } = studio.document.state.get();
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
+  link.download = /\.json$/i.test(name) ? name : `${name || 'plant'}.json`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+/// Another tab or program has the same file open.
+export function ElsewhereBanner(): ReactElement | null {
+  const studio = use_studio();
+  const { elsewhere } = use_store(studio.shell);
+  if (!elsewhere) return null;
+  return (
+    <div className="banner warning" role="alert" data-banner="elsewhere">
+      <Icon name="warning" />
+      <p>
+        <strong>{elsewhere.path}</strong> is open in {elsewhere.count === 1 ? 'another tab or program' : `${elsewhere.count} other tabs or programs`}, too. Changes of one do not reach the other: save in one of them only.
+      </p>
+      <Button press={() => studio.shell.merge({ elsewhere: null })}>Close this note</Button>
     </div>
   );
 }
@@ -29,20 +58,22 @@ export function KeptBanner(): ReactElement | null {
   if (!kept) return null;
   const { work, before } = kept;
   const when = new Date(work.at).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
-  if (before === null) return <OtherWork name={work.name} when={when} open={() => studio.keeper.open_other(work)} />;
+  if (before === null) return <OtherWork name={work.name} when={when} open={() => void studio.keeper.open_other(work)} />;
   const lines = line_difference(before, work.text);
   const differing = lines.filter((one) => one.sign !== ' ').length;
+  const waiting = work.waiting.length;
   return (
     <div className="banner" role="alert" data-banner="kept">
       <Icon name="reset" />
       <p>
-        Unsaved changes of <strong>{work.name}</strong> from {when}: {differing} {differing === 1 ? 'line differs' : 'lines differ'}.
+        Unsaved changes of <strong>{work.name}</strong> from {when}: {differing} {differing === 1 ? 'line differs' : 'lines differ'}
+        {waiting > 0 && `, and ${waiting} ${waiting === 1 ? 'edit waits' : 'edits wait'} for the server`}.
       </p>
       <Button kind="quiet" press={() => set_shows(!shows)}>
         {shows ? 'Hide' : 'Show'} what differs
       </Button>
       <Button press={() => void studio.keeper.discard(work)}>Discard</Button>
-      <Button kind="main" press={() => studio.keeper.restore(work)}>
+      <Button kind="main" press={() => void studio.keeper.restore(work)}>
         Restore
       </Button>
       {shows && (

@@ -6,6 +6,7 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { CameraMenu } from '../camera/camera_menu.tsx';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
+import { Icon } from '../controls/icon.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
 import { LeafPointsOverlay } from '../grass/leaf_points_overlay.tsx';
@@ -39,6 +40,7 @@ export function ViewPanel(): ReactElement {
     <div className="view">
       <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits, Enter takes hold of a shoot." />
       <Nothing />
+      <StalePlant />
       <ModuleOverlay />
       <PruningOverlay />
       <LeafPointsOverlay />
@@ -133,13 +135,41 @@ function PointedAt(): ReactElement | null {
   );
 }
 
+/// Marks a plant that is not the text's, since the text has faults: a border, the first fault, and the way to it.
+function StalePlant(): ReactElement | null {
+  const studio = use_studio();
+  const { shown } = use_store(studio.growth);
+  const { side } = use_store(studio.shell);
+  const { good, faults, text } = use_document();
+  const errors = faults.filter((one) => one.severity === 'error');
+  if (good || text === '' || !shown) return null;
+  const first = errors[0];
+  return (
+    <div className="stale-plant" role="status" data-mark="stale-plant">
+      <p>
+        <Icon name="fault" />
+        <span>
+          <strong>This is the last plant without faults.</strong> {errors.length === 1 ? 'The text has a fault' : `The text has ${errors.length} faults`}
+          {first ? `${first.line === null ? '' : ` in line ${first.line}`}: ${first.message}` : ''}
+        </span>
+        {side !== 'text' && (
+          <Button kind="quiet" press={() => studio.shell.merge({ side: 'text' })}>
+            Show the text
+          </Button>
+        )}
+      </p>
+    </div>
+  );
+}
+
 /// What the view says while there is nothing to see.
 function Nothing(): ReactElement | null {
   const studio = use_studio();
   const { shown, failed, working } = use_store(studio.growth);
   const { good, text } = use_document();
   if (failed) return <p className="view-note fault">{failed.message || failed.faults[0]?.message}. What is shown is the last plant that could grow.</p>;
-  if (!good && text !== '') return <p className="view-note">The text has faults. What is shown is the last plant without.</p>;
+  if (!good && text !== '' && !shown) return <p className="view-note fault">The text has faults: there is no plant to show yet.</p>;
+  if (!good && text !== '') return null;
   if (shown && shown.of.triangles === 0) return <p className="view-note">Nothing of this document can be seen.</p>;
   if (!shown) return <p className="view-note">{working ? 'Growing…' : 'Waiting for the plant…'}</p>;
   return null;

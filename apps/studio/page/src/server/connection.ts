@@ -35,6 +35,7 @@ export class Connection {
   private tries_ = 0;
   private readonly waiting_ = new Map<number, Waiting>();
   private is_closed_ = false;
+  private is_greeted_ = false;
 
   constructor(
     private readonly address_: string,
@@ -56,8 +57,9 @@ export class Connection {
     socket.onclose = () => this.lose(socket);
   }
 
+  /// True once the server has said hello: what is sent then comes behind the request that opens the document.
   get is_open(): boolean {
-    return this.socket_?.readyState === WebSocket.OPEN;
+    return this.is_greeted_ && this.socket_?.readyState === WebSocket.OPEN;
   }
 
   /// Rejects with a Refusal, or with Lost.
@@ -113,7 +115,10 @@ export class Connection {
     }
     const message = JSON.parse(data) as Answer;
     if (message.re === undefined || (message.is !== 'done' && message.is !== 'refused')) {
-      if (message.is === 'hello') this.tries_ = 0;
+      if (message.is === 'hello') {
+        this.tries_ = 0;
+        this.is_greeted_ = true;
+      }
       this.listener_.on_news(message as unknown as News);
       return;
     }
@@ -130,6 +135,7 @@ export class Connection {
   private lose(socket: WebSocket): void {
     if (socket !== this.socket_) return;
     this.socket_ = null;
+    this.is_greeted_ = false;
     for (const waiting of this.waiting_.values()) waiting.reject(new Lost('the server was lost'));
     this.waiting_.clear();
     if (this.is_closed_) return;

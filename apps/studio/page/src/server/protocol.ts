@@ -53,6 +53,13 @@ export type Edit =
   | { note: string; text: string }
   | { paste: string; names: Record<string, string>; index: number; link_index?: number };
 
+/// What a page asks for with `open`.
+export interface OpenWish {
+  path?: string | null;
+  model?: string;
+  text?: string;
+}
+
 export interface Opened extends Reading {
   path: string | null;
   model: string | null; // the shipped one's name
@@ -173,6 +180,7 @@ export interface Hello {
   protocol: number;
   version: string;
   root: string;
+  root_key: string; // tells the folder from others of its name
   document: string | null;
   model: string | null;
   formats: Format[];
@@ -215,7 +223,14 @@ export interface Failed {
   limit?: string;
 }
 
-export type News = Hello | Working | Grown | Failed;
+/// How many other tabs and programs have the file open.
+export interface Elsewhere {
+  is: 'elsewhere';
+  path: string;
+  count: number;
+}
+
+export type News = Hello | Working | Grown | Failed | Elsewhere;
 
 /// Why the server would not do it.
 export class Refusal extends Error {

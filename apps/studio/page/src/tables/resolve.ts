@@ -69,3 +69,13 @@ export function nested_rows(tables: Tables, row: Row, value: Json | undefined): 
   const names = name === undefined ? Object.values(row.kinds.tables) : [name];
   return names.flatMap((one) => table_of(tables, one).rows);
 }
+
+/// Returns the row of the parameter at a path, which may begin with the name of a component; null if there is none.
+export function row_at(tables: Tables, tree: JsonNode | null, path: string): Row | null {
+  for (const whole of [path, `components.${path}`]) {
+    const steps = steps_of(whole);
+    const row = rows_at(tables, tree, path_of(steps.slice(0, -1))).find((one) => one.name === steps.at(-1));
+    if (row) return row;
+  }
+  return null;
+}

@@ -18,6 +18,8 @@ import type { Frame, Point } from '../editors/shape.ts';
 import { use_snapping } from '../editors/snapping.ts';
 import { TextField } from '../rows/text_field.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
+import { row_at } from '../tables/resolve.ts';
+import { within_hard_range } from '../tables/tables.ts';
 import type { Track } from './keys.ts';
 import { tidy_time, with_key, with_time, with_way } from './keys.ts';
 import type { Key } from './track.ts';
@@ -31,7 +33,7 @@ export function TrackEditor({ track: written }: { track: Track }): ReactElement 
   const { time: model } = studio.bench;
   const state = use_store(model.state);
   const dragged = use_store(studio.dragged);
-  use_document();
+  const { tree } = use_document();
   const { keys, name } = with_dragged(written, dragged, model.document, model.tops);
   const index = Math.min(state.key, keys.length - 1);
   const label = name.replaceAll('_', ' ');
@@ -50,7 +52,9 @@ export function TrackEditor({ track: written }: { track: Track }): ReactElement 
     acts.commit(without(keys, which), 'Remove a key');
     choose(Math.max(0, which - 1));
   };
-  const props = { label, keys, index, length: model.animation.length, choose, add, remove, ...acts };
+  const row = row_at(studio.tables, tree, name);
+  const legal = (value: number): number => (row ? within_hard_range(row, value) : value);
+  const props = { label, keys, index, legal, length: model.animation.length, choose, add, remove, ...acts };
   return (
     <div className="track-editor" data-edited={name}>
       <KeyCurve {...props} />
@@ -64,6 +68,7 @@ interface KeysProps {
   keys: readonly Key[];
   index: number; // of the chosen key
   length: number; // of the animation, seconds
+  legal: (value: number) => number; // the nearest value that the row allows
   choose: (which: number) => void;
   add: (time: number, value: Json) => void;
   remove: (which: number) => void;
@@ -73,7 +78,7 @@ interface KeysProps {
 }
 
 /// The curve of keys that are numbers; others have none.
-function KeyCurve({ label, keys, index, length, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
+function KeyCurve({ label, keys, index, length, legal, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
   const root = useRef<HTMLDivElement>(null);
   const { snaps } = use_snapping();
   const end = Math.max(length, keys.at(-1)?.time ?? 0);
@@ -82,7 +87,7 @@ function KeyCurve({ label, keys, index, length, choose, add, remove, drag, commi
   const points = keys.map((one): Point => [one.time, one.value as number]);
   const frame = frame_of(points, end);
   const digits = fitting_step(frame.y.low, frame.y.high, 200);
-  const moved = (which: number, [time, value]: Point): Key[] => with_time(keys, which, time, end).map((one, k) => (k === which ? { ...one, value: rounded(value, digits / 10) } : one));
+  const moved = (which: number, [time, value]: Point): Key[] => with_time(keys, which, time, end).map((one, k) => (k === which ? { ...one, value: legal(rounded(value, digits / 10)) } : one));
   const between = (which: number): number => ((keys[which]?.time ?? 0) + (keys[which + 1]?.time ?? end)) / 2;
   return (
     <div ref={root} className="curve-editor">
@@ -103,7 +108,7 @@ function KeyCurve({ label, keys, index, length, choose, add, remove, drag, commi
         drag={(which, point) => drag(moved(which, point))}
         commit={(which, point) => commit(moved(which, point), 'Move a key')}
         cancel={cancel}
-        add={([time, value]) => add(tidy_time(Math.min(end, time)), rounded(value, digits / 10))}
+        add={([time, value]) => add(tidy_time(Math.min(end, time)), legal(rounded(value, digits / 10)))}
         add_after={(which) => {
           add(between(which), value_at_time(keys, between(which)));
           focus_point(root.current, which + 1);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits that are not made yet, in their order.
+import type { Edit, Fault } from '../server/protocol.ts';
+import type { WaitingEdits } from './document_state.ts';
+
+/// How an edit is made.
+export interface EditWish {
+  only_if_good?: boolean | undefined; // not where the text would then have errors
+  choose?: string | undefined; // path that is chosen after it
+}
+
+export interface QueuedEdit {
+  edits: Edit[];
+  label: string;
+  wish: EditWish;
+  done: ((faults: Fault[] | null) => void)[];
+}
+
+export class EditQueue {
+  private readonly queue_: QueuedEdit[] = [];
+
+  get first(): QueuedEdit | null {
+    return this.queue_[0] ?? null;
+  }
+
+  /// Adds edits that are one step. Those that set the same values as the last ones replace them. Resolves to what was
+  /// wrong, or null.
+  add(edits: Edit[], label: string, wish: EditWish): Promise<Fault[] | null> {
+    return new Promise((done) => {
+      const last = this.queue_.at(-1);
+      if (last && sets_the_same(last.edits, edits)) {
+        last.edits = edits;
+        last.done.push(done);
+      } else {
+        this.queue_.push({ edits, label, wish, done: [done] });
+      }
+    });
+  }
+
+  take(): QueuedEdit | null {
+    return this.queue_.shift() ?? null;
+  }
+
+  put_back(edit: QueuedEdit): void {
+    this.queue_.unshift(edit);
+  }
+
+  clear(): void {
+    this.queue_.length = 0;
+  }
+
+  /// As the browser keeps them.
+  plain(): WaitingEdits[] {
+    return this.queue_.map(({ edits, label }) => ({ edits, label }));
+  }
+}
+
+function sets_the_same(a: Edit[], b: Edit[]): boolean {
+  const paths = (edits: Edit[]): string => JSON.stringify(edits.map((edit) => ('set' in edit ? edit.set : null)));
+  return paths(a) === paths(b) && !paths(a).includes('null');
+}

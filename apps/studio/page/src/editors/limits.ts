@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the range of a row lets points stand.
+import type { Form, Frame, Point, Range, Shape } from './shape.ts';
+import { is_two_sided } from './shape.ts';
+
+/// The legal values of points, each way; an end that is infinite is none.
+export type Limits = Frame;
+
+interface RowRange {
+  min?: number;
+  above?: number;
+  max?: number;
+}
+
+/// What a row's range means for the points of a form.
+export function limits_of({ min, above, max }: RowRange, form: Form): Limits {
+  const all: Range = { low: min ?? above ?? -Infinity, high: max ?? Infinity };
+  // Where a function begins and ends is seen from its frame.
+  if (form === 'function') return { x: { low: -Infinity, high: Infinity }, y: all };
+  return { x: form === 'silhouette' || form === 'profile' ? { low: Math.max(0, all.low), high: all.high } : all, y: all };
+}
+
+/// The limits as they are drawn: those of a form with two sides on both.
+export function drawn_limits(limits: Limits, shape: Shape): Limits {
+  return is_two_sided(shape) ? { ...limits, x: { low: -limits.x.high, high: limits.x.high } } : limits;
+}
+
+export function within_range(value: number, { low, high }: Range): number {
+  return Math.min(high, Math.max(low, value));
+}
+
+/// The shape with one point moved to where it is legal.
+export function with_legal_point(shape: Shape, index: number, limits: Limits): Shape {
+  const legal = ([x, y]: Point): Point => [within_range(x, limits.x), within_range(y, limits.y)];
+  return { ...shape, points: shape.points.map((one, k) => (k === index ? legal(one) : one)) };
+}
+
+const kRoomBeyond = 0.06; // of the frame, beyond a limit, so that its line is seen
+
+/// A frame that shows the limits as well, if they lie near what it shows.
+export function with_limits({ x, y }: Frame, limits: Limits): Frame {
+  const wider = (range: Range, limit: Range): Range => {
+    const room = kRoomBeyond * (range.high - range.low);
+    const is_near = (end: number): boolean => Number.isFinite(end) && end > range.low - 10 * room && end < range.high + 10 * room;
+    return {
+      low: is_near(limit.low) ? Math.min(range.low, limit.low - room) : range.low,
+      high: is_near(limit.high) ? Math.max(range.high, limit.high + room) : range.high,
+    };
+  };
+  return { x: wider(x, limits.x), y: wider(y, limits.y) };
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Saves the open document into a file of the server's folder.
+import type { Saved } from './server/protocol.ts';
+import { Refusal } from './server/protocol.ts';
+import type { Studio } from './studio.ts';
+
+/// Returns whether it was saved; says why not, or asks whether the file of somebody else may go.
+export async function save_document(studio: Studio, path: string, over: boolean): Promise<boolean> {
+  await studio.document.idle();
+  const slot = studio.keeper.slot();
+  try {
+    const answer = await ask_save(studio, path, over);
+    studio.document.take_saved(answer);
+    await studio.keeper.take_saved(slot);
+    studio.tell(`Saved ${answer.path}`);
+    return true;
+  } catch (fault) {
+    if (fault instanceof Refusal && fault.facts.changed) studio.shell.merge({ conflict: { path } });
+    else if (fault instanceof Error) studio.tell(fault.message, true);
+    return false;
+  }
+}
+
+/// Saves the page's text and no other: a server that holds another one is told it first.
+async function ask_save({ document, connection }: Studio, path: string, over: boolean): Promise<Saved> {
+  for (let tries = 0; ; tries += 1) {
+    const { path: known, saved, hash } = document.state.get();
+    try {
+      return await connection.request<Saved>('save', { path, hash, saved: path === known ? saved : null, over });
+    } catch (fault) {
+      if (!(fault instanceof Refusal) || !fault.facts.stale || tries > 0) throw fault;
+      document.send_whole();
+    }
+  }
+}

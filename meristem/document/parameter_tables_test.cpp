@@ -63,6 +63,16 @@ TEST(ParameterTables, SayWhatPointsAreTogether) {
   EXPECT_EQ(row_of("leaf", "outline")->find("together"), nullptr);
 }
 
+TEST(ParameterTables, GiveTheRangeOfACurveThatHasOne) {
+  const Value* outline = row_of("leaf", "outline");
+  EXPECT_EQ(*outline->find("min")->number(), 0);
+  EXPECT_EQ(*outline->find("max")->number(), 1);
+  const Value* profile = row_of("grassleaf", "profile");
+  EXPECT_EQ(*profile->find("min")->number(), 0);
+  EXPECT_EQ(profile->find("max"), nullptr);
+  EXPECT_EQ(row_of("leaf", "profile")->find("min"), nullptr);
+}
+
 TEST(ParameterTables, SayOfANumberAllThatAnEditorNeeds) {
   const Value* length = row_of("leaf", "length");
   ASSERT_NE(length, nullptr);

@@ -312,6 +312,13 @@ mv {notes}/page {notes}/page.html
             self.assertFalse(named["good"])
             self.assertIn("outside the folder", json.dumps(named["faults"]))
 
+    def test_refuses_files_that_are_not_utf8_and_goes_on(self) -> None:
+        (Path(self.folder.name) / "latin.json").write_bytes('{"meristem": 1,\n "author": "Köhler"}'.encode("latin-1"))
+        with self.studio.page() as page:
+            refused = page.ask("open", path="latin.json")
+            self.assertIn("byte 0xf6 in line 2 (byte 30 of the file) is not UTF-8", refused["message"])
+            self.assertEqual(page.ask("open", path="bush.json")["is"], "done")
+
     def test_exports_downloads(self) -> None:
         with self.studio.page() as page:
             page.ask("open", path="bush.json")

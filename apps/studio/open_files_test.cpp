@@ -7,7 +7,7 @@
 
 #include "test_studio.h"
 
-namespace meristem::studio {
+namespace meristem::studio::open_files_test {
 
 TEST(OpenFile, CountsOthersOfTheSameFileWhileTheyLive) {
   const TemporaryFolder folder;
@@ -63,4 +63,4 @@ TEST(OpenFileWatch, AnnouncesASecondPageToBoth) {
       [&](const Value& message) { return is_elsewhere(message) && *message.find("count")->number() == 0; });
 }
 
-}  // namespace meristem::studio
+}  // namespace meristem::studio::open_files_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
+namespace meristem::utf8_test {
 
 TEST(Utf8, FindsTheFirstByteThatIsNotText) {
   EXPECT_EQ(find_invalid_utf8(""), 0U);
@@ -23,4 +23,4 @@ TEST(Utf8, ReplacesOnlyBytesThatAreNotText) {
   EXPECT_EQ(find_invalid_utf8(with_valid_utf8("\xED\xA0\xBD")), 9U);
 }
 
-}  // namespace meristem
+}  // namespace meristem::utf8_test

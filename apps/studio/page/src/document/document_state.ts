@@ -61,8 +61,8 @@ export function reading_of({ good, faults, implied = [], notes = {}, variables }
   return { good, faults, implied, notes, variables: variables.map((one) => ({ ...one, expression: one.expression || null })) };
 }
 
-/// Returns the tree of a text. Of a text that is no JSON it is read around the fault, if all that stood at the top before
-/// is found; else the tree is the last one.
+/// Returns the tree of a text. Reads around the fault if the text is no JSON. If names at the top are then missing that
+/// the last tree has, the tree is the last one.
 export function tree_of(text: string, last: JsonNode | null): { tree: JsonNode | null; tree_is: TreeIs } {
   const read = (parse: (text: string) => JsonNode): JsonNode | null => {
     try {

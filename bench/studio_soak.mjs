@@ -77,19 +77,19 @@ function prepare(from) {
     get: () => studio,
     set: (one) => {
       studio = one;
-      const { connection, keeper } = one;
+      const { connection, document } = one;
       const request = connection.request.bind(connection);
       connection.request = async (what, ...rest) => {
         window.requests[what] = (window.requests[what] ?? 0) + 1;
-        const { text } = one.document.state.get();
+        const { text } = document.state.get();
         const answer = await request(what, ...rest);
         if (what === 'save') window.saved_texts[answer.path] = text;
         return answer;
       };
-      const restore = keeper.restore.bind(keeper);
-      keeper.restore = (work) => {
+      const take_kept = document.take_kept.bind(document);
+      document.take_kept = (...rest) => {
         window.restored += 1;
-        restore(work);
+        take_kept(...rest);
       };
     },
   });

@@ -25,6 +25,7 @@
 #include "meristem/output/overlay/overlay.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/cards.h"
+#include "meristem/output/picture/free_side.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/picture/picture_fingerprint.h"
 #include "meristem/output/picture/truth.h"
@@ -201,6 +202,7 @@ class PictureTaker {
     const Vec3 middle = grown_.meshes.bounds().centre();
     const bool moves = pictures.front().time != pictures.back().time;
     const MeshScene last = moves && document_.at_time ? grown_.meshes : MeshScene();
+    options_.view = from_free_side(grown_.meshes, options_.view);
     if (moves) options_.view = placed_view(grown_.meshes, options_.view, aspect());
     const View view = options_.view;
     std::size_t found = 0;
@@ -213,9 +215,10 @@ class PictureTaker {
       if (pictures.size() > 1) terminal_.tell_parts("frame", k, found, pictures.size());
       if (picture.time != grown_time_) grow_at(picture.time);
       // A camera with keys moves.
-      options_.view =
-          turned(moves && document_.at_time ? placed_view(last, chosen_view(chosen_, now()), aspect()) : view, middle,
-                 picture.turn);
+      options_.view = turned(moves && document_.at_time
+                                 ? placed_view(last, from_free_side(last, chosen_view(chosen_, now())), aspect())
+                                 : view,
+                             middle, picture.turn);
       if (chosen_.fingerprint) {
         fmt::print("{}\n", picture_fingerprint(grown_, now().graph.limits, now().scene, options_));
       } else if (!picture.path.empty()) {
@@ -230,6 +233,12 @@ class PictureTaker {
  private:
   double aspect() const { return static_cast<double>(options_.still.width) / options_.still.height; }
   const Document& now() const { return other_ ? *other_ : document_; }
+
+  /// One side for all pictures, also while the camera turns.
+  View from_free_side(const MeshScene& plants, const View& view) {
+    if (options_.still.transparent) return view;
+    return view_past_obstacles(plants, now().scene.obstacles, view, aspect(), terminal_.progress());
+  }
 
   /// What the picture shows, as files.
   void write_truth(const Picture& picture) {

@@ -7,6 +7,7 @@
 #include "meristem/output/overlay/overlay_meshes.h"
 #include "meristem/output/overlay/overlay_text.h"
 #include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/free_side.h"
 #include "meristem/output/picture/hull_wires.h"
 
 namespace meristem {
@@ -27,18 +28,22 @@ Vec3 right_of(const View& view) {
 
 PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, const Scene& scene,
                            const PictureOptions& options, const Progress& progress) {
-  PictureScene picture{options.plants ? grown.meshes : MeshScene(), options.view, {}};
   const MeshScene& plants = grown.meshes;
+  const double aspect = aspect_of(options.still);
+  const View view = options.still.transparent
+                        ? options.view
+                        : view_past_obstacles(plants, scene.obstacles, options.view, aspect, progress);
+  PictureScene picture{options.plants ? plants : MeshScene(), view, {}};
   if (!options.overlays.empty()) {
-    const OverlaySource source{grown.plant, grown.traces, scene, limits, plants.bounds(), right_of(options.view)};
+    const OverlaySource source{grown.plant, grown.traces, scene, limits, plants.bounds(), right_of(view)};
     picture.layers = overlay_layers(source, options.overlays, progress);
     Box box = overlay_bounds(picture.layers);
     if (options.plants) box.add(plants.bounds());
     const Vec3 size = box.size();
     picture.meshes = with_overlays(picture.meshes, picture.layers, std::max({size.x, size.y, size.z}));
-    picture.view = placed_view(picture.meshes, options.view, aspect_of(options.still));
+    picture.view = placed_view(picture.meshes, view, aspect);
   } else if (options.crown_hulls && !plants.meshes.empty()) {
-    picture.view = placed_view(plants, options.view, aspect_of(options.still));
+    picture.view = placed_view(plants, view, aspect);
   }
   if (options.crown_hulls && !plants.meshes.empty()) {
     picture.meshes = with_crown_hulls(picture.meshes, grown.plant, progress);

@@ -12,6 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/film.h"
+#include "meristem/output/picture/free_side.h"
 #include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/path_tracer.h"
@@ -138,7 +139,9 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
   const Lamplight lamps(scene.light.lamps);
   const PathTracer tracer(shown, rays, Daylight(sky, ground.colour),
                           shows_ground ? std::optional(ground) : std::nullopt, lamps, air_of(view, sky));
-  const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const View seen = shows_obstacles ? view_past_obstacles(meshes, scene.obstacles, view, aspect, progress) : view;
+  const Camera camera = place_camera(framed, seen, aspect);
   const float brightness = exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera));
   const Developer developer(view, options, brightness);
   const Photographer photographer(tracer, camera,

@@ -10,6 +10,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/measure/surface_labels.h"
+#include "meristem/output/picture/free_side.h"
 #include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/still.h"
@@ -146,7 +147,9 @@ Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& s
   const MeshScene& shown = shows_obstacles ? meshes_around : grown.meshes;
   const MeshScene& framed = grown.meshes.meshes.empty() ? shown : grown.meshes;
   const RayScene rays(shown, progress);
-  const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const View seen = shows_obstacles ? view_past_obstacles(grown.meshes, scene.obstacles, view, aspect, progress) : view;
+  const Camera camera = place_camera(framed, seen, aspect);
   const std::size_t pixels = std::size_t{1} * options.width * options.height;
   Truth truth{.width = options.width,
               .height = options.height,

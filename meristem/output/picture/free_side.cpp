@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of the plants is seen from a side is measured by rays from some of their vertices to where the camera would
+// stand. Only obstacles count: plants that hide each other are what a picture of plants shows.
+#include "meristem/output/picture/free_side.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "meristem/base/math.h"
+#include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/obstacle_meshes.h"
+#include "meristem/shape/ray_scene.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kSamples = 500;  // vertices of the plants; more: a finer share, and slower
+constexpr double kEnough = 0.5;        // share of the plants that must be seen
+constexpr int kSides = 8;
+constexpr std::array<double, 2> kHigherAltitudes{0.5, 1.2};  // radians, above walls that stand all around
+
+/// Returns vertices that are spread evenly over the instances of all meshes.
+std::vector<Vec3> sample_points(const MeshScene& plants) {
+  std::size_t vertices = 0;
+  for (const MeshInstances& part : plants.meshes) vertices += part.count() * part.mesh->vertex_count();
+  const std::size_t count = std::min(kSamples, vertices);
+  std::vector<Vec3> points;
+  points.reserve(count);
+  std::size_t before = 0;  // vertices of the parts before
+  for (const MeshInstances& part : plants.meshes) {
+    const std::size_t each = part.mesh->vertex_count();
+    const std::size_t end = before + part.count() * each;
+    while (points.size() < count) {
+      const auto share = (static_cast<double>(points.size()) + 0.5) / static_cast<double>(count);
+      const auto vertex = static_cast<std::size_t>(share * static_cast<double>(vertices));
+      if (vertex >= end) break;
+      points.push_back(part.frame((vertex - before) / each).point(part.mesh->positions[(vertex - before) % each]));
+    }
+    before = end;
+  }
+  return points;
+}
+
+bool has_own_side(const View& view) {
+  const View usual;
+  return view.position || view.target || view.azimuth != usual.azimuth || view.altitude != usual.altitude;
+}
+
+/// The sides to try, the usual one first, then those nearest to it.
+std::vector<View> sides(const View& view) {
+  std::vector<double> altitudes{view.altitude};
+  altitudes.insert(altitudes.end(), kHigherAltitudes.begin(), kHigherAltitudes.end());
+  std::vector<View> all;
+  for (const double altitude : altitudes) {
+    for (int k = 0; k < kSides; ++k) {
+      const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;  // 0, 1, -1, 2, -2, ...
+      View side = view;
+      side.azimuth = view.azimuth + step * 2 * kPi / kSides;
+      side.altitude = altitude;
+      all.push_back(side);
+    }
+  }
+  return all;
+}
+
+/// Returns the share of the points that are seen from a position.
+double seen_share(const std::vector<Vec3>& points, const RayScene& obstacles, Vec3 position) {
+  std::size_t seen = 0;
+  for (const Vec3 point : points) {
+    const Vec3 way = position - point;
+    const float length = glm::length(way);
+    const float start = RayScene::clearance(point);
+    if (!(length > start)) continue;
+    const Vec3 direction = way / length;
+    seen += obstacles.is_blocked({point + start * direction, direction}, length - start) ? 0U : 1U;
+  }
+  return static_cast<double>(seen) / static_cast<double>(points.size());
+}
+
+}  // namespace
+
+View view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, View view, double aspect,
+                         const Progress& progress) {
+  if (has_own_side(view) || !has_visible(obstacles)) return view;
+  const std::vector<Vec3> points = sample_points(plants);
+  if (points.empty()) return view;
+  Progress part(&progress);
+  const MeshScene bodies = obstacle_meshes(obstacles, part);
+  const RayScene rays(bodies, part);
+  const std::vector<View> candidates = sides(view);
+  double best_share = -1;
+  for (const View& candidate : candidates) {
+    part.check();
+    const double share = seen_share(points, rays, place_camera(plants, candidate, aspect).position());
+    if (share > best_share) {
+      best_share = share;
+      view = candidate;
+    }
+    if (share >= kEnough) break;
+  }
+  return view;
+}
+
+}  // namespace meristem

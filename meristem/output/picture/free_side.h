@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/progress.h"
+#include "meristem/scene/obstacle/obstacles.h"
+#include "meristem/scene/view.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// Returns `view` with a side from which the plants are seen past the obstacles. Tries eight sides at three altitudes,
+/// the nearest first, and takes the first one from which half of the plants is seen. If there is none, takes the one
+/// from which most is seen. The view stays as it is if it has a position, a target or a side of its own, or if no
+/// obstacle is visible. `aspect` is the width of the picture over its height. The result does not depend on the number
+/// of threads. Throws Cancelled.
+View view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, View view, double aspect,
+                         const Progress& progress);
+
+}  // namespace meristem

@@ -42,8 +42,9 @@ void check(const CheckOptions& options) {
     }
   }
   if (quiet) return;
-  fmt::print("{}: good, {} and {}\n", document.source.file, counted(document.graph.components.size(), "component"),
-             counted(document.graph.links.size(), "link"));
+  print_line(fmt::format("{}: good, {} and {}", document.source.file,
+                         counted(document.graph.components.size(), "component"),
+                         counted(document.graph.links.size(), "link")));
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ void list_models(bool paths, bool names) {
   const std::string folder = models_folder();
   for (const std::string& name : model_names(folder)) {
     if (names) {
-      fmt::print("{}\n", name);
+      print_line(name);
     } else if (paths) {
-      fmt::print("{}\n", model_path(folder, name));
+      print_line(model_path(folder, name));
     } else {
       const Value document = parse_json(read_text_file(model_path(folder, name)));
-      fmt::print("{:<16} {}\n", name, text_member(document, "description"));
+      print_line(fmt::format("{:<16} {}", name, text_member(document, "description")));
     }
   }
 }

@@ -89,7 +89,7 @@ void plan(const PlanOptions& options) {
     files.commit();
   }
   if (options.output.empty()) {
-    for (const OperationRecord& record : records) fmt::print("{}\n", told(record));
+    for (const OperationRecord& record : records) print_line(told(record));
   }
   if (options.document.quiet) return;
   print_status(records.empty() ? "nothing to do" : fmt::format("{} to do", records.size()));

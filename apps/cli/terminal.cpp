@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "meristem/base/visible_text.h"
+
 namespace meristem::cli {
 
 namespace {
@@ -35,16 +37,13 @@ void handle(int signal) {
 /// What is written to standard error is lost if nobody can take it: no failure worth another.
 void write_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
-/// Without what would act on a terminal instead of being read, and not longer than a screen.
-std::string readable(const std::string& text) {
+/// Returns a text that is not longer than a screen.
+std::string shortened(const std::string& text) {
   constexpr std::size_t kMost = 2000;
   std::string out = text.substr(0, kMost);
   if (text.size() > kMost) {
     while (!out.empty() && (static_cast<unsigned char>(text[out.size()]) & 0xC0U) == 0x80U) out.pop_back();
     out += " ...";
-  }
-  for (char& c : out) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
   }
   return out;
 }
@@ -65,11 +64,13 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) {
     const char* const kind = diagnostic.severity == Severity::warning ? "warning: " : "";
     const char* const origin = diagnostic.file.empty() ? "meristem: " : "";
-    print_status(kind + readable(origin + diagnostic.text()));
+    print_status(kind + shortened(origin + diagnostic.text()));
   }
 }
 
-void print_status(const std::string& line) { write_error(line + "\n"); }
+void print_status(const std::string& line) { write_error(visible_text(line) + "\n"); }
+
+void print_line(const std::string& line) { fmt::print("{}\n", visible_text(line)); }
 
 TerminalProgress::TerminalProgress(bool quiet)
     : is_terminal_(isatty(STDERR_FILENO) != 0),

@@ -16,8 +16,12 @@ namespace meristem::cli {
 /// Warnings and errors, one per line, on standard error.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
-/// A line for the user on standard error, past any progress bar.
+/// A line for the user on standard error, past any progress bar. Names in it are escaped as by visible_text().
 void print_status(const std::string& line);
+
+/// A line that the user asked for on standard output, escaped as by visible_text(). Data, such as JSON, is not printed
+/// by it.
+void print_line(const std::string& line);
 
 /// Progress on standard error while it lives: a bar on a terminal, elsewhere a plain line every few seconds; nothing if
 /// quiet. Ctrl-C and SIGTERM cancel it; a second Ctrl-C ends the program at once. One at a time.

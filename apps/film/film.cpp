@@ -86,6 +86,16 @@ int run(const std::vector<std::string>& words, const std::string& log, const Pro
   return exit_code(process, words[0], progress);
 }
 
+/// Returns the lines of a text that are not empty.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
 }  // namespace
 
 bool is_film(const std::string& path) { return path.ends_with(".mp4") || path.ends_with(".webm"); }
@@ -128,7 +138,8 @@ void make_film(const std::string& folder, std::size_t frames, double fps, const 
   for (const char* const word : {"-pix_fmt", "yuv420p"}) words.emplace_back(word);
   words.push_back(made);
   if (const int code = run(words, log, progress); code != 0) {
-    throw MachineError(fmt::format("{}: ffmpeg has failed with code {}: {}", path, code, read_file(log, kMostOfLog)));
+    throw MachineError(fmt::format("{}: ffmpeg has failed with code {}: {}", path, code,
+                                   fmt::join(lines_of(read_file(log, kMostOfLog)), "; ")));
   }
   std::error_code error;
   fs::rename(made, path, error);

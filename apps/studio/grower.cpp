@@ -10,6 +10,7 @@
 #include "job_news.h"
 #include "job_watch.h"
 #include "meristem/base/large_memory.h"
+#include "meristem/base/visible_text.h"
 #include "meristem/document/json.h"
 #include "meristem/graph/instances.h"
 #include "meristem/output/picture/obstacle_meshes.h"
@@ -250,7 +251,7 @@ void Grower::send_failure(const std::string& hash, const std::string& message, V
     const std::lock_guard lock(mutex_);
     if (is_closed_) return;
   }
-  Value::Object news{{"is", "failed"}, {"job", "grow"}, {"hash", hash}, {"message", message}};
+  Value::Object news{{"is", "failed"}, {"job", "grow"}, {"hash", hash}, {"message", visible_lines(message)}};
   for (auto& member : members) news.push_back(std::move(member));
   outbox_->send_text(write_json_line(news));
 }

@@ -22,6 +22,7 @@
 #include "job_watch.h"
 #include "meristem/base/large_memory.h"
 #include "meristem/base/version.h"
+#include "meristem/base/visible_text.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "operation_values.h"
@@ -72,7 +73,7 @@ Value tree_of(const std::string& text) {
 }
 
 std::string refused_text(double id, const std::string& message, const Value::Object& members) {
-  Value::Object refusal{{"is", "refused"}, {"re", id}, {"message", message}};
+  Value::Object refusal{{"is", "refused"}, {"re", id}, {"message", visible_lines(message)}};
   for (const auto& member : members) refusal.push_back(member);
   return write_json_line(refusal);
 }
@@ -185,7 +186,7 @@ void StudioSession::require_rate() {
 }
 
 void StudioSession::refuse(std::optional<double> id, const std::string& message, const Value::Object& members) {
-  Value::Object refusal{{"is", "refused"}, {"re", id ? Value(*id) : Value()}, {"message", message}};
+  Value::Object refusal{{"is", "refused"}, {"re", id ? Value(*id) : Value()}, {"message", visible_lines(message)}};
   for (const auto& member : members) refusal.push_back(member);
   outbox_->send_text(write_json_line(refusal));
 }

@@ -3,27 +3,29 @@
 
 #include <utility>
 
+#include "meristem/base/visible_text.h"
+
 namespace meristem::studio {
 
 namespace {
 
 Value count_or_null(int number) { return number > 0 ? Value(number) : Value(); }
 
-Value fault_value(Diagnostic fault, std::string_view text, const std::string& file) {
+Value fault_value(const Diagnostic& found, std::string_view text, const std::string& file) {
+  Diagnostic fault = visible(found);
   if (!file.empty() && fault.line > 0) fault.file = file;
   // Not written as `condition ? Value(x) : Value()`: GCC 12 then warns of an uninitialised string at -O1.
   Value offset;
   if (fault.line > 0 && !text.empty()) offset = static_cast<double>(unit_of(text, fault.line, fault.column));
-  return Value::Object{
-      {"severity", fault.severity == Severity::error ? "error" : "warning"},
-      {"message", fault.message},
-      {"expected", fault.expected},
-      {"nearest", fault.nearest},
-      {"path", fault.path},
-      {"line", count_or_null(fault.line)},
-      {"column", count_or_null(fault.column)},
-      {"offset", std::move(offset)},
-      {"text", fault.text()}};
+  return Value::Object{{"severity", fault.severity == Severity::error ? "error" : "warning"},
+                       {"message", fault.message},
+                       {"expected", fault.expected},
+                       {"nearest", fault.nearest},
+                       {"path", fault.path},
+                       {"line", count_or_null(fault.line)},
+                       {"column", count_or_null(fault.column)},
+                       {"offset", std::move(offset)},
+                       {"text", fault.text()}};
 }
 
 }  // namespace

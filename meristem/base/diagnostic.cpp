@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/visible_text.h"
+
 namespace meristem {
 
 namespace {
@@ -65,11 +67,13 @@ std::string Diagnostic::text() const {
   out += message;
   if (!expected.empty()) fmt::format_to(out_end, "; expected {}", expected);
   if (!nearest.empty()) fmt::format_to(out_end, "; did you mean '{}'?", nearest);
-  return out;
+  return visible_text(out);
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)
-    : std::runtime_error(all_texts(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+    : std::runtime_error(all_texts(diagnostics)), diagnostics_(std::move(diagnostics)) {
+  for (Diagnostic& diagnostic : diagnostics_) diagnostic = visible(std::move(diagnostic));
+}
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   if (name.size() > kLongestName) return {};

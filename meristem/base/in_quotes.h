@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// `text` in quotes for a message, shortened after a whole character (UTF-8) where it is long.
+/// `text` in quotes for a message, as visible_text(), shortened after a whole character (UTF-8) where it is long.
 std::string in_quotes(std::string_view text);
 
 }  // namespace meristem

@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem {
-
-namespace {
+namespace meristem::number_limit_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -36,6 +34,4 @@ TEST(NumberLimit, FaultSaysWhatWasExpected) {
             "the radius -1 is out of range; expected a radius or diameter from 0 to 1e+09");
 }
 
-}  // namespace
-
-}  // namespace meristem
+}  // namespace meristem::number_limit_test

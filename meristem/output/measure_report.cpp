@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/visible_text.h"
+
 namespace meristem {
 namespace {
 
@@ -89,7 +91,7 @@ std::string heading_of(const TreeOrigin& origin, std::size_t number) {
   const std::string standing = fmt::format("at {:.4g}, {:.4g}, {:.4g}", position.x, position.y, position.z);
   if (origin.component.empty()) return fmt::format("tree {}, {}", number, standing);
   const std::string row = origin.row == kNoRow ? "" : fmt::format("row {}, ", origin.row);
-  return fmt::format("tree {}: {} {}, {}{}", number, origin.component, origin.instance, row, standing);
+  return fmt::format("tree {}: {} {}, {}{}", number, visible_text(origin.component), origin.instance, row, standing);
 }
 
 }  // namespace

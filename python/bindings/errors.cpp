@@ -3,12 +3,19 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/progress.h"
+#include "meristem/base/visible_text.h"
 
 namespace meristem::python {
 
 namespace {
 
 py::module_ errors_module() { return py::module_::import("meristem._errors"); }
+
+/// A file's name as Python spells it: bytes that are not UTF-8 become surrogates.
+py::str file_name(const std::string& name) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<py::ssize_t>(name.size())));
+}
 
 void translate(std::exception_ptr pointer) {
   try {
@@ -17,7 +24,7 @@ void translate(std::exception_ptr pointer) {
     const py::object raised = errors_module().attr("InputError")(to_python(error.diagnostics()));
     PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
   } catch (const MachineError& error) {
-    const py::object raised = errors_module().attr("MachineError")(error.what());
+    const py::object raised = errors_module().attr("MachineError")(visible_text(error.what()));
     PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
   } catch (const Cancelled& cancelled) {
     const py::object raised = errors_module().attr("Cancelled")(cancelled.what());
@@ -30,9 +37,10 @@ void translate(std::exception_ptr pointer) {
 py::tuple to_python(const std::vector<Diagnostic>& diagnostics) {
   const py::object make = errors_module().attr("Diagnostic");
   py::list list;
-  for (const Diagnostic& d : diagnostics) {
+  for (const Diagnostic& found : diagnostics) {
+    const Diagnostic d = visible(found);
     list.append(make(d.severity == Severity::error ? "error" : "warning", d.message, d.expected, d.nearest, d.path,
-                     d.file, d.line, d.column, d.text()));
+                     file_name(d.file), d.line, d.column, d.text()));
   }
   return py::tuple(list);
 }

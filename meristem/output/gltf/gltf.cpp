@@ -13,6 +13,7 @@
 #include "meristem/output/gltf/gltf_arrays.h"
 #include "meristem/output/gltf/gltf_json.h"
 #include "meristem/output/gltf/gltf_layout.h"
+#include "meristem/output/write/finite.h"
 
 namespace meristem {
 
@@ -44,6 +45,7 @@ void write_words(AtomicFile& file, std::initializer_list<std::uint64_t> words) {
 
 void write_laid_out(GltfLayout layout, const MeshScene& scene, const std::string& path, const GltfOptions& options,
                     Progress& progress) {
+  require_finite(scene);
   // Find out how long the JSON will be.
   check_size(layout.binary_bytes);
   progress.begin("writing glTF", gltf_element_count(layout));

@@ -12,6 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/output/gltf/turned_vectors.h"
 #include "meristem/output/write/block_writer.h"
+#include "meristem/output/write/finite.h"
 
 namespace meristem {
 
@@ -47,6 +48,7 @@ class ArrayWriter {
         for (const GltfSharedMesh& shared : component.shared) write_rows(shared);
       }
     }
+    require_finite_values(std::span<const float>(layout_.animation.data));
     file_.write(std::span<const float>(layout_.animation.data));
     for (const GltfImage& image : layout_.images) {
       progress_.check();
@@ -254,6 +256,7 @@ class ArrayWriter {
         for_each_run(start + begin, start + end, per_frame,
                      [&](std::size_t frame, std::size_t first, std::size_t last) {
                        fill(frame, first, last, out);
+                       require_finite_values(std::span<const Element>(out, last - first));
                        out += last - first;
                      });
       });

@@ -17,6 +17,7 @@
 #include "meristem/output/mesh/obj_materials.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/colour_factors.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/output/write/names.h"
 
 namespace meristem {
@@ -52,9 +53,10 @@ ObjNames names_of(const MeshScene& scene) {
   return names;
 }
 
-/// Appends a line as `format` makes it.
+/// Appends a line as `format` makes it of finite numbers.
 template <class Format, class... Values>
 void append_line(std::string& out, const Format& format, const Values&... values) {
+  (require_finite_value(values), ...);
   std::array<char, kFaceBytes> line;
   const char* end = fmt::format_to(line.data(), format, values...);
   out.append(line.data(), static_cast<std::size_t>(end - line.data()));
@@ -196,6 +198,7 @@ std::array<std::string, 3> picture_paths(const std::string& obj_path, const std:
 }
 
 void write_obj(const MeshScene& scene, const std::string& path, const ObjOptions& options, Progress& progress) {
+  require_finite(scene);
   progress.begin("writing OBJ", element_count(scene));
   const ObjNames names = names_of(scene);
   const std::vector<ColourFactors> factors = colour_factors(scene);

@@ -20,6 +20,7 @@
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/append_bytes.h"
 #include "meristem/output/write/block_writer.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/output/write/names.h"
 #include "meristem/plant/plant_variant.h"
 
@@ -207,6 +208,9 @@ void write_skeleton_header(const SkeletonTable& table, const std::vector<std::si
   file.write(header);
 }
 
+/// The bits of the NaN that an unknown value is.
+constexpr std::uint32_t kUnknown = 0x7fc00000;
+
 void write_nodes(const SkeletonTable& table, const std::vector<std::size_t>& columns, BlockWriter& writer) {
   const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
     table.for_each_row(begin, end, [&](const SkeletonRow& row) {
@@ -214,6 +218,8 @@ void write_nodes(const SkeletonTable& table, const std::vector<std::size_t>& col
         const double value = table.value(row, column);
         if (is_whole(table.columns()[column].kind)) {
           append_bytes(out, static_cast<std::int32_t>(value));
+        } else if (std::isnan(value)) {
+          append_bytes(out, kUnknown);
         } else {
           append_bytes(out, static_cast<float>(value));
         }
@@ -250,6 +256,7 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
     vertices += instances.mesh->vertex_count() * instances.count();
   }
   check_count("vertices", vertices);
+  require_finite(scene);
   check_count("triangles", scene.triangle_count());
   progress.begin("writing PLY", vertices + scene.triangle_count());
   AtomicFile file(path);
@@ -265,6 +272,7 @@ void write_skeleton_ply(const Plant& grown, const Limits& limits, const std::str
                         Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
+  require_finite(plant);
   const SkeletonTable table(plant);
   check_count("nodes", table.row_count());
   progress.begin("writing PLY", 2 * table.row_count());

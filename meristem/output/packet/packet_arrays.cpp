@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "meristem/document/json.h"
+#include "meristem/output/write/finite.h"
 
 namespace meristem {
 
@@ -40,6 +42,7 @@ std::vector<float> packed_vectors(const std::vector<Vec3>& vectors) {
   std::vector<float> numbers;
   numbers.reserve(3 * vectors.size());
   for (const Vec3 vector : vectors) numbers.insert(numbers.end(), {vector.x, vector.y, vector.z});
+  require_finite_values(std::span<const float>(numbers));
   return numbers;
 }
 
@@ -78,6 +81,7 @@ std::vector<float> wide_uvs(const std::vector<Vec2>& uvs) {
   std::vector<float> numbers;
   numbers.reserve(2 * uvs.size());
   for (const Vec2 uv : uvs) numbers.insert(numbers.end(), {uv.x, uv.y});
+  require_finite_values(std::span<const float>(numbers));
   return numbers;
 }
 
@@ -89,6 +93,7 @@ std::vector<float> packed_frames(const std::vector<Frame>& frames) {
       numbers.insert(numbers.end(), {frame.axes[0][row], frame.axes[1][row], frame.axes[2][row], frame.origin[row]});
     }
   }
+  require_finite_values(std::span<const float>(numbers));
   return numbers;
 }
 

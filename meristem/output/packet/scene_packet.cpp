@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "meristem/output/packet/packet_arrays.h"
 #include "meristem/output/packet/short_values.h"
 #include "meristem/output/packet/skeleton_lines.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/output/write/jpeg.h"
 #include "meristem/output/write/png.h"
 #include "meristem/shape/mesh/shading.h"
@@ -134,6 +136,7 @@ class PacketMaker::Builder {
       if (!now_.held.skeletons.insert(key).second || before_.held.skeletons.contains(key)) continue;
       progress_.check();
       const SkeletonLines lines = skeleton_lines(*skeleton, least);
+      require_finite_values(std::span<const float>(lines.radii));
       lists_.skeletons.push_back(Value::Object{{"key", key_value(key)},
                                                {"positions", arrays_.add(packed_vectors(lines.positions))},
                                                {"segments", arrays_.add(lines.segments)},

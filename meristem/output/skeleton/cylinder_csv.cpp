@@ -7,6 +7,7 @@
 #include "meristem/output/skeleton/cylinders.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
@@ -48,6 +49,7 @@ void append_cylinder(const Cylinder& cylinder, std::string& out) {
 
 void write_cylinder_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
+  require_finite(*expanded);
   const std::vector<Cylinder> cylinders = cylinders_of(*expanded);
   progress.begin("writing CSV", cylinders.size());
   AtomicFile file(path);

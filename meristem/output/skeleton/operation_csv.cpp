@@ -7,6 +7,7 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
@@ -51,6 +52,7 @@ std::vector<OperationRecord> operation_records(const Plant& plant) {
 
 void write_operation_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
+  require_finite(*expanded);
   const std::vector<OperationRecord> records = operation_records(*expanded);
   std::size_t longest = 0;
   for (const OperationRecord& record : records) {

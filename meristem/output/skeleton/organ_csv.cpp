@@ -12,6 +12,7 @@
 #include "meristem/measure/measures.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
@@ -51,6 +52,7 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant) {
 void write_organ_csv(const Plant& grown, const Limits& limits, std::span<const LitOrgan> lit, const std::string& path,
                      Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
+  require_finite(*expanded);
   const Plant& plant = *expanded;
   if (lit.size() != plant.organs.size()) throw std::invalid_argument("there must be one light per organ");
   std::vector<std::string> components;  // of each prototype, as fields

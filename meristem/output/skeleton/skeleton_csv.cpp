@@ -8,6 +8,7 @@
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
@@ -66,6 +67,7 @@ class CsvRows {
 
 void write_skeleton_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
+  require_finite(*expanded);
   const Plant& plant = *expanded;
   const SkeletonTable table(plant);
   const CsvRows rows(table);

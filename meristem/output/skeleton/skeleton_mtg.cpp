@@ -17,6 +17,7 @@
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/output/write/names.h"
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/mtg/mtg_columns.h"
@@ -264,6 +265,7 @@ class MtgWriter {
 void write_skeleton_mtg(const Plant& grown, const Limits& limits, const std::string& path, const MtgOptions& options,
                         Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
+  require_finite(*expanded);
   const Plant& plant = *expanded;
   MtgWriter writer(plant, progress);
   AtomicFile file(path);

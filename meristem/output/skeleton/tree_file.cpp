@@ -11,6 +11,7 @@
 #include "meristem/output/skeleton/cylinders.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/output/write/finite.h"
 #include "meristem/output/write/z_up.h"
 #include "meristem/plant/plant_variant.h"
 
@@ -92,6 +93,7 @@ void append_segment(const TreeFileNode& node, bool is_first, std::string& out) {
 void write_tree_file(const Plant& grown, const Limits& limits, const std::string& path, const Provenance& provenance,
                      Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
+  require_finite(*expanded);
   const std::vector<TreeFileNode> nodes = nodes_of(*expanded);
   progress.begin("writing a tree file", nodes.size());
   AtomicFile file(path);

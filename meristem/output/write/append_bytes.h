@@ -6,13 +6,17 @@
 #include <cstring>
 #include <string>
 
+#include "meristem/output/write/finite.h"
+
 namespace meristem {
 
 static_assert(std::endian::native == std::endian::little, "records are written as they lie in memory");
 
-/// Appends the bytes of a number or of an array of numbers, the lowest byte of each first.
+/// Appends the bytes of a number or of an array of numbers, the lowest byte of each first. Throws an InputError if one
+/// is not finite.
 template <class Value>
 void append_bytes(std::string& out, const Value& value) {
+  require_finite_value(value);
   std::array<char, sizeof(Value)> bytes;
   std::memcpy(bytes.data(), &value, sizeof(Value));
   out.append(bytes.data(), bytes.size());

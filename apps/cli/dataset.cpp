@@ -40,6 +40,7 @@ struct DatasetCommand {
   bool fresh = false;
   bool repair = false;
   bool verify = false;
+  std::string root;
   int threads = 0;
   bool quiet = false;
 };
@@ -75,11 +76,13 @@ void verify(const DatasetCommand& command) {
 
 /// The plan of a file, or of a data set that was begun.
 DatasetPlan plan_of(const DatasetCommand& command) {
+  if (command.plan != "-") require_within(command.root, command.plan);
   const std::string file = is_dataset(command.plan) ? folder_plan_path(command.plan) : command.plan;
   std::error_code error;
+  if (file != "-") require_within(command.root, file);
   if (fs::is_directory(file, error)) throw no_dataset(file);
   if (file != "-" && !fs::exists(file, error)) read_file(file, Limits().file_bytes);  // tells the nearest name
-  return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder()});
+  return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder(), .root = command.root});
 }
 
 /// Takes ranges until there are none, on as many threads as there may be.
@@ -172,6 +175,7 @@ void add_dataset(CLI::App& app, Run& run) {
   fresh->excludes(repair)->excludes(verify_flag);
   repair->excludes(verify_flag);
   add_plugin_option(*command);
+  add_root_option(*command, options->root);
   add_run_options(*command, options->threads, options->quiet);
   command->footer(
       "Example: meristem dataset oaks.json -o oaks\n"

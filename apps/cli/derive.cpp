@@ -2,6 +2,7 @@
 #include "meristem/grow/lsystem/derive.h"
 
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ namespace {
 
 struct DeriveOptions {
   std::string path;
+  std::string root;
   std::optional<int> steps;
   std::optional<double> time;
   std::uint64_t seed = 1;
@@ -70,7 +72,12 @@ Grammar read(const DeriveOptions& command, std::vector<std::string>& inputs) {
   options.file = command.file();
   for (const std::string& define : command.defines) options.overrides.push_back(parse_define(define));
   inputs.push_back(command.path);
-  options.read = read_beside(command.path, &inputs);
+  options.read = [root = command.root, folder = std::filesystem::path(command.path).parent_path(),
+                  read = read_beside(command.path, &inputs)](const std::string& name) {
+    require_within(root, (folder / name).string());
+    return read(name);
+  };
+  if (command.path != "-") require_within(command.root, command.path);
   std::vector<Diagnostic> warnings;
   options.warnings = &warnings;
   const std::string text = read_text_file(command.path);
@@ -167,6 +174,7 @@ void add_derive(CLI::App& app, Run& run) {
   command->add_flag("--drawn", options->drawn, "Apply the interpretation rules, as drawing does");
   command->add_flag("--stats", options->stats, "Write the word's length and counts of symbols as JSON instead");
   command->add_option("-o,--output", options->output, "File to write; by default, standard output")->type_name("FILE");
+  add_root_option(*command, options->root);
   add_run_options(*command, options->threads, options->quiet);
   command->footer("Example: meristem derive bush.txt --steps 4 --define angle=22.5 -o bush-word.txt");
   command->callback([options, &run] { run = [options] { derive(*options); }; });

@@ -12,6 +12,7 @@
 #include "meristem/components/plugin.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/models.h"
+#include "meristem/graph/table/within_root.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -34,6 +35,12 @@ std::vector<Override> overrides_of(const DocumentOptions& options) {
   return overrides;
 }
 
+/// The folder that holds the files that an opened document may name.
+std::string root_of(const Document& document, const DocumentOptions& options) {
+  const bool is_file = !options.root.empty() && options.path != "-" && options.path != document.source.file;
+  return is_file ? models_folder() : options.root;  // a shipped model, which was named without its path
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& command, int& threads, bool& quiet) {
@@ -54,6 +61,21 @@ void add_plugin_option(CLI::App& command) {
           "--plugin", load, "Load the component types of a shared library (libthorn.so); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
+}
+
+void add_root_option(CLI::App& command, std::string& root) {
+  command
+      .add_option("--root", root,
+                  "Read files in this folder only, wherever links and .. lead; shipped models may be read as well")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory);
+}
+
+void require_within(const std::string& root, const std::string& file) {
+  if (is_within_root(file, root)) return;
+  throw InputError(Diagnostic{.message = "this lies outside the folder that may be read",
+                              .expected = "a file in the folder of --root",
+                              .file = file});
 }
 
 CLI::Validator is_seed() {
@@ -81,16 +103,22 @@ void DocumentOptions::add_to(CLI::App& command) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", seed, "Use this seed instead of the document's")->type_name("N")->check(is_seed());
+  add_root_option(command, root);
   add_plugin_option(command);
   add_run_options(command, threads, quiet);
 }
 
 Document open_document(const DocumentOptions& options, double time) {
   const bool from_input = options.path == "-";
-  const std::string path = from_input ? "-" : find_document(options.path, models_folder());
-  Document document = read_document(
-      read_text_file(path), from_input ? "<standard input>" : path, components(),
-      {.overrides = overrides_of(options), .seed = options.seed, .time = time, .models = models_folder()});
+  const DocumentFile found =
+      from_input ? DocumentFile{"-", options.root} : find_document_within(options.path, models_folder(), options.root);
+  Document document =
+      read_document(read_text_file(found.file), from_input ? "<standard input>" : found.file, components(),
+                    {.overrides = overrides_of(options),
+                     .seed = options.seed,
+                     .time = time,
+                     .root = found.root,
+                     .models = models_folder()});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
 }
@@ -99,7 +127,10 @@ Document read_again(const Document& document, const DocumentOptions& options, st
   std::vector<Override> overrides = overrides_of(options);
   overrides.insert(overrides.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return read_document(document.source.text, document.source.file, components(),
-                       {.overrides = std::move(overrides), .seed = options.seed, .models = models_folder()});
+                       {.overrides = std::move(overrides),
+                        .seed = options.seed,
+                        .root = root_of(document, options),
+                        .models = models_folder()});
 }
 
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun) {
@@ -108,7 +139,10 @@ Scene scene_under(const Document& document, const DocumentOptions& options, cons
   overrides.push_back(parse_override("scene.sun=" + sun));
   overrides.back().name = kSun;
   Document other = read_document(document.source.text, document.source.file, components(),
-                                 {.overrides = std::move(overrides), .seed = options.seed, .models = models_folder()});
+                                 {.overrides = std::move(overrides),
+                                  .seed = options.seed,
+                                  .root = root_of(document, options),
+                                  .models = models_folder()});
   std::erase_if(other.warnings, [](const Diagnostic& warning) { return warning.file != kSun; });
   if (!options.quiet) print_diagnostics(other.warnings);
   return std::move(other.scene);

@@ -20,6 +20,12 @@ namespace meristem::cli {
 /// The options of every command that works: how many threads, and whether it is to be quiet.
 void add_run_options(CLI::App& command, int& threads, bool& quiet);
 
+/// Adds the option --root: a folder outside of which no file is read.
+void add_root_option(CLI::App& command, std::string& root);
+/// Throws an InputError if a file that the command line names lies outside `root`; the message does not say whether it
+/// exists.
+void require_within(const std::string& root, const std::string& file);
+
 /// Refuses what is no seed.
 CLI::Validator is_seed();
 
@@ -36,6 +42,7 @@ struct DocumentOptions {
   std::string path;
   std::vector<std::string> sets;
   std::optional<std::uint64_t> seed;
+  std::string root;  ///< nothing outside this folder is read; empty: any file may be read
   int threads = 0;
   bool quiet = false;
 

@@ -138,6 +138,7 @@ MtgSkeleton read_mtg_skeleton(const MeasureCommand& command, const Limits& limit
   if (!command.unit.empty()) geometry.length_unit = units().at(command.unit);
   geometry.diameter_unit = command.diameter_unit.empty() ? geometry.length_unit : units().at(command.diameter_unit);
   const std::string& path = command.document.path;
+  require_within(command.document.root, path);
   return skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
 }
 
@@ -146,10 +147,11 @@ MtgSkeleton read_table_skeleton(const MeasureCommand& command, const Limits& lim
   const double unit = command.unit.empty() ? 1 : units().at(command.unit);
   const double diameter_unit = command.diameter_unit.empty() ? unit : units().at(command.diameter_unit);
   const std::string& path = command.document.path;
+  require_within(command.document.root, path);
   const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
   MtgSkeleton read;
-  read.skeleton = skeleton_of(table, {.unit = unit, .is_y_up = table.is_y_up}, path);
-  for (float& radius : read.skeleton.radius) radius *= static_cast<float>(diameter_unit / unit);
+  read.skeleton =
+      skeleton_of(table, {.unit = unit, .radius_factor = diameter_unit / unit, .is_y_up = table.is_y_up}, path);
   return read;
 }
 

@@ -54,8 +54,9 @@ struct InstrumentFile {
 };
 
 /// A class by its name, JSON, or what a file of JSON holds.
-Value instrument_value(const std::string& given, std::optional<InstrumentFile>& file) {
+Value instrument_value(const std::string& given, const std::string& root, std::optional<InstrumentFile>& file) {
   if (!lower_case(given).ends_with(".json")) return parse_override("x=" + given).value;
+  require_within(root, given);
   file = InstrumentFile{given, read_file(given, Limits().file_bytes)};
   return parse_json_of(file->text, given);
 }
@@ -70,7 +71,8 @@ void set_member(Value& object, const std::string& name, Value value) {
 
 /// What the options ask for. Values set for the instrument are taken out of those for the document.
 Value request_of(ScanCommand& command, std::optional<InstrumentFile>& file) {
-  Value instrument = command.instrument.empty() ? Value("terrestrial") : instrument_value(command.instrument, file);
+  Value instrument = command.instrument.empty() ? Value("terrestrial")
+                                                : instrument_value(command.instrument, command.document.root, file);
   std::vector<std::string> of_document;
   for (const std::string& set : command.document.sets) {
     if (!set.starts_with(kInstrumentPath)) {

@@ -128,6 +128,7 @@ struct GivenDocument {
 /// How a plan is read.
 struct PlanOptions {
   std::string models{};                    ///< folder of shipped models, which plans may name
+  std::string root{};                      ///< nothing outside this folder is read, as of ReadOptions; empty: no limit
   std::vector<GivenDocument> documents{};  ///< in place of the plan's; empty: those that it names
 };
 

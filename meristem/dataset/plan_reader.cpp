@@ -19,6 +19,8 @@
 #include "meristem/document/locate.h"
 #include "meristem/document/models.h"
 #include "meristem/document/override.h"
+#include "meristem/graph/table/file_access.h"
+#include "meristem/graph/table/within_root.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/write/names.h"
 
@@ -266,19 +268,23 @@ class PlanReader {
 
   struct Named {
     std::string file;  // as it is found
+    std::string root;  // of the files that it names
     std::string text;
     std::string name;
     PathValues set;
     std::string place;  // in the plan
   };
 
-  std::string path_of(const std::string& file) const {
+  DocumentFile path_of(const std::string& file) const {
     if (file.find_first_of("./") == std::string::npos) {
       const fs::path beside = fs::path(file_).parent_path() / file;
       std::error_code error;
-      return find_document(fs::is_regular_file(beside, error) ? beside.string() : file, options_.models);
+      const bool is_beside = is_within_root(beside.string(), options_.root) && fs::is_regular_file(beside, error);
+      return find_document_within(is_beside ? beside.string() : file, options_.models, options_.root);
     }
-    return (fs::path(file_).parent_path() / file).string();
+    const std::string path = (fs::path(file_).parent_path() / file).string();
+    FileAccess{.root = options_.root}.require_within(path);
+    return {path, options_.root};
   }
 
   std::vector<Named> named_documents() {
@@ -286,7 +292,8 @@ class PlanReader {
     if (!options_.documents.empty()) {
       for (const GivenDocument& given : options_.documents) {
         const std::string stem = given.file.starts_with('<') ? "document" : fs::path(given.file).stem().string();
-        named.push_back({given.file, given.text, given.name.empty() ? stem : given.name, given.set, "documents"});
+        named.push_back(
+            {given.file, options_.root, given.text, given.name.empty() ? stem : given.name, given.set, "documents"});
       }
       return named;
     }
@@ -295,10 +302,12 @@ class PlanReader {
     for (std::size_t k = 0; k < head_.documents.size(); ++k) {
       const PlanDocument& document = head_.documents[k];
       const DocumentPath own(path, k);
-      Named one{.file = {}, .text = {}, .name = document.name, .set = {}, .place = own.text()};
+      Named one{.file = {}, .root = {}, .text = {}, .name = document.name, .set = {}, .place = own.text()};
       if (one.name.empty()) one.name = fs::path(document.file).stem().string();
       try {
-        one.file = path_of(document.file);
+        const DocumentFile found = path_of(document.file);
+        one.file = found.file;
+        one.root = found.root;
         if (std::error_code error; !fs::exists(one.file, error)) read_file(one.file, Limits().file_bytes);
         one.text = read_text_file(one.file);
       } catch (const InputError& error) {
@@ -394,9 +403,12 @@ class PlanReader {
       overrides.push_back(std::move(value));
     }
     try {
-      return read_document(
-          named.text, named.file, registry_,
-          {.overrides = std::move(overrides), .time = plan_.time, .store = &store_, .models = options_.models});
+      return read_document(named.text, named.file, registry_,
+                           {.overrides = std::move(overrides),
+                            .time = plan_.time,
+                            .root = named.root,
+                            .store = &store_,
+                            .models = options_.models});
     } catch (const InputError& error) {
       for (const Diagnostic& fault : error.diagnostics()) add_fault(fault, named);
       return std::nullopt;

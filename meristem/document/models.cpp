@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/graph/table/file_access.h"
+#include "meristem/graph/table/within_root.h"
 
 namespace meristem {
 
@@ -36,6 +38,25 @@ std::string find_document(const std::string& path, const std::string& folder) {
   throw InputError(Diagnostic{.message = fmt::format("there is no file and no shipped model '{}'", path),
                               .expected = "a document, or the name of a shipped model",
                               .nearest = nearest_name(path, names)});
+}
+
+DocumentFile find_document_within(const std::string& path, const std::string& folder, const std::string& root) {
+  if (root.empty()) return {find_document(path, folder), root};
+  const bool is_plain_name = path.find_first_of("./") == std::string::npos;
+  if (is_plain_name && !is_within_root(path, root)) {
+    // A file outside is not looked at, so that the answer is the same whether there is one or not.
+    const std::vector<std::string> names = model_names(folder);
+    if (std::find(names.begin(), names.end(), path) != names.end()) return {model_path(folder, path), folder};
+  }
+  try {
+    FileAccess{.root = root}.require_within(path);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> faults = error.diagnostics();
+    for (Diagnostic& fault : faults) fault.file = path;
+    throw InputError(std::move(faults));
+  }
+  const std::string file = find_document(path, folder);
+  return {file, file == path ? root : folder};
 }
 
 }  // namespace meristem

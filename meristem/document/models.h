@@ -15,4 +15,15 @@ std::string model_path(const std::string& folder, const std::string& name);
 /// first. Throws InputError with the nearest model where a plain name is neither; other paths come back as they are.
 std::string find_document(const std::string& path, const std::string& folder);
 
+/// A document's file, and the folder that holds the files that it may name.
+struct DocumentFile {
+  std::string file;
+  std::string root;  ///< for ReadOptions::root; empty: any file may be read
+};
+
+/// Like find_document(), but finds no file outside the folder `root`, wherever links and dots lead. A shipped model may
+/// be read all the same, with the files beside it. Throws the same InputError for a file outside the root whether there
+/// is one or not. An empty root allows every file.
+DocumentFile find_document_within(const std::string& path, const std::string& folder, const std::string& root);
+
 }  // namespace meristem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/document/models.h"
 
+#include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -41,6 +42,37 @@ TEST_F(ModelsTest, SuggestTheNearestName) {
         "there is no file and no shipped model 'oka'; expected a document, or the name of a shipped model; did "
         "you mean 'oak'?");
   }
+}
+
+/// Returns the file and root that find_document_within() finds, or its message.
+std::string found_within(const std::string& path, const std::string& models, const std::string& root) {
+  try {
+    const DocumentFile found = find_document_within(path, models, root);
+    return found.file + " in " + found.root;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST_F(ModelsTest, StayWithinARoot) {
+  namespace fs = std::filesystem;
+  const fs::path root = folder_ / "root";
+  fs::create_directory(root);
+  std::ofstream(root / "own.json") << "{}";
+  fs::create_symlink("../oak.json", root / "link.json");
+  fs::create_symlink("../nothing.json", root / "dangling.json");
+  const std::string own = (root / "own.json").string();
+  const std::string missing = (root / "missing.json").string();
+  EXPECT_EQ(found_within(own, folder(), root.string()), own + " in " + root.string());
+  EXPECT_EQ(found_within(missing, folder(), root.string()), missing + " in " + root.string()) << "it may be looked for";
+  EXPECT_EQ(found_within("oak", folder(), root.string()), (folder_ / "oak.json").string() + " in " + folder())
+      << "a model may be read, with the files beside it";
+  for (const fs::path& path : {folder_ / "oak.json", folder_ / "nothing.json", root / ".." / "oak.json",
+                               root / "link.json", root / "dangling.json", root / "x" / ".." / ".." / "oak.json"}) {
+    EXPECT_EQ(found_within(path.string(), folder(), root.string()),
+              path.string() + ": this lies outside the folder that may be read; expected a file in that folder");
+  }
+  EXPECT_EQ(found_within(own, folder(), ""), own + " in ");
 }
 
 }  // namespace meristem::models_test

@@ -236,7 +236,9 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
     throw InputError(Diagnostic{.message = "this names no document", .expected = "a file or a shipped model"});
   }
   const bool is_plain = name.find_first_of("./") == std::string::npos;
-  if (is_plain && (!fs::exists(file, error) || fs::is_directory(file, error))) {
+  // With a root, where a link leads is not looked at before it is known to lie within.
+  const bool is_link = !options_.root.empty() && fs::is_symlink(fs::symlink_status(file, error));
+  if (is_plain && !is_link && (!fs::exists(file, error) || fs::is_directory(file, error))) {
     if (options_.models.empty()) {
       throw InputError(Diagnostic{.message = fmt::format("there is no file '{}'", name), .expected = "a document"});
     }

@@ -36,18 +36,19 @@ std::optional<std::uint64_t> optional_seed(const py::object& seed) {
 }
 
 DocumentPointer document_of(const py::object& content, const py::object& file, const py::object& set,
-                            const py::object& seed) {
+                            const py::object& seed, const py::object& root) {
   const Value value = to_value(content);
   const std::string* const text = value.text();
   const std::string named = path_of(file);
   return std::make_shared<DocumentInPython>(text != nullptr ? *text : write_json(value),
-                                            named.empty() ? kFromPython : named, to_overrides(set),
-                                            optional_seed(seed));
+                                            named.empty() ? kFromPython : named, to_overrides(set), optional_seed(seed),
+                                            path_of(root));
 }
 
-DocumentPointer read(const py::object& path, const py::object& set, const py::object& seed) {
-  const std::string file = find_document(path_of(path), models_folder());
-  return std::make_shared<DocumentInPython>(read_text_file(file), file, to_overrides(set), optional_seed(seed));
+DocumentPointer read(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {
+  const DocumentFile found = find_document_within(path_of(path), models_folder(), path_of(root));
+  return std::make_shared<DocumentInPython>(read_text_file(found.file), found.file, to_overrides(set),
+                                            optional_seed(seed), found.root);
 }
 
 /// The overrides of a document with more of them, which replace those of the same paths.
@@ -67,7 +68,7 @@ DocumentPointer with_values(const DocumentPointer& document, const py::object& v
   std::vector<Override> overrides = overrides_with(*document, std::move(more));
   const std::optional<std::uint64_t> other = optional_seed(seed);
   auto made = std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
-                                                 other ? other : kept_seed, document->shared);
+                                                 other ? other : kept_seed, document->root, document->shared);
   made->has_other_values = !values.is_none();
   return made;
 }
@@ -106,7 +107,8 @@ py::dict components_of(const DocumentPointer& document) {
 /// The document as it stands at a time.
 DocumentPointer standing_at(const DocumentPointer& document, double time) {
   if (!document->document.at_time || time == document->document.time) return document;
-  return std::make_shared<DocumentInPython>(document->document.at_time(time), document->overrides, document->seed);
+  return std::make_shared<DocumentInPython>(document->document.at_time(time), document->overrides, document->seed,
+                                            document->root);
 }
 
 std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, double time, const std::optional<int>& step,
@@ -142,8 +144,9 @@ std::shared_ptr<PlantInPython> plan_plant(const DocumentPointer& document, const
                                           int threads, const py::object& progress) {
   const PlanRules asked = plan_rules(rules);
   const auto read_with = [&](std::vector<Override> more) {
-    return std::make_shared<DocumentInPython>(
-        document->text, document->file, overrides_with(*document, std::move(more)), document->seed, document->shared);
+    return std::make_shared<DocumentInPython>(document->text, document->file,
+                                              overrides_with(*document, std::move(more)), document->seed,
+                                              document->root, document->shared);
   };
   const DocumentPointer planned = read_with(only_planned(document->document, asked));
   const DocumentPointer shown = done ? read_with(with_rules(document->document, asked)) : planned;
@@ -186,23 +189,26 @@ bool are_documents_equal(const DocumentPointer& document, const py::object& othe
 py::tuple document_state(const DocumentPointer& document) {
   py::dict overrides;
   for (const Override& override : document->overrides) overrides[py::str(override.path)] = to_python(override.value);
-  return py::make_tuple(document->text, document->file, overrides, document->seed);
+  return py::make_tuple(document->text, document->file, overrides, document->seed, document->root);
 }
 
 DocumentPointer document_from_state(const py::tuple& state) {
-  if (state.size() != 4) throw py::value_error("the state of a Document has four parts");
+  if (state.size() != 5) throw py::value_error("the state of a Document has five parts");
   return std::make_shared<DocumentInPython>(state[0].cast<std::string>(), state[1].cast<std::string>(),
-                                            to_overrides(state[2]), optional_seed(state[3]));
+                                            to_overrides(state[2]), optional_seed(state[3]),
+                                            state[4].cast<std::string>());
 }
 
 }  // namespace
 
 DocumentInPython::DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                                   std::optional<std::uint64_t> other_seed, std::shared_ptr<SharedWork> shared_work)
+                                   std::optional<std::uint64_t> other_seed, std::string folder,
+                                   std::shared_ptr<SharedWork> shared_work)
     : text(std::move(given_text)),
       file(std::move(given_file)),
       overrides(std::move(values)),
       seed(other_seed),
+      root(std::move(folder)),
       shared(std::move(shared_work)) {
   // Without the interpreter's lock: who waits for the reading must not keep it from who reads.
   const std::string models = models_folder();
@@ -210,15 +216,18 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
   const py::gil_scoped_release released;
   const std::scoped_lock reading(shared->reading);
   shared->files.reload();
-  document = read_document(text, file, registry,
-                           {.overrides = overrides, .seed = seed, .store = &shared->files, .models = models});
+  document =
+      read_document(text, file, registry,
+                    {.overrides = overrides, .seed = seed, .root = root, .store = &shared->files, .models = models});
 }
 
-DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed)
+DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
+                                   std::string folder)
     : text(read.source.text),
       file(read.source.file),
       overrides(std::move(values)),
       seed(other_seed),
+      root(std::move(folder)),
       document(std::move(read)),
       shared(std::make_shared<SharedWork>()) {}
 
@@ -290,9 +299,10 @@ void bind_document(py::module_& module) {
 
 `content` is a dict such as a document's JSON would be read into, or the JSON text itself. Numbers may be numpy's, lists
 tuples or arrays. Files that it names are sought from the folder of `file`, or the current one. `set` sets values by
-their paths, as in set(); `seed` (0 to 2^53) replaces the document's. Raises InputError with all that is wrong.)")
+their paths, as in set(); `seed` (0 to 2^53) replaces the document's. With a `root`, the document cannot read files
+outside that folder. Raises InputError with all that is wrong.)")
       .def(py::init(&document_of), py::arg("content"), py::kw_only(), py::arg("file") = "", py::arg("set") = py::none(),
-           py::arg("seed") = py::none())
+           py::arg("seed") = py::none(), py::arg("root") = "")
       .def("set", &with_values, py::arg("values") = py::none(), py::kw_only(), py::arg("seed") = py::none(),
            R"(The document with other values, by their paths, and another seed.
 
@@ -348,6 +358,9 @@ Gives (name, files): the path of the document below some folder, and (path, byte
       .def_property_readonly(
           "file", [](const DocumentPointer& d) { return d->file; }, "The file it was read from, or '<python>'.")
       .def_property_readonly(
+          "root", [](const DocumentPointer& d) { return d->root; },
+          "The folder outside of which it reads no files, or an empty text.")
+      .def_property_readonly(
           "seed", [](const DocumentPointer& d) { return d->document.graph.seed; }, "What all randomness comes from.")
       .def_property_readonly("variables", &variables_of,
                              "Its variables, a list of Variable; those that are not private are handles for users.")
@@ -369,9 +382,11 @@ Gives (name, files): the path of the document below some folder, and (path, byte
       "models", [] { return model_names(models_folder()); },
       "The names of the shipped models, which read() takes, in alphabetical order.");
   module.def("read", &read, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),
+             py::arg("root") = "",
              R"(Reads the document in a file (str or path), or a shipped model by its name, such as 'oak'.
 
-`set` and `seed` as in Document. Raises InputError with all that is wrong, each with line and column, and MachineError
+`set` and `seed` as in Document. With a `root`, neither the document nor a file that it names is read from outside that
+folder, wherever links and dots lead; the error does not say whether such a file exists. Shipped models may be read. Raises InputError with all that is wrong, each with line and column, and MachineError
 where the file cannot be read.)");
 }
 

@@ -40,16 +40,18 @@ struct DocumentInPython {
   std::string file;
   std::vector<Override> overrides;
   std::optional<std::uint64_t> seed;
+  std::string root;  ///< as of ReadOptions
   Document document;
   std::shared_ptr<SharedWork> shared;  ///< with the documents that it was made of
   bool has_other_values = false;       ///< than the one that set() made it of, so that growing it may find much done
 
   /// Throws InputError.
   DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                   std::optional<std::uint64_t> other_seed,
+                   std::optional<std::uint64_t> other_seed, std::string folder,
                    std::shared_ptr<SharedWork> shared_work = std::make_shared<SharedWork>());
   /// A document that was read already.
-  explicit DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed);
+  DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
+                   std::string folder);
   /// What the text says, with overrides and seed.
   Value tree() const;
 };

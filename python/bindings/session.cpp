@@ -19,12 +19,13 @@ namespace meristem::python {
 namespace {
 
 struct SessionInPython {
-  SessionInPython(Session given, std::optional<std::uint64_t> other_seed)
-      : session(std::move(given)), seed(other_seed) {}
+  SessionInPython(Session given, std::optional<std::uint64_t> other_seed, std::string folder)
+      : session(std::move(given)), seed(other_seed), root(std::move(folder)) {}
 
   Session session;
   const std::optional<std::uint64_t> seed;
-  std::mutex mutex;  // one call at a time
+  const std::string root;  // as of SessionOptions
+  std::mutex mutex;        // one call at a time
 
   /// Waiting could stop other threads for good, as they need the interpreter's lock.
   std::unique_lock<std::mutex> lock() {
@@ -45,14 +46,15 @@ SessionPointer make_session(std::string text, std::string file, const py::object
   SessionOptions options{
       .overrides = to_overrides(set), .seed = optional_seed(seed), .root = path_of(root), .models = models_folder()};
   Session session(std::move(text), std::move(file), component_types(), options);
-  return std::make_shared<SessionInPython>(std::move(session), options.seed);
+  return std::make_shared<SessionInPython>(std::move(session), options.seed, options.root);
 }
 
 /// The text that a document was read from, with the values that were set edited in.
 SessionPointer session_of_document(const DocumentInPython& document, const py::object& root) {
-  SessionOptions options{.root = path_of(root), .models = models_folder()};
+  const std::string own = path_of(root);
+  SessionOptions options{.root = own.empty() ? document.root : own, .models = models_folder()};
   auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, component_types(), options),
-                                                std::nullopt);
+                                                std::nullopt, options.root);
   std::vector<Edit> edits;
   for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
   if (document.seed) edits.emplace_back(SetValue{"seed", static_cast<double>(*document.seed)});
@@ -76,8 +78,8 @@ SessionPointer session_of(const py::object& content, const py::object& file, con
 }
 
 SessionPointer open(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {
-  const std::string file = find_document(path_of(path), models_folder());
-  return make_session(read_text_file(file), file, set, seed, root);
+  const DocumentFile found = find_document_within(path_of(path), models_folder(), path_of(root));
+  return make_session(read_text_file(found.file), found.file, set, seed, py::str(found.root));
 }
 
 py::list to_python(const Patch& patch) {
@@ -121,7 +123,8 @@ std::optional<std::size_t> optional_index(const py::object& index) {
 std::shared_ptr<DocumentInPython> document_of(const SessionPointer& self) {
   const auto lock = self->lock();
   if (self->session.document() == nullptr) return nullptr;
-  return std::make_shared<DocumentInPython>(*self->session.document(), self->session.overrides(), self->seed);
+  return std::make_shared<DocumentInPython>(*self->session.document(), self->session.overrides(), self->seed,
+                                            self->root);
 }
 
 std::shared_ptr<PlantInPython> grow_session(const SessionPointer& self, double time, int threads,

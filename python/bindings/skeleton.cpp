@@ -162,9 +162,12 @@ SkeletonPointer read_skeleton_file(const py::object& file, double unit, const st
   const Limits limits;
   const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
   const bool is_y_up = up == "file" ? table.is_y_up : up == "y";
-  Skeleton skeleton = skeleton_of(table, {.unit = unit, .is_y_up = is_y_up, .begins_at_origin = at_origin}, path);
-  for (float& radius : skeleton.radius) radius *= static_cast<float>(diameter_unit.value_or(unit) / unit);
-  return std::make_shared<Skeleton>(std::move(skeleton));
+  return std::make_shared<Skeleton>(skeleton_of(table,
+                                                {.unit = unit,
+                                                 .radius_factor = diameter_unit.value_or(unit) / unit,
+                                                 .is_y_up = is_y_up,
+                                                 .begins_at_origin = at_origin},
+                                                path));
 }
 
 void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threads, const py::object& progress) {

@@ -21,19 +21,22 @@ class Carried:
 
     def __reduce__(self) -> tuple[Callable[..., Document], tuple[Any, ...]]:
         state: Callable[[], tuple[Any, ...]] = getattr(self._document, "__getstate__")
-        text, file, overrides, seed = state()
+        text, file, overrides, seed, root = state()
         name, files = self._document.bundle()
         if len(files) == 1:  # it names none: messages call it as they do here
-            return _read, (text, file, overrides, seed)
-        return _unpacked, (name, files, overrides, seed)
+            return _read, (text, file, overrides, seed, root)
+        return _unpacked, (name, files, overrides, seed, root)
 
 
-def _read(text: str, file: str, overrides: dict[str, Any], seed: int | None) -> Document:
-    return Document(text, file="" if file == "<python>" else file, set=overrides, seed=seed)
+def _read(text: str, file: str, overrides: dict[str, Any], seed: int | None, root: str) -> Document:
+    return Document(text, file="" if file == "<python>" else file, set=overrides, seed=seed, root=root)
 
 
-def _unpacked(name: str, files: list[tuple[str, bytes]], overrides: dict[str, Any], seed: int | None) -> Document:
+def _unpacked(
+    name: str, files: list[tuple[str, bytes]], overrides: dict[str, Any], seed: int | None, root: str
+) -> Document:
     folder = Path(tempfile.mkdtemp(prefix="meristem-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     unpack_files(files, folder)
-    return _read((folder / name).read_text(encoding="utf-8"), str(folder / name), overrides, seed)
+    text = (folder / name).read_text(encoding="utf-8")
+    return _read(text, str(folder / name), overrides, seed, str(folder) if root else "")

@@ -401,6 +401,7 @@ class Document:
         file: str | os.PathLike[str] = "",
         set: Mapping[str, Any] | None = None,
         seed: int | None = None,
+        root: str | os.PathLike[str] = "",
     ) -> None: ...
     def set(self, values: Mapping[str, Any] | None = None, *, seed: int | None = None) -> Document: ...
     def grow(
@@ -444,6 +445,8 @@ class Document:
     def licence(self) -> str: ...
     @property
     def file(self) -> str: ...
+    @property
+    def root(self) -> str: ...
     @property
     def seed(self) -> int: ...
     @property
@@ -570,7 +573,11 @@ class Session:
     def difference(self) -> dict[str, list[str]]: ...
 
 def read(
-    path: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None, seed: int | None = None
+    path: str | os.PathLike[str],
+    *,
+    set: Mapping[str, Any] | None = None,
+    seed: int | None = None,
+    root: str | os.PathLike[str] = "",
 ) -> Document: ...
 def models() -> list[str]: ...
 def read_mtg(

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import copy
+import json
 import os
 import pickle
 from pathlib import Path
@@ -272,3 +273,52 @@ def test_parameter_tables_tell_editors_the_usual_range() -> None:
     rows = tables["tables"][tables["components"]["colonize"]["table"]]["rows"]
     step = next(row for row in rows if row["name"] == "step")
     assert step["above"] < step["usual"][0] < step["default"] < step["usual"][1] <= step["max"]
+
+
+def test_documents_keep_to_a_root(tmp_path: Path) -> None:
+    root = tmp_path / "root"
+    root.mkdir()
+    (tmp_path / "nodes.csv").write_text("x,y,z,parent\n0,0,0,-1\n0,0,1,0\n")
+    (root / "nodes.csv").write_text("x,y,z,parent\n0,0,0,-1\n0,0,1,0\n")
+    (root / "link.csv").symlink_to("../nodes.csv")
+
+    def naming(name: str) -> str:
+        return json.dumps({"meristem": 1, "components": {"tree": {"type": "skeleton", "file": name}}})
+
+    (root / "plant.json").write_text(naming("nodes.csv"))
+    plant = meristem.read(root / "plant.json", root=root)
+    assert plant.root == str(root)
+    assert plant.set(seed=3).root == str(root)
+    assert pickle.loads(pickle.dumps(plant)).root == str(root)
+    with pytest.raises(meristem.InputError, match="outside the folder that may be read"):
+        plant.set({"tree.file": "../nodes.csv"})
+    told = set()
+    for name in ("../nodes.csv", "../missing.csv", "link.csv", str(tmp_path / "nodes.csv")):
+        with pytest.raises(meristem.InputError, match="outside the folder that may be read") as raised:
+            meristem.Document(naming(name), file=root / "plant.json", root=root)
+        told.add(str(raised.value).replace(name, "NAME"))
+    assert len(told) == 1, "the message must not say what exists"
+    (tmp_path / "plant.json").write_text(naming("nodes.csv"))
+    for name in ("plant.json", "missing.json"):
+        with pytest.raises(meristem.InputError, match="outside the folder that may be read"):
+            meristem.read(tmp_path / name, root=root)
+        with pytest.raises(meristem.InputError, match="outside the folder that may be read"):
+            meristem.Session.open(tmp_path / name, root=root)
+    assert meristem.Session(plant).document is not None
+    assert meristem.read("bush", root=root).name == meristem.read("bush").name
+
+
+def test_messages_escape_what_a_terminal_acts_on(tmp_path: Path) -> None:
+    hostile = "a\x1b[2J\u009b\u202e\u2066"
+    for content in (
+        {"meristem": 1, "components": {hostile: {"type": "leef"}}},
+        {"meristem": 1, hostile: 1},
+        {"meristem": 1, "components": {"leaf": {"type": "leaf", "length": hostile}}},
+    ):
+        with pytest.raises(meristem.InputError) as raised:
+            meristem.Document(content)
+        assert all(character == "\n" or character.isprintable() for character in str(raised.value))
+        assert all(one.message.isprintable() and one.expected.isprintable() for one in raised.value.diagnostics)
+    with pytest.raises(meristem.MachineError) as failed:
+        meristem.read("bush").grow().save(str(tmp_path / "none" / (hostile + ".csv")))
+    assert str(failed.value).isprintable()

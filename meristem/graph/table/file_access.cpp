@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/graph/table/within_root.h"
 
 namespace meristem {
 
@@ -32,10 +33,14 @@ bool is_within(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-void FileAccess::require_within(const std::string& path) const {
-  if (root.empty()) return;
+bool is_within_root(const std::string& path, const std::string& root) {
+  if (root.empty()) return true;
   const bool is_name = path.find('\0') == std::string::npos;
-  if (is_name && is_within(resolved(path), resolved(root))) return;
+  return is_name && is_within(resolved(path), resolved(root));
+}
+
+void FileAccess::require_within(const std::string& path) const {
+  if (is_within_root(path, root)) return;
   throw InputError(
       Diagnostic{.message = "this lies outside the folder that may be read", .expected = "a file in that folder"});
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh scene that rays can ask: what is hit first, is anything in the way. Wraps Embree 3; small meshes with few
-// instances are copied out into one tree of triangles, which traces twice as fast, the rest stay instances. Rays pass
+// Finds what rays meet in a mesh scene: the first surface, or whether any surface lies in the way. Wraps Embree 3. The
+// instances of small scenes are copied out into one tree of triangles; those of larger scenes stay instances. Rays pass
 // through the holes of masked textures.
 #pragma once
 
@@ -47,11 +47,16 @@ struct TextureMapping {
   float uvs_per_metre = 0;  ///< geometric mean of both ways
 };
 
+class RayTrees;
+
 /// All triangles of a mesh scene, to be met by rays.
 class RayScene {
  public:
-  /// `scene` must outlive this. Parts placed more than once are copied, in order, while they have at most
-  /// `copied_triangles` (100 bytes each) in all. Throws Cancelled, MachineError (memory).
+  /// `scene` must outlive this. Memory: about 100 bytes for each triangle of a distinct mesh, half of it in large
+  /// scenes, and about 85 bytes for each instance of a mesh with several frames. The frames of a placed plant count
+  /// once, whatever the number of its places. Parts with several frames are copied out, 100 bytes for each triangle,
+  /// while their triangles are at most `copied_triangles` in all; parts without places come first. Throws Cancelled,
+  /// MachineError (memory).
   RayScene(const MeshScene& scene, Progress& progress, std::uint64_t copied_triangles = 3'000'000);
   ~RayScene();
   RayScene(const RayScene&) = delete;
@@ -63,6 +68,8 @@ class RayScene {
   bool is_blocked(const Ray& ray, float within = std::numeric_limits<float>::infinity()) const;
   /// How far off a surface at a position a ray has to start not to meet it again, metres.
   static float clearance(Vec3 point);
+  /// Bytes that the trees of the scene take now, without those of `scene` itself.
+  std::uint64_t bytes() const;
   SurfacePoint surface_point(const RayHit& hit) const;
   /// Normal of the triangle's front, unit, in world space; faster than surface_point.
   Vec3 face_normal(const RayHit& hit) const;
@@ -71,9 +78,8 @@ class RayScene {
   Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }
 
  private:
-  struct Trees;
   const MeshScene& scene_;
-  std::unique_ptr<Trees> trees_;
+  std::unique_ptr<const RayTrees> trees_;
 };
 
 }  // namespace meristem

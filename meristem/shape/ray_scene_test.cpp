@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+#include "tests/support/sample_scenes.h"
 
 namespace meristem::ray_scene_test {
 
@@ -54,6 +56,125 @@ TEST(RayScene, MayOutliveTheLoopThatItWasBuiltIn) {
   }
   for (const std::unique_ptr<RayScene>& one : kept)
     EXPECT_TRUE(one->is_blocked({Vec3(100.3F, 1, 100.2F), Vec3(0, -1, 0)}));
+}
+
+constexpr std::uint64_t kNone = 0;
+constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+
+/// A stem and leaves with holes, turned, scaled and mirrored in all ways, in these places (null: in the world, once).
+MeshScene tree(std::size_t leaves, std::shared_ptr<const std::vector<Frame>> places) {
+  MeshScene scene = leafy_scene(leaves);
+  scene.materials[0].texture = plain_texture();
+  for (MeshInstances& part : scene.meshes) part.places = places;
+  return scene;
+}
+
+std::shared_ptr<const std::vector<Frame>> places_in_rows(int count) {
+  std::vector<Frame> places;
+  for (int k = 0; k < count; ++k) {
+    places.push_back(frame_along({10.0F * static_cast<float>(k % 100), 0, 10.0F * static_cast<float>(k / 100)},
+                                 RandomKey(9).direction(static_cast<std::uint64_t>(k)), kUp));
+  }
+  return std::make_shared<const std::vector<Frame>>(std::move(places));
+}
+
+/// Rays from all around to points about the first two places.
+std::vector<Ray> rays_to(std::uint64_t count) {
+  const RandomKey key(4);
+  std::vector<Ray> rays;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const Vec3 middle(k % 2 == 0 ? 0 : 10, 0, 0);
+    const Vec3 from = middle + 20.0F * key.direction(2 * k);
+    const Vec3 to = middle + static_cast<float>(key.uniform(k, 0.0, 4.0)) * key.direction(2 * k + 1);
+    rays.push_back({from, glm::normalize(to - from)});
+  }
+  return rays;
+}
+
+/// Instances and copies have equal hits but for rounding: rays that pass an edge within micrometres may differ.
+void expect_equal_hits(const MeshScene& scene) {
+  Progress progress;
+  const RayScene instanced(scene, progress, kNone), copied(scene, progress, kAll);
+  int hits = 0;
+  int differ = 0;
+  for (const Ray& ray : rays_to(20'000)) {
+    const auto a = instanced.first_hit(ray), b = copied.first_hit(ray);
+    EXPECT_EQ(a.has_value(), instanced.is_blocked(ray));
+    const bool is_equal = a.has_value() == b.has_value() &&
+                          (!a || (a->part == b->part && a->instance == b->instance && a->triangle == b->triangle));
+    if (!is_equal) ++differ;
+    if (!a || !is_equal) continue;
+    ++hits;
+    ASSERT_NEAR(a->distance, b->distance, 2e-5);
+    ASSERT_NEAR(a->barycentric.x, b->barycentric.x, 2e-3);
+    ASSERT_NEAR(a->barycentric.y, b->barycentric.y, 2e-3);
+    if (a->distance > 0.1F) EXPECT_FALSE(instanced.is_blocked(ray, a->distance - 0.01F));
+  }
+  EXPECT_GT(hits, 5000);
+  EXPECT_LE(differ, 4);
+}
+
+TEST(RayScene, InstancesOfLeavesHaveTheHitsOfTheirCopies) { expect_equal_hits(tree(500, nullptr)); }
+
+TEST(RayScene, InstancesInPlacedPlantsHaveTheHitsOfTheirCopies) { expect_equal_hits(tree(500, places_in_rows(5))); }
+
+TEST(RayScene, ALevelFieldIsHitWhereItLiesAlsoAsAnInstance) {
+  MeshScene scene = field(20);
+  const Frame low = shifted({0, -3, 0});
+  scene.meshes[0].frames = {shifted({0, -1, 0}), low};
+  Progress progress;
+  const RayScene rays(scene, progress, kNone);
+  const auto hit = rays.first_hit({Vec3(2.25F, 4, 3.5F), Vec3(0, -1, 0)});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->distance, 5);
+  EXPECT_EQ(hit->instance, 0U);
+  EXPECT_EQ(hit->triangle, 2 * (3 * 20 + 2U));
+  EXPECT_EQ(hit->barycentric, Vec2(0.5F, 0.25F));
+  EXPECT_EQ(rays.first_hit({Vec3(2.25F, -2, 3.5F), Vec3(0, -1, 0)})->instance, 1U);
+  EXPECT_FALSE(rays.first_hit({Vec3(2.25F, -4, 3.5F), Vec3(0, -1, 0)}));
+}
+
+TEST(RayScene, FlatInstancesShowNoSurface) {
+  MeshScene scene = field(20);
+  Frame flat;
+  flat.axes[1] = Vec3(0);
+  scene.meshes[0].frames = {flat, shifted({0, -1, 0})};
+  Progress progress;
+  const RayScene rays(scene, progress, kNone);
+  EXPECT_EQ(rays.first_hit({Vec3(2.25F, 4, 3.5F), Vec3(0, -1, 0)})->instance, 1U);
+}
+
+std::uint64_t bytes_of(const MeshScene& scene) {
+  Progress progress;
+  return RayScene(scene, progress, kNone).bytes();
+}
+
+TEST(RayScene, AnotherLeafCostsAnInstanceWhateverItsMesh) {
+  const auto stand = [](std::shared_ptr<const Mesh> leaf, std::size_t leaves) {
+    MeshScene scene = leafy_scene(leaves);
+    scene.meshes[0].mesh = std::move(leaf);
+    return bytes_of(scene);
+  };
+  const auto fine = strip(2000);
+  EXPECT_LE(stand(fine, 40'000) - stand(fine, 20'000), 20'000 * 120U);
+  EXPECT_LE(stand(fine, 40'000), stand(triangle(), 40'000) + 2000 * 150U);
+}
+
+TEST(RayScene, AnotherPlaceOfAPlantCostsAnInstance) {
+  const std::uint64_t few = bytes_of(tree(2000, places_in_rows(100)));
+  const std::uint64_t many = bytes_of(tree(2000, places_in_rows(10'100)));
+  EXPECT_LE(many - few, 10'000 * 120U);
+  EXPECT_LE(few, 5000 * 150U + 2000 * 120U + 100'000);  // the stem's triangles and the leaves, once
+}
+
+TEST(RayScene, PlantingsThatShareAMeshShareItsTree) {
+  MeshScene scene = leafy_scene(4);
+  scene.meshes[0].mesh = strip(100'000);
+  const std::uint64_t once = bytes_of(scene);
+  MeshInstances again = scene.meshes[0];
+  again.places = places_in_rows(3);
+  scene.meshes.push_back(again);
+  EXPECT_LE(bytes_of(scene), once + 100'000);
 }
 
 }  // namespace meristem::ray_scene_test

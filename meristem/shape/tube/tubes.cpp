@@ -514,6 +514,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
       throw std::invalid_argument("a mesh has at most 2^32 vertices");
     }
+    meshes[k].positions.reserve(size.vertices + 1);  // with room behind, rays read them without a copy
     resize_large(meshes[k].positions, size.vertices);
     resize_large(meshes[k].normals, size.vertices);
     resize_large(meshes[k].uvs, size.vertices);

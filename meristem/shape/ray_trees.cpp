@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+// In:  a mesh scene. Out: trees of boxes for Embree, and the hits that they find.
+//
+// Copying the triangles of all leaves of a tree takes about 100 bytes for each triangle. An instance takes about 85
+// bytes for each leaf, whatever its mesh has, and tracing it takes about as long. Embree's own instances are not used
+// for leaves: a geometry object for each leaf takes 280 bytes more, and they trace 1.6 times slower than a list whose
+// primitives are the frames themselves. They also have one level only (RTC_MAX_INSTANCE_LEVEL_COUNT), which the places
+// of plants need.
+#include "meristem/shape/ray_trees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/embree_device.h"
+#include "meristem/base/parallel.h"
+#include "meristem/plant/plant_bounds.h"
+
+namespace meristem {
+
+namespace {
+
+// From this number of triangles on, trees take half of the memory and rays take up to twice the time.
+constexpr std::uint64_t kCompactTriangles = 10'000'000;
+constexpr std::size_t kFewVertices = 64;  // of a mesh whose instances get the box of their own vertices
+constexpr float kRounding = 1e-6F;        // of a box, as a share of its farthest coordinate
+
+/// Which parts become triangles.
+std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triangles) {
+  std::vector<bool> copied(scene.meshes.size());
+  std::uint64_t total = 0;
+  for (const bool is_placed : {false, true}) {
+    for (std::size_t p = 0; p < scene.meshes.size(); ++p) {
+      const MeshInstances& part = scene.meshes[p];
+      if ((part.places != nullptr) != is_placed) continue;
+      const std::uint64_t triangles = part.mesh->triangle_count() * part.frames.size();
+      copied[p] = part.frames.size() == 1 || total + triangles <= max_triangles;
+      if (copied[p] && part.frames.size() > 1) total += triangles;
+    }
+  }
+  return copied;
+}
+
+/// The number of triangles in all trees.
+std::uint64_t triangles_in_trees(const MeshScene& scene, const std::vector<bool>& copied) {
+  std::uint64_t sum = 0;
+  for (std::size_t p = 0; p < scene.meshes.size(); ++p) {
+    sum += scene.meshes[p].mesh->triangle_count() * (copied[p] ? scene.meshes[p].frames.size() : 1);
+  }
+  return sum;
+}
+
+bool stop_if_cancelled(void* progress, double) { return !static_cast<Progress*>(progress)->is_cancelled(); }
+
+/// Takes a ray into a frame's own coordinates; distances along it stay as they are. Returns false if the frame is
+/// flat.
+bool enter_frame(const Frame& frame, RTCRay& ray) {
+  const Mat3& axes = frame.axes;
+  const Vec3 cofactors[3] = {glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]), glm::cross(axes[0], axes[1])};
+  const float determinant = glm::dot(axes[0], cofactors[0]);
+  if (determinant == 0) return false;
+  const float scale = 1 / determinant;
+  const Vec3 origin = Vec3(ray.org_x, ray.org_y, ray.org_z) - frame.origin;
+  const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  ray.org_x = scale * glm::dot(cofactors[0], origin);
+  ray.org_y = scale * glm::dot(cofactors[1], origin);
+  ray.org_z = scale * glm::dot(cofactors[2], origin);
+  ray.dir_x = scale * glm::dot(cofactors[0], direction);
+  ray.dir_y = scale * glm::dot(cofactors[1], direction);
+  ray.dir_z = scale * glm::dot(cofactors[2], direction);
+  return true;
+}
+
+RTCRay ray_to(const Ray& ray, float within) {
+  return {ray.origin.x,
+          ray.origin.y,
+          ray.origin.z,
+          0,
+          ray.direction.x,
+          ray.direction.y,
+          ray.direction.z,
+          0,
+          within,
+          ~0U,
+          0,
+          0};
+}
+
+}  // namespace
+
+/// A ray's context, in which a list of instances stores which of them was hit.
+struct RayTrees::HitContext {
+  RTCIntersectContext embree{};  // first, because Embree hands on a pointer to it
+  std::uint32_t frame = 0;
+
+  HitContext() { rtcInitIntersectContext(&embree); }
+};
+
+RayTrees::MaskedMesh::MaskedMesh(const Mesh& mesh, const AlphaMask& holes) : mask(&holes) {
+  uvs.reserve(mesh.triangle_count());
+  for (const auto& [a, b, c] : mesh.triangles) uvs.push_back({mesh.uvs[a], mesh.uvs[b], mesh.uvs[c]});
+}
+
+void RayTrees::pass_through_holes(const RTCFilterFunctionNArguments* arguments) {
+  const auto& masked = *static_cast<const MaskedMesh*>(arguments->geometryUserPtr);
+  const auto triangles = static_cast<std::uint32_t>(masked.uvs.size());
+  for (unsigned k = 0; k < arguments->N; ++k) {
+    if (arguments->valid[k] == 0) continue;
+    // A copied mesh has the triangles of all its instances, one after another.
+    const auto& uvs = masked.uvs[RTCHitN_primID(arguments->hit, arguments->N, k) % triangles];
+    const float u = RTCHitN_u(arguments->hit, arguments->N, k);
+    const float v = RTCHitN_v(arguments->hit, arguments->N, k);
+    if (masked.mask->is_hole((1 - u - v) * uvs[0] + u * uvs[1] + v * uvs[2])) arguments->valid[k] = 0;
+  }
+}
+
+void RayTrees::find_bounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& list = *static_cast<const InstancedPart*>(arguments->geometryUserPtr);
+  const Frame& frame = list.part->frames[arguments->primID];
+  const Mesh& mesh = *list.part->mesh;
+  Box box;
+  // A flat organ shows no surface to rays, and Embree leaves out what has an empty box.
+  if (glm::determinant(frame.axes) != 0) {
+    if (mesh.vertex_count() > kFewVertices) {
+      box = box_in(list.box, frame);
+    } else {
+      for (const Vec3 position : mesh.positions) box.add(frame.point(position));
+    }
+    const Vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const Vec3 rounding(kRounding * std::max({farthest.x, farthest.y, farthest.z}));
+    box = {box.low - rounding, box.high + rounding};
+  }
+  *arguments->bounds_o = {box.low.x, box.low.y, box.low.z, 0, box.high.x, box.high.y, box.high.z, 0};
+}
+
+void RayTrees::meet_instance(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& list = *static_cast<const InstancedPart*>(arguments->geometryUserPtr);
+  auto& query = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);  // of one ray, as all queries are
+  RTCRayHit local = query;
+  if (!enter_frame(list.part->frames[arguments->primID], local.ray)) return;
+  local.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(list.tree, &context, &local);
+  if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+  query.ray.tfar = local.ray.tfar;
+  query.hit = local.hit;
+  query.hit.geomID = arguments->geomID;
+  query.hit.instID[0] = arguments->context->instID[0];
+  reinterpret_cast<HitContext*>(arguments->context)->frame = arguments->primID;
+}
+
+void RayTrees::block_by_instance(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& list = *static_cast<const InstancedPart*>(arguments->geometryUserPtr);
+  auto& query = *reinterpret_cast<RTCRay*>(arguments->ray);
+  RTCRay local = query;
+  if (!enter_frame(list.part->frames[arguments->primID], local)) return;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(list.tree, &context, &local);
+  if (local.tfar < 0) query.tfar = -std::numeric_limits<float>::infinity();
+}
+
+RayTrees::RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, Progress& progress)
+    : scene_(scene), device_(rtcNewDevice(kEmbreeDevice)) {
+  if (device_ == nullptr) throw MachineError("tracing rays: Embree could not be started");
+  const auto keep_failure = [](void* self, RTCError code, const char* reason) {
+    if (code != RTC_ERROR_CANCELLED) static_cast<RayTrees*>(self)->failure_ = reason;
+  };
+  rtcSetDeviceErrorFunction(device_.get(), keep_failure, this);
+  const auto count_bytes = [](void* self, ssize_t bytes, bool) {
+    static_cast<RayTrees*>(self)->bytes_ += bytes;
+    return true;
+  };
+  rtcSetDeviceMemoryMonitorFunction(device_.get(), count_bytes, this);
+
+  const std::vector<bool> copied = choose_copied(scene, copied_triangles);
+  is_compact_ = triangles_in_trees(scene, copied) > kCompactTriangles;
+  top_ = new_scene(progress);
+  for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {
+    const MeshInstances& part = scene.meshes[p];
+    if (part.triangle_count() == 0) continue;
+    if (part.places == nullptr) {
+      geometries_.push_back({.of_part = add_part(top_.get(), p, copied[p], progress)});
+    } else {
+      PlacedPlant& plant = plant_at(part.places.get(), progress);
+      plant.geometries.push_back(add_part(plant.tree.get(), p, copied[p], progress));
+    }
+  }
+  add_places(progress);
+  commit(top_, progress);
+}
+
+RayTrees::SceneOwner RayTrees::new_scene(Progress& progress) const {
+  SceneOwner scene(rtcNewScene(device_.get()));
+  rtcSetSceneProgressMonitorFunction(scene.get(), stop_if_cancelled, &progress);
+  if (is_compact_) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_COMPACT);
+  return scene;
+}
+
+void RayTrees::commit(const SceneOwner& scene, Progress& progress) const {
+  rtcCommitScene(scene.get());
+  progress.check();
+  if (!failure_.empty()) throw MachineError("tracing rays: " + failure_);
+}
+
+RayTrees::PlacedPlant& RayTrees::plant_at(const std::vector<Frame>* places, Progress& progress) {
+  const auto [known, is_new] = plant_of_places_.try_emplace(places, plants_.size());
+  if (is_new) plants_.push_back({places, {}, new_scene(progress)});
+  return plants_[known->second];
+}
+
+RayTrees::Geometry RayTrees::add_part(RTCScene scene, std::uint32_t number, bool is_copied, Progress& progress) {
+  const MeshInstances& part = scene_.meshes[number];
+  const Texture* texture = texture_with_holes(scene_.materials[part.material], *part.mesh);
+  if (is_copied) {
+    add_triangles(scene, *part.mesh, part.frames, texture, progress);
+  } else {
+    add_instances(scene, part, texture, progress);
+  }
+  return {number, !is_copied};
+}
+
+void RayTrees::add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, const Texture* texture,
+                             Progress& progress) {
+  const GeometryOwner owner(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  RTCGeometry geometry = owner.get();
+  const std::size_t vertices = mesh.vertex_count();
+  const std::size_t triangles = mesh.triangle_count();
+  std::span<Vec3> positions;
+  std::span<std::array<std::uint32_t, 3>> indices;
+  const bool has_one = frames.size() == 1;
+  const bool is_in_place = has_one && frames[0].axes == Mat3(1) && frames[0].origin == Vec3(0);
+  // Embree reads four bytes past the last position.
+  if (is_in_place && mesh.positions.capacity() > vertices) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
+                               sizeof(Vec3), vertices);
+  } else {
+    positions = {static_cast<Vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                            sizeof(Vec3), vertices * frames.size())),
+                 vertices * frames.size()};
+    if (positions.data() == nullptr) return;  // commit() throws
+  }
+  if (has_one) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                               sizeof(mesh.triangles[0]), triangles);
+  } else {
+    indices = {static_cast<std::array<std::uint32_t, 3>*>(
+                   rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                           sizeof(mesh.triangles[0]), triangles * frames.size())),
+               triangles * frames.size()};
+    if (indices.data() == nullptr) return;
+  }
+  parallel_for(frames.size(), 256, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto base = static_cast<std::uint32_t>(f * vertices);
+      if (!positions.empty()) {
+        for (std::size_t v = 0; v < vertices; ++v) positions[base + v] = frames[f].point(mesh.positions[v]);
+      }
+      if (indices.empty()) continue;
+      for (std::size_t t = 0; t < triangles; ++t) {
+        const auto [a, b, c] = mesh.triangles[t];
+        indices[f * triangles + t] = {base + a, base + b, base + c};
+      }
+    }
+  });
+  if (texture != nullptr) cut_holes(geometry, mesh, *texture);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+}
+
+void RayTrees::add_instances(RTCScene scene, const MeshInstances& part, const Texture* texture, Progress& progress) {
+  InstancedPart& list = instanced_parts_.emplace_back();
+  list.part = &part;
+  list.tree = tree_of(*part.mesh, texture, progress);
+  for (const Vec3 position : part.mesh->positions) list.box.add(position);
+  const GeometryOwner owner(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+  RTCGeometry geometry = owner.get();
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(part.frames.size()));
+  rtcSetGeometryUserData(geometry, &list);
+  rtcSetGeometryBoundsFunction(geometry, find_bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, meet_instance);
+  rtcSetGeometryOccludedFunction(geometry, block_by_instance);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+}
+
+RTCScene RayTrees::tree_of(const Mesh& mesh, const Texture* texture, Progress& progress) {
+  SceneOwner& tree = mesh_trees_[{&mesh, texture}];
+  if (tree == nullptr) {
+    tree = new_scene(progress);
+    add_triangles(tree.get(), mesh, {Frame()}, texture, progress);
+    commit(tree, progress);
+  }
+  return tree.get();
+}
+
+void RayTrees::cut_holes(RTCGeometry geometry, const Mesh& mesh, const Texture& texture) {
+  const AlphaMask& mask = masks_.try_emplace(&texture, texture.colour).first->second;
+  MaskedMesh& masked = masked_meshes_.try_emplace({&mesh, &texture}, mesh, mask).first->second;
+  rtcSetGeometryUserData(geometry, &masked);
+  rtcSetGeometryIntersectFilterFunction(geometry, pass_through_holes);
+  rtcSetGeometryOccludedFilterFunction(geometry, pass_through_holes);
+}
+
+void RayTrees::add_places(Progress& progress) {
+  for (std::uint32_t k = 0; k < plants_.size(); ++k) {
+    const PlacedPlant& plant = plants_[k];
+    commit(plant.tree, progress);
+    for (std::uint32_t place = 0; place < plant.places->size(); ++place) {
+      const auto& [axes, origin] = (*plant.places)[place];
+      if (glm::determinant(axes) == 0) continue;
+      const GeometryOwner owner(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+      rtcSetGeometryInstancedScene(owner.get(), plant.tree.get());
+      const float columns[12] = {axes[0].x, axes[0].y, axes[0].z, axes[1].x, axes[1].y, axes[1].z,
+                                 axes[2].x, axes[2].y, axes[2].z, origin.x,  origin.y,  origin.z};
+      rtcSetGeometryTransform(owner.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+      rtcCommitGeometry(owner.get());
+      rtcAttachGeometry(top_.get(), owner.get());
+      geometries_.push_back({.plant = k, .place = place});
+      if (place % 4096 == 0) progress.check();
+    }
+  }
+}
+
+std::optional<RayHit> RayTrees::first_hit(const Ray& ray) const {
+  RTCRayHit query;
+  query.ray = ray_to(ray, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  HitContext context;
+  rtcIntersect1(top_.get(), &context.embree, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const bool is_placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const TopGeometry& top = geometries_[is_placed ? query.hit.instID[0] : query.hit.geomID];
+  const Geometry geometry = is_placed ? plants_[top.plant].geometries[query.hit.geomID] : *top.of_part;
+  const MeshInstances& part = scene_.meshes[geometry.part];
+  const auto triangles = static_cast<std::uint32_t>(part.mesh->triangle_count());
+  const std::uint32_t frame = geometry.is_instanced ? context.frame : query.hit.primID / triangles;
+  return RayHit{.distance = query.ray.tfar,
+                .part = geometry.part,
+                .instance = top.place * static_cast<std::uint32_t>(part.frames.size()) + frame,
+                .triangle = geometry.is_instanced ? query.hit.primID : query.hit.primID % triangles,
+                .barycentric = Vec2(query.hit.u, query.hit.v)};
+}
+
+bool RayTrees::is_blocked(const Ray& ray, float within) const {
+  RTCRay query = ray_to(ray, within);
+  HitContext context;
+  rtcOccluded1(top_.get(), &context.embree, &query);
+  return query.tfar < 0;
+}
+
+std::uint64_t RayTrees::bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes_)); }
+
+}  // namespace meristem

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The trees of boxes in which Embree finds what rays meet.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include "meristem/base/progress.h"
+#include "meristem/plant/material.h"
+#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/texture/alpha_mask.h"
+
+namespace meristem {
+
+/// Finds the triangles of a mesh scene that rays meet.
+///
+/// The upper tree holds the geometries of parts that stand in the world once, and an instance for each place of a
+/// placed plant. The tree of a placed plant holds the geometries of its parts. A geometry of a part is either all
+/// triangles of all frames, or a list of instances: then each frame is one box, and the ray goes on in the tree of the
+/// mesh, which exists once for each distinct mesh.
+class RayTrees {
+ public:
+  /// `scene` must outlive this. Parts with several frames become triangles while these are at most `copied_triangles`
+  /// in all, first those that stand in the world once. Throws Cancelled, MachineError (memory).
+  RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, Progress& progress);
+
+  std::optional<RayHit> first_hit(const Ray& ray) const;
+  bool is_blocked(const Ray& ray, float within) const;
+  /// Bytes that Embree holds now.
+  std::uint64_t bytes() const;
+
+ private:
+  template <auto Release>
+  struct Releaser {
+    template <class Handle>
+    void operator()(Handle* handle) const {
+      Release(handle);
+    }
+  };
+  using DeviceOwner = std::unique_ptr<RTCDeviceTy, Releaser<rtcReleaseDevice>>;
+  using SceneOwner = std::unique_ptr<RTCSceneTy, Releaser<rtcReleaseScene>>;
+  using GeometryOwner = std::unique_ptr<RTCGeometryTy, Releaser<rtcReleaseGeometry>>;
+
+  /// The holes of a masked mesh. The positions of its triangles on the mask lie side by side, because looking them up
+  /// through the mesh takes longer than all other steps of a hit.
+  struct MaskedMesh {
+    MaskedMesh(const Mesh& mesh, const AlphaMask& holes);
+    const AlphaMask* mask;
+    std::vector<std::array<Vec2, 3>> uvs;
+  };
+  /// A part as a list of instances.
+  struct InstancedPart {
+    const MeshInstances* part = nullptr;
+    RTCScene tree = nullptr;  ///< of its mesh
+    Box box;                  ///< of its mesh
+  };
+  struct HitContext;
+  /// What a geometry shows.
+  struct Geometry {
+    std::uint32_t part = 0;
+    bool is_instanced = false;
+  };
+  /// A plant that stands in several places.
+  struct PlacedPlant {
+    const std::vector<Frame>* places = nullptr;
+    std::vector<Geometry> geometries;
+    SceneOwner tree;
+  };
+  /// What a geometry of the upper tree shows: a part, or a plant in one of its places.
+  struct TopGeometry {
+    std::optional<Geometry> of_part;
+    std::uint32_t plant = 0;
+    std::uint32_t place = 0;
+  };
+  using LookKey = std::pair<const Mesh*, const Texture*>;
+
+  static void pass_through_holes(const RTCFilterFunctionNArguments* arguments);
+  static void find_bounds(const RTCBoundsFunctionArguments* arguments);
+  static void meet_instance(const RTCIntersectFunctionNArguments* arguments);
+  static void block_by_instance(const RTCOccludedFunctionNArguments* arguments);
+
+  SceneOwner new_scene(Progress& progress) const;
+  void commit(const SceneOwner& scene, Progress& progress) const;
+  PlacedPlant& plant_at(const std::vector<Frame>* places, Progress& progress);
+  Geometry add_part(RTCScene scene, std::uint32_t number, bool is_copied, Progress& progress);
+  void add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, const Texture* texture,
+                     Progress& progress);
+  void add_instances(RTCScene scene, const MeshInstances& part, const Texture* texture, Progress& progress);
+  RTCScene tree_of(const Mesh& mesh, const Texture* texture, Progress& progress);
+  void cut_holes(RTCGeometry geometry, const Mesh& mesh, const Texture& texture);
+  void add_places(Progress& progress);
+
+  const MeshScene& scene_;
+  mutable std::atomic<std::int64_t> bytes_{0};
+  mutable std::string failure_;
+  DeviceOwner device_;
+  bool is_compact_ = false;
+  std::map<const Texture*, AlphaMask> masks_;
+  std::map<LookKey, MaskedMesh> masked_meshes_;  ///< geometries point to them
+  std::map<LookKey, SceneOwner> mesh_trees_;
+  std::deque<InstancedPart> instanced_parts_;  ///< geometries point to them
+  std::vector<PlacedPlant> plants_;
+  std::unordered_map<const std::vector<Frame>*, std::size_t> plant_of_places_;
+  std::vector<TopGeometry> geometries_;  ///< of the upper tree
+  SceneOwner top_;
+};
+
+}  // namespace meristem

@@ -155,8 +155,15 @@ struct SurfaceLabels::Facts {
   struct Owner {
     std::uint32_t first = 0;
     const PlantFacts* facts = nullptr;
+    std::shared_ptr<const std::string> prefix;  // of the ids of its components
   };
   std::vector<Owner> owners;
+
+  const Owner& owner(std::uint32_t shoot) const {
+    const auto after = std::upper_bound(owners.begin(), owners.end(), shoot,
+                                        [](std::uint32_t wanted, const Owner& of) { return wanted < of.first; });
+    return *(after - 1);
+  }
 
   /// Counts what has been copied out so far.
   struct Counts {
@@ -173,15 +180,16 @@ struct SurfaceLabels::Facts {
   }
 
   /// The depth of plantings in plantings is bounded where documents are read.
-  PlaceFacts place(const Plant& own, const std::string& prefix, Counts& counts, const Progress& progress) {
+  PlaceFacts place(const Plant& own, const std::shared_ptr<const std::string>& prefix, Counts& counts,
+                   const Progress& progress) {
     progress.check();
     const PlantFacts& facts = of_plant.at(&own);
-    if (!facts.shoots.empty()) owners.push_back({counts.shoots, &facts});
+    if (!facts.shoots.empty()) owners.push_back({counts.shoots, &facts, prefix});
     PlaceFacts made{.shoots = counts.shoots, .trees = counts.trees};
     counts.shoots += static_cast<std::uint32_t>(facts.shoots.size());
     counts.trees += facts.trees;
     for (std::size_t k = 0; k < facts.components.size(); ++k) {
-      const std::string name = prefix + facts.components[k];
+      const std::string name = *prefix + facts.components[k];
       std::uint32_t& stems = counts.stem_instances[name];
       std::uint32_t& organs = counts.organ_instances[name];
       made.stem_instances.push_back(stems);
@@ -191,8 +199,9 @@ struct SurfaceLabels::Facts {
     }
     for (const Planting& planting : own.plantings) {
       std::vector<PlaceFacts>& places = made.inner.emplace_back();
+      const auto inner = std::make_shared<const std::string>(*prefix + planting.component + ".");
       for (std::size_t k = 0; k < planting.places.size(); ++k) {
-        places.push_back(place(*planting.variant->plant, prefix + planting.component + ".", counts, progress));
+        places.push_back(place(*planting.variant->plant, inner, counts, progress));
       }
     }
     return made;
@@ -224,7 +233,7 @@ SurfaceLabels::SurfaceLabels(const Plant& plant, const Limits& limits, const Mes
   progress.begin("labelling", organs);
   for (auto& [own, of] : facts->of_plant) find_shoots_of_organs(of, progress);
   Facts::Counts counts;
-  facts->root = facts->place(*facts->plant, "", counts, progress);
+  facts->root = facts->place(*facts->plant, std::make_shared<const std::string>(), counts, progress);
   facts->shoots = counts.shoots;
   facts->name_components();
   facts->facts_of_plant = &facts->of_plant.at(facts->plant);
@@ -294,9 +303,14 @@ const std::vector<std::string>& SurfaceLabels::components() const { return facts
 std::uint32_t SurfaceLabels::shoot_count() const { return facts_->shoots; }
 
 const std::string& SurfaceLabels::shoot_label(std::uint32_t shoot) const {
-  const auto after = std::upper_bound(facts_->owners.begin(), facts_->owners.end(), shoot,
-                                      [](std::uint32_t wanted, const Facts::Owner& of) { return wanted < of.first; });
-  return (after - 1)->facts->labels[shoot - (after - 1)->first];
+  const Facts::Owner& owner = facts_->owner(shoot);
+  return owner.facts->labels[shoot - owner.first];
+}
+
+ShootOrigin SurfaceLabels::shoot_origin(std::uint32_t shoot) const {
+  const Facts::Owner& owner = facts_->owner(shoot);
+  const ShootFacts& facts = owner.facts->shoots[shoot - owner.first];
+  return {*owner.prefix + owner.facts->components[facts.component], facts.order};
 }
 
 }  // namespace meristem

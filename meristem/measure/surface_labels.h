@@ -41,6 +41,12 @@ struct SurfaceLabel {
   bool operator==(const SurfaceLabel&) const = default;
 };
 
+/// What a shoot is a part of.
+struct ShootOrigin {
+  std::string component;    ///< id of the component that has grown it, such as "oak.tree" in a placed plant
+  std::uint16_t order = 0;  ///< branching order
+};
+
 /// The labels of all surfaces of a mesh scene.
 ///
 /// Numbers are those of the tables of skeletons and organs: a shoot is an `axis` of SkeletonTable, a tree a root of a
@@ -67,6 +73,8 @@ class SurfaceLabels {
   std::uint32_t shoot_count() const;
   /// The label (axis_labels.h) of a shoot. May be called from many threads.
   const std::string& shoot_label(std::uint32_t shoot) const;
+  /// The origin of a shoot. May be called from many threads.
+  ShootOrigin shoot_origin(std::uint32_t shoot) const;
 
  private:
   struct Facts;

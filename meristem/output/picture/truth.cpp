@@ -14,7 +14,6 @@
 #include "meristem/output/picture/ground.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/still.h"
-#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/ray_scene.h"
 
 namespace meristem {
@@ -55,23 +54,12 @@ class Numbers {
 /// Numbers what is seen on all levels.
 class Census {
  public:
-  /// `plant` is the expanded one, whose axes are the shoots of the labels.
-  Census(const MeshScene& meshes, const SurfaceLabels& labels, const Plant& plant, Truth& truth)
+  Census(const MeshScene& meshes, const SurfaceLabels& labels, Truth& truth)
       : meshes_(meshes),
         labels_(labels),
         plants_(truth.masks[static_cast<int>(TruthLevel::plant)]),
         shoots_(truth.masks[static_cast<int>(TruthLevel::shoot)]),
-        organs_(truth.masks[static_cast<int>(TruthLevel::organ)]) {
-    for (const Stem& stem : plant.stems) {
-      const auto first = wood_.size();
-      for (NodeIndex node = 0; node < stem.skeleton.node_count(); ++node) {
-        const std::size_t shoot = first + stem.skeleton.axis[node];
-        if (shoot < wood_.size()) continue;
-        wood_.resize(shoot + 1);
-        wood_[shoot] = {.component = stem.part(stem.skeleton.axis[node]).component, .order = stem.skeleton.order[node]};
-      }
-    }
-  }
+        organs_(truth.masks[static_cast<int>(TruthLevel::organ)]) {}
 
   /// Writes the numbers of what was met into the masks. To be called pixel by pixel, in order.
   void add(const Met& met, Truth& truth, std::size_t pixel) {
@@ -80,11 +68,12 @@ class Census {
     const std::uint32_t plant =
         !key ? 0 : plants_.of(*key, [&] { return SeenThing{.component = plant_component(*key, met)}; });
     const auto describe_wood = [&] {
-      SeenThing thing = wood_.at(label.shoot);
+      const ShootOrigin origin = labels_.shoot_origin(label.shoot);
+      SeenThing thing{.component = origin.component, .order = origin.order};
       thing.plant = plant;
       return thing;
     };
-    const bool has_shoot = label.shoot < wood_.size();
+    const bool has_shoot = label.shoot < labels_.shoot_count();
     const std::uint32_t shoot = has_shoot ? shoots_.of(label.shoot, describe_wood) : 0;
     const bool is_organ = label.kind == SurfaceKind::organ || !has_shoot;
     const OrganKey organ_key = is_organ ? OrganKey{1, met.part, met.instance} : OrganKey{0, label.shoot, 0};
@@ -130,7 +119,6 @@ class Census {
 
   const MeshScene& meshes_;
   const SurfaceLabels& labels_;
-  std::vector<SeenThing> wood_;  // of each shoot
   Numbers<PlantKey> plants_;
   Numbers<std::uint32_t> shoots_;
   Numbers<OrganKey> organs_;
@@ -159,9 +147,8 @@ Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& s
               .camera = camera};
   for (TruthMask& mask : truth.masks) mask.number.assign(pixels, 0);
   const Ground ground = ground_below(framed, scene);
-  const ExpandedPlant plant(grown.plant, limits, progress);
   const SurfaceLabels labels(grown.plant, limits, shown, progress);
-  Census census(shown, labels, *plant, truth);
+  Census census(shown, labels, truth);
 
   // Each pixel's surface.
   progress.begin("looking", options.height);

@@ -42,7 +42,7 @@ class VariantPainter {
     auto fresh = std::make_shared<PlantVariant>(*variant);
     const std::vector<Material>& sketches = variant->plant->materials;
     auto materials = std::make_shared<std::vector<Material>>(variant->materials());
-    if (variant->painted == nullptr && variant->paint) variant->paint(*materials, progress_, nullptr);
+    if (variant->painted == nullptr && variant->paint) variant->paint(*materials, progress_, &textures_);
     for (std::size_t m = 0; m < materials->size(); ++m) {
       if (sketches[m].texture != nullptr) pictures_[sketches[m].texture.get()] = (*materials)[m].texture;
     }
@@ -56,6 +56,8 @@ class VariantPainter {
   }
 
   Progress& progress_;
+  Cache textures_;  // so that equal textures of several variants are painted once and shared
+  CacheSeries series_{textures_};
   std::unordered_map<const PlantVariant*, std::shared_ptr<const PlantVariant>> painted_;
   std::unordered_map<const Texture*, std::shared_ptr<const Texture>> pictures_;  // by sketch
 };

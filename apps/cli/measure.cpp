@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -44,7 +45,7 @@ struct MeasureCommand {
   std::string sun;     // JSON; empty: the document's
   double time = 0;
   bool json = false;
-  bool each = false;
+  MeasureReport report;
   bool list = false;
   bool markdown = false;
   // Options for files of skeletons.
@@ -53,6 +54,15 @@ struct MeasureCommand {
   std::string unit;
   std::string diameter_unit;
 
+  /// Whether anything that is asked for needs the meshes of the plant. A table for each tree without --only is one of
+  /// skeletons and leaves.
+  bool needs_meshes() const {
+    if (measures.organ_light || !organs.empty()) return true;
+    if (report.only.empty()) return !report.each;
+    return std::ranges::any_of(measure_rows(), [&](const MeasureRow& row) {
+      return row.needs_meshes && std::ranges::find(report.only, row.name) != report.only.end();
+    });
+  }
   bool reads_mtg() const { return has_ending(".mtg"); }
   bool reads_table() const { return has_ending(".csv") || has_ending(".txt") || has_ending(".tsv"); }
   bool reads_skeleton() const { return reads_mtg() || reads_table(); }
@@ -85,6 +95,20 @@ void check_kind(const MeasureCommand& command) {
   require(command.diameter.empty(), "--diameter", "an .mtg file");
 }
 
+void check_only(const MeasureCommand& command) {
+  std::vector<std::string> names;
+  for (const MeasureRow& row : measure_rows()) names.emplace_back(row.name);
+  std::vector<Diagnostic> faults;
+  for (const std::string& name : command.report.only) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    faults.push_back({.message = fmt::format("there is no measure '{}'", name),
+                      .expected = "a name that --list prints",
+                      .nearest = nearest_name(name, names),
+                      .path = "--only"});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
   check_output(command.organs, inputs);
   if (place_of(command.organs) == place_of(command.output)) {
@@ -108,13 +132,24 @@ StandMeasures measure_document(const MeasureCommand& command) {
     TerminalProgress terminal(command.document.quiet);
     MeasureOptions options = command.measures;
     options.organ_light |= !command.organs.empty();
-    GrownDocument grown = grow_document(document, terminal.progress(), {.time = time, .up_to = GrownPart::meshes});
+    for (const MeasureRow& row : measure_rows()) {
+      const auto& only = command.report.only;
+      options.organ_light |= row.needs_light && std::ranges::find(only, row.name) != only.end();
+    }
+    Progress& progress = terminal.progress();
+    const bool needs_meshes = command.needs_meshes();
+    GrownDocument grown =
+        grow_document(document, progress, {.time = time, .up_to = needs_meshes ? GrownPart::meshes : GrownPart::plant});
     // Holes of textures are no leaf, and light falls through them.
-    if (has_holes(grown.plant)) complete_growth(document, grown, terminal.progress(), {.time = time});
+    if (has_holes(grown.plant)) {
+      if (needs_meshes) complete_growth(document, grown, progress, {.time = time});
+      if (!needs_meshes) paint_plant(document, grown.plant, progress);
+    }
     warnings = grown.warnings;
-    stand = measure_plant(grown.plant, document.graph.limits, grown.meshes, scene, options, terminal.progress());
-    if (!command.organs.empty())
-      write_organ_csv(grown.plant, document.graph.limits, stand.organs, command.organs, terminal.progress());
+    const Limits& limits = document.graph.limits;
+    stand = needs_meshes ? measure_plant(grown.plant, limits, grown.meshes, scene, options, progress)
+                         : measure_plant(grown.plant, limits, scene, options, progress);
+    if (!command.organs.empty()) write_organ_csv(grown.plant, limits, stand.organs, command.organs, progress);
   }
   if (!command.document.quiet) print_diagnostics(warnings);
   return stand;
@@ -186,9 +221,10 @@ StandMeasures measure_skeleton(const MeasureCommand& command) {
 
 void measure(const MeasureCommand& command) {
   check_kind(command);
+  check_only(command);
   const StandMeasures measures = command.reads_skeleton() ? measure_skeleton(command) : measure_document(command);
   const std::string text =
-      command.json ? write_json(measures_value(measures, command.each)) : measures_text(measures, command.each);
+      command.json ? write_json(measures_value(measures, command.report)) : measures_text(measures, command.report);
   AtomicFile file(command.output);
   file.write(text.data(), text.size());
   file.commit();
@@ -234,7 +270,14 @@ void add_measure(CLI::App& app, Run& run) {
   command->get_option("document")->required(false);
   command->add_option("-o,--output", options->output, "File to write; by default, standard output")->type_name("FILE");
   command->add_flag("--json", options->json, "Write JSON instead of a table");
-  command->add_flag("--each", options->each, "Also measure each tree by itself");
+  command->add_flag("--each", options->report.each,
+                    "Also measure each tree by itself. Makes no meshes unless --light, --organs or --only need them");
+  command
+      ->add_option("--only", options->report.only,
+                   "Names of measures to print, such as height,leaf_area. Makes meshes only if a named measure needs "
+                   "them")
+      ->type_name("NAME,NAME")
+      ->delimiter(',');
   command
       ->add_option("--fork-diameter", options->measures.fork_diameter,
                    "Diameter of a fork's parent from which area ratios count the fork; by default, 0.02")

@@ -21,7 +21,7 @@ Value measured_plant(const Document& document, const GrownDocument& grown, const
                      Progress& progress) {
   return measures_value(
       measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene, options_of(request), progress),
-      false);
+      {});
 }
 
 }  // namespace

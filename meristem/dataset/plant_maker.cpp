@@ -24,9 +24,16 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kPlantsPerFolder = 1000;
 
+/// Returns true if any of the named measures has the flag.
+bool has_any(const std::vector<std::string>& measures, bool MeasureRow::*flag) {
+  return std::ranges::any_of(measure_rows(), [&](const MeasureRow& row) {
+    return row.*flag && std::ranges::find(measures, row.name) != measures.end();
+  });
+}
+
 /// What a plan needs of each plant before its files are written.
 GrownPart part_for(const DatasetPlan& plan) {
-  GrownPart part = plan.measures.empty() ? GrownPart::plant : GrownPart::meshes;
+  GrownPart part = has_any(plan.measures, &MeasureRow::needs_meshes) ? GrownPart::meshes : GrownPart::plant;
   for (const PlannedFile& file : plan.files) part = std::max(part, file.output->needs);
   if (plan.pictures) part = GrownPart::textures;
   return part;
@@ -38,20 +45,20 @@ TraceWish wish_for(const DatasetPlan& plan) {
   return wish;
 }
 
-bool wants_light(const std::vector<std::string>& measures) {
-  const auto rows = measure_rows();
-  return std::any_of(rows.begin(), rows.end(), [&measures](const MeasureRow& row) {
-    return row.needs_light && std::find(measures.begin(), measures.end(), row.name) != measures.end();
-  });
-}
-
 std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& document, GrownDocument& grown,
                                    const GrowthOptions& options, Progress& progress) {
   if (plan.measures.empty()) return {};
+  const bool has_meshes = grown.up_to >= GrownPart::meshes;
   // Holes of textures are no leaf, and light falls through them.
-  if (has_holes(grown.plant)) complete_growth(document, grown, progress, options);
-  const StandMeasures stand = measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene,
-                                            {.organ_light = wants_light(plan.measures)}, progress);
+  if (has_holes(grown.plant)) {
+    if (has_meshes) complete_growth(document, grown, progress, options);
+    if (!has_meshes) paint_plant(document, grown.plant, progress, options.cache);
+  }
+  const Limits& limits = document.graph.limits;
+  const MeasureOptions measures{.organ_light = has_any(plan.measures, &MeasureRow::needs_light)};
+  const StandMeasures stand = has_meshes
+                                  ? measure_plant(grown.plant, limits, grown.meshes, document.scene, measures, progress)
+                                  : measure_plant(grown.plant, limits, document.scene, measures, progress);
   std::vector<MeasureValue> values;
   for (const std::string& name : plan.measures) {
     for (const MeasureRow& row : measure_rows()) {

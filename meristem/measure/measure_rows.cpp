@@ -161,11 +161,11 @@ constexpr std::array kRows = {
     MeasureRow{"leaf_exposure", "",
                "Share of the scene's light that reaches the leaves past stems, organs and obstacles, averaged over "
                "their area (`--light`).",
-               member<&Measures::leaf_exposure>, false, true},
+               member<&Measures::leaf_exposure>, false, true, true},
     MeasureRow{"leaf_irradiance", "",
                "Light that matt leaves take up, relative to leaves that face all light unshaded, averaged over their "
                "area (`--light`).",
-               member<&Measures::leaf_irradiance>, false, true},
+               member<&Measures::leaf_irradiance>, false, true, true},
     MeasureRow{"thickened_below", "m",
                "Radius below which twigs of blended surfaces are thickened, since their cells could not hold them.",
                member<&Measures::thickened_below>, true},
@@ -174,10 +174,11 @@ constexpr std::array kRows = {
     MeasureRow{"thickened_volume", "", "Volume that thickening adds to blended stems, divided by their own volume.",
                member<&Measures::thickened_volume>, true},
     MeasureRow{"triangles", "", "Number of triangles of all surfaces; each instance counts.",
-               member<&Measures::triangles>, true},
-    MeasureRow{"instances", "", "Number of surfaces and organs in the scene.", member<&Measures::instances>, true},
+               member<&Measures::triangles>, true, false, true},
+    MeasureRow{"instances", "", "Number of surfaces and organs in the scene.", member<&Measures::instances>, true,
+               false, true},
     MeasureRow{"bytes", "B", "Memory of the geometry: each distinct mesh once, and one frame per instance.",
-               member<&Measures::bytes>, true},
+               member<&Measures::bytes>, true, false, true},
 };
 
 constexpr bool is_of_trees(const MeasureRow& row) { return !row.only_whole; }

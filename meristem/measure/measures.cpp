@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
@@ -259,8 +260,21 @@ std::vector<std::uint32_t> trees_of_organs(const Plant& grown, const Limits& lim
   return trees;
 }
 
-StandMeasures measure_plant(const Plant& grown, const Limits& limits, const MeshScene& meshes, const Scene& scene,
-                            const MeasureOptions& options, Progress& progress) {
+namespace {
+
+void count_geometry(const MeshScene& meshes, Measures& whole) {
+  whole.triangles = meshes.triangle_count();
+  whole.instances = meshes.instance_count();
+  std::uint64_t bytes = 0;
+  for (const MeshInstances& mesh : meshes.meshes)
+    bytes +=
+        mesh.mesh->bytes() + (mesh.frames.size() + (mesh.places == nullptr ? 0 : mesh.places->size())) * sizeof(Frame);
+  whole.bytes = bytes;
+}
+
+/// Measures a plant, without meshes if `meshes` is null.
+StandMeasures measured(const Plant& grown, const Limits& limits, const MeshScene* meshes, const Scene& scene,
+                       const MeasureOptions& options, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   std::vector<const Skeleton*> skeletons;
@@ -274,7 +288,7 @@ StandMeasures measure_plant(const Plant& grown, const Limits& limits, const Mesh
     origin.instance = root.instance;
     if (individuals[k] < plant.individuals.size()) origin.row = plant.individuals[individuals[k]].row;
   }
-  if (options.organ_light) stand.organs = measure_organ_light(plant, limits, meshes, scene, progress);
+  if (options.organ_light) stand.organs = measure_organ_light(plant, limits, *meshes, scene, progress);
   measure_leaves(plant, limits, stand, progress);
   Measures& whole = stand.whole;
   if (options.layer_height > 0) stand.layers = measure_leaf_layers(plant, limits, options.layer_height, progress);
@@ -284,14 +298,21 @@ StandMeasures measure_plant(const Plant& grown, const Limits& limits, const Mesh
     whole.thickened_length = thickening.thickened / thickening.length;
     if (thickening.volume > 0) whole.thickened_volume = thickening.added / thickening.volume;
   }
-  whole.triangles = meshes.triangle_count();
-  whole.instances = meshes.instance_count();
-  std::uint64_t bytes = 0;
-  for (const MeshInstances& mesh : meshes.meshes)
-    bytes +=
-        mesh.mesh->bytes() + (mesh.frames.size() + (mesh.places == nullptr ? 0 : mesh.places->size())) * sizeof(Frame);
-  whole.bytes = bytes;
+  if (meshes != nullptr) count_geometry(*meshes, whole);
   return stand;
+}
+
+}  // namespace
+
+StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
+                            const MeasureOptions& options, Progress& progress) {
+  return measured(plant, limits, &meshes, scene, options, progress);
+}
+
+StandMeasures measure_plant(const Plant& plant, const Limits& limits, const Scene& scene, const MeasureOptions& options,
+                            Progress& progress) {
+  if (options.organ_light) throw std::invalid_argument("the light on organs needs the meshes of the plant");
+  return measured(plant, limits, nullptr, scene, options, progress);
 }
 
 }  // namespace meristem

@@ -121,6 +121,11 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
 StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 
+/// Measures a plant without meshes: measures that need meshes (MeasureRow::needs_meshes) have no value. Throws
+/// std::invalid_argument if options ask for the light on organs.
+StandMeasures measure_plant(const Plant& plant, const Limits& limits, const Scene& scene, const MeasureOptions& options,
+                            Progress& progress);
+
 /// Nothing, a count, a number in the unit of its row, or a list of one of these.
 using MeasureValue =
     std::variant<std::monostate, std::uint64_t, double, std::vector<std::uint64_t>, std::vector<double>>;
@@ -131,8 +136,9 @@ struct MeasureRow {
   std::string_view unit;  ///< "m", "°", or empty for counts and ratios
   std::string_view doc;
   MeasureValue (*value)(const Measures&);
-  bool only_whole = false;   ///< not known of each tree
-  bool needs_light = false;  ///< the light on organs, which takes longer than all else (MeasureOptions::organ_light)
+  bool only_whole = false;    ///< not known of each tree
+  bool needs_light = false;   ///< the light on organs, which takes longer than all else (MeasureOptions::organ_light)
+  bool needs_meshes = false;  ///< has a value only if the meshes of the plant are made
 };
 
 /// All measures in the order in which they are shown: the one table behind text, JSON, Python and manual.

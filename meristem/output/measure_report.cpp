@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/measure_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -24,9 +25,14 @@ Value as_value(const std::vector<Number>& numbers) {
   return list;
 }
 
-Value::Object as_object(const Measures& measures, std::span<const MeasureRow> rows) {
+bool shows(const MeasureReport& report, const MeasureRow& row) {
+  return report.only.empty() || std::ranges::find(report.only, row.name) != report.only.end();
+}
+
+Value::Object as_object(const Measures& measures, std::span<const MeasureRow> rows, const MeasureReport& report) {
   Value::Object object;
   for (const MeasureRow& row : rows) {
+    if (!shows(report, row)) continue;
     object.emplace_back(row.name, std::visit([](const auto& some) { return as_value(some); }, row.value(measures)));
   }
   return object;
@@ -46,9 +52,10 @@ std::string as_text(const std::vector<Number>& numbers) {
   return text;
 }
 
-std::string as_lines(const Measures& measures, std::span<const MeasureRow> rows) {
+std::string as_lines(const Measures& measures, std::span<const MeasureRow> rows, const MeasureReport& report) {
   std::string lines;
   for (const MeasureRow& row : rows) {
+    if (!shows(report, row)) continue;
     const std::string value = std::visit([](const auto& some) { return as_text(some); }, row.value(measures));
     const bool has_unit = !value.empty() && !row.unit.empty();
     fmt::format_to(std::back_inserter(lines), "{:<{}} {}{}{}\n", row.name, kNameWidth, value.empty() ? "-" : value,
@@ -96,14 +103,14 @@ std::string heading_of(const TreeOrigin& origin, std::size_t number) {
 
 }  // namespace
 
-Value measures_value(const StandMeasures& measures, bool each) {
-  Value::Object object = as_object(measures.whole, measure_rows());
+Value measures_value(const StandMeasures& measures, const MeasureReport& report) {
+  Value::Object object = as_object(measures.whole, measure_rows(), report);
   if (measures.layers) object.emplace_back("layers", as_list(*measures.layers));
-  if (each) {
+  if (report.each) {
     Value::List trees;
     for (std::size_t k = 0; k < measures.trees.size(); ++k) {
       Value::Object tree = as_object(measures.origins.at(k));
-      for (auto& member : as_object(measures.trees[k], tree_measure_rows())) tree.push_back(std::move(member));
+      for (auto& member : as_object(measures.trees[k], tree_measure_rows(), report)) tree.push_back(std::move(member));
       trees.emplace_back(std::move(tree));
     }
     object.emplace_back("each", std::move(trees));
@@ -111,13 +118,13 @@ Value measures_value(const StandMeasures& measures, bool each) {
   return object;
 }
 
-std::string measures_text(const StandMeasures& measures, bool each) {
-  std::string text = as_lines(measures.whole, measure_rows());
+std::string measures_text(const StandMeasures& measures, const MeasureReport& report) {
+  std::string text = as_lines(measures.whole, measure_rows(), report);
   if (measures.layers) text += as_lines(*measures.layers);
-  if (!each) return text;
+  if (!report.each) return text;
   for (std::size_t k = 0; k < measures.trees.size(); ++k) {
     fmt::format_to(std::back_inserter(text), "\n{}\n{}", heading_of(measures.origins.at(k), k + 1),
-                   as_lines(measures.trees[k], tree_measure_rows()));
+                   as_lines(measures.trees[k], tree_measure_rows(), report));
   }
   return text;
 }

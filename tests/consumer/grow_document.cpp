@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
 
     // Write. A file appears whole or not at all.
     meristem::write_glb(grown.meshes, "plant.glb", {}, progress);
-    std::ofstream("measures.json") << meristem::write_json(meristem::measures_value(measures, false));
+    std::ofstream("measures.json") << meristem::write_json(meristem::measures_value(measures, {}));
     const meristem::Image picture =
         meristem::render_still(grown.meshes, document.scene, {}, {.width = 200, .height = 200, .samples = 4}, progress);
     meristem::write_png(picture, "plant.png");

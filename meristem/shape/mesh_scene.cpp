@@ -25,6 +25,7 @@
 #include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/detail_plan.h"
 #include "meristem/shape/mesh/tangents.h"
+#include "meristem/shape/ray_meshes.h"
 #include "meristem/shape/scene_tally.h"
 #include "meristem/shape/small_detail.h"
 #include "meristem/shape/stem_looks.h"
@@ -35,6 +36,12 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kOrgansPerBlock = 16384;
+
+/// What the meshes are for.
+enum class MeshUse {
+  all,
+  rays,  // what only pictures show is left out
+};
 
 void check_references(const Plant& plant) {
   const auto require = [](bool holds, const char* message) {
@@ -153,14 +160,25 @@ std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes_of(const Tu
   return shared;
 }
 
-std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::vector<Material>& materials,
+/// Removes what rays do not need, and frees its memory.
+void strip_for_rays(Mesh& mesh, const Material& material) {
+  std::vector<Vec3>().swap(mesh.normals);
+  if (material.texture == nullptr || !material.texture->masked) std::vector<Vec2>().swap(mesh.uvs);
+}
+
+std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::vector<Material>& materials, MeshUse use,
                                            Progress& progress) {
   auto tubes = std::make_shared<StemTubes>();
   tubes->sizes = dress.plan->sizes();
   tubes->tubes = tubes_of(*dress.plan);
   std::vector<Mesh> meshes = make_stem_tubes(*dress.plan, dress.looks, progress);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    if (needs_tangents(materials[dress.looks.first_part[k]->material])) add_tangents(meshes[k]);
+    const Material& material = materials[dress.looks.first_part[k]->material];
+    if (use == MeshUse::rays) {
+      strip_for_rays(meshes[k], material);
+    } else if (needs_tangents(material)) {
+      add_tangents(meshes[k]);
+    }
     tubes->meshes.push_back(std::make_shared<const Mesh>(std::move(meshes[k])));
   }
   return tubes;
@@ -168,13 +186,13 @@ std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::ve
 
 /// The tubes of each stem.
 std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<std::unique_ptr<StemDress>>& dresses,
-                                        CacheRun& results, Progress& progress) {
+                                        MeshUse use, CacheRun& results, Progress& progress) {
   std::vector<std::uint8_t> is_new(dresses.size());
   parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       is_new[i] = dresses[i]->tubes == nullptr ? 1 : 0;
       if (is_new[i] != 0) {
-        dresses[i]->tubes = make_stem(*dresses[i], plant.materials, progress);
+        dresses[i]->tubes = make_stem(*dresses[i], plant.materials, use, progress);
       } else {
         progress.advance(plant.stems[i].skeleton.node_count());
       }
@@ -217,7 +235,7 @@ std::shared_ptr<const Mesh> with_cached_tangents(const std::shared_ptr<const Mes
 Frame enlarged(float scale, Vec3 about) { return {Mat3(scale), (1 - scale) * about}; }
 
 /// The frames of each prototype's organs, in the order of the organs.
-std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, CacheRun& results,
+std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, MeshUse use, CacheRun& results,
                                         Progress& progress) {
   std::vector<MeshInstances> placed(plant.prototypes.size());
   std::vector<Vec3> centres(placed.size());
@@ -230,7 +248,7 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
       placed[i].origin = std::make_shared<const MeshOrigin>(MeshOrigin{.prototype = static_cast<std::uint32_t>(i)});
     }
     placed[i].frames.reserve(scene.organ_counts[i]);
-    placed[i].tints.reserve(scene.organ_counts[i]);
+    if (use == MeshUse::all) placed[i].tints.reserve(scene.organ_counts[i]);
     if (plant.individuals.size() > 1) placed[i].individuals.reserve(scene.organ_counts[i]);
     Box box;
     for (const Vec3 position : placed[i].mesh->positions) box.add(position);
@@ -246,14 +264,16 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
       if (!scene.organs.scale.empty()) {
         instances.frames.back() = organ.frame * enlarged(scene.organs.scale[organ.prototype], centres[organ.prototype]);
       }
-      instances.tints.push_back(organ.tint);
+      if (use == MeshUse::all) instances.tints.push_back(organ.tint);
       if (plant.individuals.size() > 1) instances.individuals.push_back(organ.individual);
     }
     progress.advance(end - begin);
   }
   for (MeshInstances& instances : placed) {
     const auto is_plain = [](Vec3 tint) { return tint == Vec3(1); };
-    if (std::all_of(instances.tints.begin(), instances.tints.end(), is_plain)) instances.tints = {};
+    if (std::all_of(instances.tints.begin(), instances.tints.end(), is_plain)) {
+      std::vector<Vec3>().swap(instances.tints);  // which frees its memory
+    }
   }
   return placed;
 }
@@ -320,7 +340,16 @@ bool may_be_small(const Plant& plant) {
   return nodes <= kSmallPlant;
 }
 
-MeshScene clothe(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail, Cache* cache) {
+/// What is made of a plant besides itself.
+struct Wanted {
+  const Limits& limits;
+  const Detail& detail;
+  Cache* cache = nullptr;
+  MeshUse use = MeshUse::all;
+};
+
+MeshScene clothe(const Plant& plant, const Wanted& wanted, Progress& progress) {
+  const auto& [limits, detail, cache, use] = wanted;
   CacheRun results(cache, {typeid(StemTubes), typeid(BodyMesh), typeid(TangentMesh)});
   const ScenePlan plan(plant, detail, results);
   check_limits(plant, {}, plan, limits);
@@ -328,9 +357,9 @@ MeshScene clothe(const Plant& plant, const Limits& limits, Progress& progress, c
   std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress, results);
   check_limits(plant, bodies, plan, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
-  std::vector<MeshInstances> meshes = clothe_stems(plant, plan.stems, results, progress);
+  std::vector<MeshInstances> meshes = clothe_stems(plant, plan.stems, use, results, progress);
   std::move(bodies.begin(), bodies.end(), std::back_inserter(meshes));
-  std::vector<MeshInstances> placed = place_organs(plant, plan, results, progress);
+  std::vector<MeshInstances> placed = place_organs(plant, plan, use, results, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
   results.end();
   return {std::move(materials), grouped(std::move(meshes)), plant.individuals};
@@ -341,19 +370,21 @@ MeshScene clothe(const Plant& plant, const Limits& limits, Progress& progress, c
 namespace {
 
 /// The meshes of what stands in a plant's own document.
-MeshScene clothe_own(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail, Cache* cache) {
-  if (detail.level > 0 && may_be_small(plant)) {
-    const MeshScene whole = clothe(plant, limits, progress, {}, cache);
-    if (whole.triangle_count() <= kSmallPlant) return small_detail(whole, detail, progress);
+MeshScene clothe_own(const Plant& plant, const Wanted& wanted, Progress& progress) {
+  if (wanted.detail.level > 0 && may_be_small(plant)) {
+    const MeshScene whole = clothe(plant, {wanted.limits, Detail(), wanted.cache}, progress);
+    if (whole.triangle_count() <= kSmallPlant) return small_detail(whole, wanted.detail, progress);
   }
-  return clothe(plant, limits, progress, detail, cache);
+  return clothe(plant, wanted, progress);
 }
+
+MeshScene make_meshes(const Plant& plant, const Wanted& wanted, Progress& progress);
 
 /// The meshes of plantings, each variant's made once.
 class PlantingClothier {
  public:
-  PlantingClothier(const Limits& limits, Progress& progress, const Detail& detail, Cache* cache)
-      : limits_(limits), progress_(progress), detail_(detail), results_(cache, {typeid(VariantMeshes)}) {}
+  PlantingClothier(const Wanted& wanted, Progress& progress)
+      : wanted_(wanted), progress_(progress), results_(wanted.cache, {typeid(VariantMeshes)}) {}
 
   void add_to(MeshScene& scene, const Plant& plant) {
     find_variants(plant);
@@ -369,6 +400,8 @@ class PlantingClothier {
     for (const Planting& planting : plant.plantings) {
       const auto [known, is_new] = number_.try_emplace(planting.variant.get(), variants_.size());
       if (is_new) variants_.push_back(planting.variant);
+      uses_.resize(variants_.size());
+      ++uses_[known->second];
     }
   }
 
@@ -378,7 +411,7 @@ class PlantingClothier {
     const auto key_of_variant = [&](std::size_t k) {
       return results_.key([&] {
         Fingerprint key;
-        add_detail(detail_, key.add(variants_[k]->key));
+        add_detail(wanted_.detail, key.add(variants_[k]->key));
         return key.hash();
       });
     };
@@ -393,8 +426,8 @@ class PlantingClothier {
         if (meshes_[k] == nullptr) {
           Progress part(&progress_);
           try {
-            meshes_[k] = std::make_shared<const VariantMeshes>(
-                VariantMeshes{make_mesh_scene(*variants_[k]->plant, limits_, part, detail_)});
+            meshes_[k] = std::make_shared<VariantMeshes>(VariantMeshes{
+                make_meshes(*variants_[k]->plant, {wanted_.limits, wanted_.detail, nullptr, wanted_.use}, part)});
           } catch (const InputError&) {
             faults[k] = std::current_exception();
           }
@@ -412,24 +445,26 @@ class PlantingClothier {
 
   void add(const Planting& planting, std::uint32_t number, MeshScene& scene) {
     const std::size_t variant = number_.at(planting.variant.get());
-    const MeshScene& own = meshes_[variant]->scene;
+    MeshScene& own = std::const_pointer_cast<VariantMeshes>(meshes_[variant])->scene;
+    // Its last planting takes the frames of the variant without a copy, unless a cache keeps them.
+    const bool is_last = --uses_[variant] == 0 && meshes_[variant].use_count() == 1;
     auto places = std::make_shared<std::vector<Frame>>();
     for (const Planting::Place& place : planting.places) places->push_back(place.frame);
     const std::vector<std::uint32_t>& materials = materials_of(variant, planting.component, scene);
     std::map<const std::vector<Frame>*, std::shared_ptr<const std::vector<Frame>>> multiplied;
-    for (const MeshInstances& part : own.meshes) {
-      MeshInstances& placed = scene.meshes.emplace_back(part);
-      placed.component = planting.component + "." + part.component;
-      placed.material = materials[part.material];
-      placed.places = places;
-      placed.individuals.clear();  // each instance is a plant
-      if (part.origin != nullptr) {
-        placed.origin = std::make_shared<const MeshOrigin>(MeshOrigin{.planting = number, .inner = part.origin});
+    for (MeshInstances& part : own.meshes) {
+      MeshInstances& placed = scene.meshes.emplace_back(is_last ? std::move(part) : part);
+      const auto inner_places = std::exchange(placed.places, places);
+      placed.component = planting.component + "." + placed.component;
+      placed.material = materials[placed.material];
+      std::vector<std::uint32_t>().swap(placed.individuals);  // each instance is a plant
+      if (placed.origin != nullptr) {
+        placed.origin = std::make_shared<const MeshOrigin>(MeshOrigin{.planting = number, .inner = placed.origin});
       }
-      if (part.places == nullptr) continue;
+      if (inner_places == nullptr) continue;
       // A plant within this one stands on each of its sites at each site of this one.
-      std::shared_ptr<const std::vector<Frame>>& all = multiplied[part.places.get()];
-      if (all == nullptr) all = product(*places, *part.places);
+      std::shared_ptr<const std::vector<Frame>>& all = multiplied[inner_places.get()];
+      if (all == nullptr) all = product(*places, *inner_places);
       placed.places = all;
     }
   }
@@ -487,37 +522,45 @@ class PlantingClothier {
       bytes += instances.frames.size() * sizeof(Frame) + instances.place_count() * sizeof(Frame);
     }
     const std::string path = "components." + plant.plantings.front().component;
-    if (triangles > limits_.triangles) {
-      throw_limit("triangles", static_cast<double>(triangles), limits_.triangles, "triangles", path);
+    if (triangles > wanted_.limits.triangles) {
+      throw_limit("triangles", static_cast<double>(triangles), wanted_.limits.triangles, "triangles", path);
     }
-    if (bytes > limits_.mesh_bytes) {
-      throw_limit("bytes of geometry", static_cast<double>(bytes), limits_.mesh_bytes, "mesh_bytes", path);
+    if (bytes > wanted_.limits.mesh_bytes) {
+      throw_limit("bytes of geometry", static_cast<double>(bytes), wanted_.limits.mesh_bytes, "mesh_bytes", path);
     }
   }
 
-  const Limits& limits_;
+  const Wanted& wanted_;
   Progress& progress_;
-  const Detail& detail_;
   CacheRun results_;
   std::vector<std::shared_ptr<const PlantVariant>> variants_;
   std::unordered_map<const PlantVariant*, std::size_t> number_;
+  std::vector<std::size_t> uses_;  // of each variant: the plantings that are not yet in the scene
   std::vector<std::shared_ptr<const VariantMeshes>> meshes_;
   std::map<std::pair<std::size_t, std::string>, std::vector<std::uint32_t>> materials_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> namesakes_;  // of materials, by name
 };
 
+MeshScene make_meshes(const Plant& plant, const Wanted& wanted, Progress& progress) {
+  if (has_deformed_plantings(plant)) {
+    return make_meshes(with_deformed_copies(plant, wanted.limits, progress), wanted, progress);
+  }
+  check_references(plant);
+  check_detail(wanted.detail);
+  MeshScene scene = clothe_own(plant, wanted, progress);
+  if (has_plantings(plant)) PlantingClothier(wanted, progress).add_to(scene, plant);
+  return scene;
+}
+
 }  // namespace
 
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
                           Cache* cache) {
-  if (has_deformed_plantings(plant)) {
-    return make_mesh_scene(with_deformed_copies(plant, limits, progress), limits, progress, detail, cache);
-  }
-  check_references(plant);
-  check_detail(detail);
-  MeshScene scene = clothe_own(plant, limits, progress, detail, cache);
-  if (has_plantings(plant)) PlantingClothier(limits, progress, detail, cache).add_to(scene, plant);
-  return scene;
+  return make_meshes(plant, {limits, detail, cache}, progress);
+}
+
+MeshScene make_ray_meshes(const Plant& plant, const Limits& limits, Progress& progress) {
+  return make_meshes(plant, {limits, Detail(), nullptr, MeshUse::rays}, progress);
 }
 
 }  // namespace meristem

@@ -27,8 +27,9 @@ Vec2 uv_at(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, Vec3 
 
 }  // namespace
 
-RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t copied_triangles)
-    : scene_(scene), trees_(std::make_unique<const RayTrees>(scene, copied_triangles, progress)) {}
+RayScene::RayScene(const MeshScene& scene, Progress& progress, const RaySceneOptions& options)
+    : scene_(scene),
+      trees_(std::make_unique<const RayTrees>(scene, options.copied_triangles, options.large_from, progress)) {}
 
 RayScene::~RayScene() = default;
 

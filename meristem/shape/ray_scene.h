@@ -49,15 +49,24 @@ struct TextureMapping {
 
 class RayTrees;
 
+/// How a scene of rays spends memory.
+struct RaySceneOptions {
+  /// Parts with several frames are copied out, 100 bytes for each triangle, while their triangles are at most this
+  /// number in all, and those of placed plants while they are at most a third of it; parts without places come first.
+  std::uint64_t copied_triangles = 3'000'000;
+  /// A scene with more distinct triangles and frames than this number is large: it copies nothing, takes less memory
+  /// for all of them, and rays take up to twice the time.
+  std::uint64_t large_from = 10'000'000;
+};
+
 /// All triangles of a mesh scene, to be met by rays.
 class RayScene {
  public:
-  /// `scene` must outlive this. Memory: about 100 bytes for each triangle of a distinct mesh, half of it in large
-  /// scenes, and about 85 bytes for each instance of a mesh with several frames. The frames of a placed plant count
-  /// once, whatever the number of its places. Parts with several frames are copied out, 100 bytes for each triangle,
-  /// while their triangles are at most `copied_triangles` in all; parts without places come first. Throws Cancelled,
+  /// `scene` must outlive this. Memory: about 100 bytes for each triangle of a distinct mesh, and about 85 bytes for
+  /// each instance of a mesh with several frames; in large scenes, 10 bytes for each distinct triangle and 20 bytes for
+  /// each instance. The frames of a placed plant count once, whatever the number of its places. Throws Cancelled,
   /// MachineError (memory).
-  RayScene(const MeshScene& scene, Progress& progress, std::uint64_t copied_triangles = 3'000'000);
+  RayScene(const MeshScene& scene, Progress& progress, const RaySceneOptions& options = {});
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;

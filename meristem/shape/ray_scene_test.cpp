@@ -2,6 +2,8 @@
 #include "meristem/shape/ray_scene.h"
 
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -58,8 +60,10 @@ TEST(RayScene, MayOutliveTheLoopThatItWasBuiltIn) {
     EXPECT_TRUE(one->is_blocked({Vec3(100.3F, 1, 100.2F), Vec3(0, -1, 0)}));
 }
 
-constexpr std::uint64_t kNone = 0;
-constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMany = std::numeric_limits<std::uint64_t>::max();
+constexpr RaySceneOptions kCopied{.copied_triangles = kMany, .large_from = kMany};
+constexpr RaySceneOptions kInstanced{.copied_triangles = 0, .large_from = kMany};
+constexpr RaySceneOptions kLarge{.copied_triangles = kMany, .large_from = 0};
 
 /// A stem and leaves with holes, turned, scaled and mirrored in all ways, in these places (null: in the world, once).
 MeshScene tree(std::size_t leaves, std::shared_ptr<const std::vector<Frame>> places) {
@@ -92,9 +96,9 @@ std::vector<Ray> rays_to(std::uint64_t count) {
 }
 
 /// Instances and copies have equal hits but for rounding: rays that pass an edge within micrometres may differ.
-void expect_equal_hits(const MeshScene& scene) {
+void expect_equal_hits(const MeshScene& scene, const RaySceneOptions& options) {
   Progress progress;
-  const RayScene instanced(scene, progress, kNone), copied(scene, progress, kAll);
+  const RayScene instanced(scene, progress, options), copied(scene, progress, kCopied);
   int hits = 0;
   int differ = 0;
   for (const Ray& ray : rays_to(20'000)) {
@@ -105,25 +109,33 @@ void expect_equal_hits(const MeshScene& scene) {
     if (!is_equal) ++differ;
     if (!a || !is_equal) continue;
     ++hits;
-    ASSERT_NEAR(a->distance, b->distance, 2e-5);
+    // Rounding moves the ray aside by micrometres, and a surface seen at a low angle far along it.
+    const float cosine = std::abs(glm::dot(copied.face_normal(*b), ray.direction));
+    ASSERT_NEAR(cosine * a->distance, cosine * b->distance, 2e-5);
     ASSERT_NEAR(a->barycentric.x, b->barycentric.x, 2e-3);
     ASSERT_NEAR(a->barycentric.y, b->barycentric.y, 2e-3);
-    if (a->distance > 0.1F) EXPECT_FALSE(instanced.is_blocked(ray, a->distance - 0.01F));
+    EXPECT_FALSE(a->distance > 0.1F && instanced.is_blocked(ray, a->distance - 0.01F));
   }
   EXPECT_GT(hits, 5000);
   EXPECT_LE(differ, 4);
 }
 
-TEST(RayScene, InstancesOfLeavesHaveTheHitsOfTheirCopies) { expect_equal_hits(tree(500, nullptr)); }
+TEST(RayScene, InstancesOfLeavesHaveTheHitsOfTheirCopies) {
+  expect_equal_hits(tree(500, nullptr), kInstanced);
+  expect_equal_hits(tree(500, nullptr), kLarge);
+}
 
-TEST(RayScene, InstancesInPlacedPlantsHaveTheHitsOfTheirCopies) { expect_equal_hits(tree(500, places_in_rows(5))); }
+TEST(RayScene, InstancesInPlacedPlantsHaveTheHitsOfTheirCopies) {
+  expect_equal_hits(tree(500, places_in_rows(5)), kInstanced);
+  expect_equal_hits(tree(500, places_in_rows(5)), kLarge);
+}
 
 TEST(RayScene, ALevelFieldIsHitWhereItLiesAlsoAsAnInstance) {
   MeshScene scene = field(20);
   const Frame low = shifted({0, -3, 0});
   scene.meshes[0].frames = {shifted({0, -1, 0}), low};
   Progress progress;
-  const RayScene rays(scene, progress, kNone);
+  const RayScene rays(scene, progress, kInstanced);
   const auto hit = rays.first_hit({Vec3(2.25F, 4, 3.5F), Vec3(0, -1, 0)});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->distance, 5);
@@ -140,13 +152,13 @@ TEST(RayScene, FlatInstancesShowNoSurface) {
   flat.axes[1] = Vec3(0);
   scene.meshes[0].frames = {flat, shifted({0, -1, 0})};
   Progress progress;
-  const RayScene rays(scene, progress, kNone);
+  const RayScene rays(scene, progress, kInstanced);
   EXPECT_EQ(rays.first_hit({Vec3(2.25F, 4, 3.5F), Vec3(0, -1, 0)})->instance, 1U);
 }
 
-std::uint64_t bytes_of(const MeshScene& scene) {
+std::uint64_t bytes_of(const MeshScene& scene, const RaySceneOptions& options = kInstanced) {
   Progress progress;
-  return RayScene(scene, progress, kNone).bytes();
+  return RayScene(scene, progress, options).bytes();
 }
 
 TEST(RayScene, AnotherLeafCostsAnInstanceWhateverItsMesh) {
@@ -158,6 +170,13 @@ TEST(RayScene, AnotherLeafCostsAnInstanceWhateverItsMesh) {
   const auto fine = strip(2000);
   EXPECT_LE(stand(fine, 40'000) - stand(fine, 20'000), 20'000 * 120U);
   EXPECT_LE(stand(fine, 40'000), stand(triangle(), 40'000) + 2000 * 150U);
+}
+
+TEST(RayScene, LargeScenesTakeAFewBytesForATriangleAndALeaf) {
+  MeshScene trunk = leafy_scene(4);
+  trunk.meshes[1].mesh = strip(1'000'000);
+  EXPECT_LE(bytes_of(trunk, kLarge), 1'000'000 * 15U);
+  EXPECT_LE(bytes_of(leafy_scene(400'000), kLarge), 400'000 * 35U);
 }
 
 TEST(RayScene, AnotherPlaceOfAPlantCostsAnInstance) {

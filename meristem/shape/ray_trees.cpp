@@ -22,8 +22,9 @@ namespace meristem {
 
 namespace {
 
-// From this number of triangles on, trees take half of the memory and rays take up to twice the time.
-constexpr std::uint64_t kCompactTriangles = 10'000'000;
+// In large scenes. Raised, boxes take less memory, and rays test more for each box.
+constexpr std::uint32_t kFramesInABox = 4;
+constexpr std::uint32_t kTrianglesInABox = 12;
 constexpr std::size_t kFewVertices = 64;  // of a mesh whose instances get the box of their own vertices
 constexpr float kRounding = 1e-6F;        // of a box, as a share of its farthest coordinate
 
@@ -36,19 +37,19 @@ std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triang
       const MeshInstances& part = scene.meshes[p];
       if ((part.places != nullptr) != is_placed) continue;
       const std::uint64_t triangles = part.mesh->triangle_count() * part.frames.size();
-      copied[p] = part.frames.size() == 1 || total + triangles <= max_triangles;
+      // Placed plants may be many, and as instances they are traced about as fast.
+      const std::uint64_t limit = is_placed ? max_triangles / 3 : max_triangles;
+      copied[p] = part.frames.size() == 1 || total + triangles <= limit;
       if (copied[p] && part.frames.size() > 1) total += triangles;
     }
   }
   return copied;
 }
 
-/// The number of triangles in all trees.
-std::uint64_t triangles_in_trees(const MeshScene& scene, const std::vector<bool>& copied) {
+/// The number of distinct triangles and of frames.
+std::uint64_t size_of(const MeshScene& scene) {
   std::uint64_t sum = 0;
-  for (std::size_t p = 0; p < scene.meshes.size(); ++p) {
-    sum += scene.meshes[p].mesh->triangle_count() * (copied[p] ? scene.meshes[p].frames.size() : 1);
-  }
+  for (const MeshInstances& part : scene.meshes) sum += part.mesh->triangle_count() + part.frames.size();
   return sum;
 }
 
@@ -71,6 +72,66 @@ bool enter_frame(const Frame& frame, RTCRay& ray) {
   ray.dir_y = scale * glm::dot(cofactors[1], direction);
   ray.dir_z = scale * glm::dot(cofactors[2], direction);
   return true;
+}
+
+/// Returns false if a ray, which is in the box's own coordinates, passes it by more than rounding errors.
+bool may_meet(const Box& box, const RTCRay& ray) {
+  const Vec3 origin(ray.org_x, ray.org_y, ray.org_z);
+  const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  const Vec3 far = glm::abs(origin) + glm::abs(box.low) + glm::abs(box.high);
+  const Vec3 rounding(kRounding * (far.x + far.y + far.z));
+  const Vec3 low = box.low - rounding - origin;
+  const Vec3 high = box.high + rounding - origin;
+  float enter = ray.tnear;
+  float leave = ray.tfar;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0) {
+      if (low[axis] > 0 || high[axis] < 0) return false;
+      continue;
+    }
+    const float a = low[axis] / direction[axis];
+    const float b = high[axis] / direction[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave * (1 + kRounding);
+}
+
+/// Where a ray meets a triangle, by its distance and the weights of the second and third vertex.
+struct TriangleHit {
+  float distance = 0;
+  float second = 0;
+  float third = 0;
+};
+
+/// Returns no hit if the ray passes the triangle or meets it outside of the ray's range.
+/// Based on: T. Möller, B. Trumbore, Fast, minimum storage ray/triangle intersection, 1997.
+std::optional<TriangleHit> meet(const RTCRay& ray, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  const Vec3 to_b = b - a;
+  const Vec3 to_c = c - a;
+  const Vec3 across = glm::cross(direction, to_c);
+  const float determinant = glm::dot(to_b, across);
+  if (determinant == 0) return std::nullopt;
+  const float scale = 1 / determinant;
+  const Vec3 offset = Vec3(ray.org_x, ray.org_y, ray.org_z) - a;
+  const float second = scale * glm::dot(offset, across);
+  if (!(second >= 0 && second <= 1)) return std::nullopt;
+  const Vec3 along = glm::cross(offset, to_b);
+  const float third = scale * glm::dot(direction, along);
+  const float distance = scale * glm::dot(to_c, along);
+  if (!(third >= 0 && second + third <= 1 && distance >= ray.tnear && distance < ray.tfar)) return std::nullopt;
+  return TriangleHit{distance, second, third};
+}
+
+/// The box with room for rounding errors.
+RTCBounds widened(const Box& box) {
+  const Vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+  const float rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z});
+  // Embree leaves out what has an empty box.
+  if (box.is_empty()) return {1, 1, 1, 0, -1, -1, -1, 0};
+  return {box.low.x - rounding,  box.low.y - rounding,  box.low.z - rounding,  0,
+          box.high.x + rounding, box.high.y + rounding, box.high.z + rounding, 0};
 }
 
 RTCRay ray_to(const Ray& ray, float within) {
@@ -116,57 +177,121 @@ void RayTrees::pass_through_holes(const RTCFilterFunctionNArguments* arguments) 
   }
 }
 
-void RayTrees::find_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const auto& list = *static_cast<const InstancedPart*>(arguments->geometryUserPtr);
-  const Frame& frame = list.part->frames[arguments->primID];
-  const Mesh& mesh = *list.part->mesh;
-  Box box;
-  // A flat organ shows no surface to rays, and Embree leaves out what has an empty box.
-  if (glm::determinant(frame.axes) != 0) {
-    if (mesh.vertex_count() > kFewVertices) {
-      box = box_in(list.box, frame);
+Box RayTrees::ListedPart::bounds_of_frames(std::size_t begin) const {
+  Box all;
+  const std::size_t end = std::min<std::size_t>(begin + in_a_box, part->frames.size());
+  for (std::size_t f = begin; f < end; ++f) {
+    const Frame& frame = part->frames[f];
+    if (glm::determinant(frame.axes) == 0) continue;  // a flat organ shows no surface to rays
+    if (part->mesh->vertex_count() > kFewVertices) {
+      all.add(box_in(box, frame));
     } else {
-      for (const Vec3 position : mesh.positions) box.add(frame.point(position));
+      for (const Vec3 position : part->mesh->positions) all.add(frame.point(position));
     }
-    const Vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
-    const Vec3 rounding(kRounding * std::max({farthest.x, farthest.y, farthest.z}));
-    box = {box.low - rounding, box.high + rounding};
   }
-  *arguments->bounds_o = {box.low.x, box.low.y, box.low.z, 0, box.high.x, box.high.y, box.high.z, 0};
+  return all;
+}
+
+Box RayTrees::ListedPart::bounds_of_triangles(std::size_t begin) const {
+  Box all;
+  const std::size_t end = std::min<std::size_t>(begin + in_a_box, part->mesh->triangle_count());
+  for (std::size_t t = begin; t < end; ++t) {
+    for (const std::uint32_t vertex : part->mesh->triangles[t]) {
+      all.add(part->frames[0].point(part->mesh->positions[vertex]));
+    }
+  }
+  return all;
+}
+
+void RayTrees::find_bounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& list = *static_cast<const ListedPart*>(arguments->geometryUserPtr);
+  const std::size_t begin = std::size_t{arguments->primID} * list.in_a_box;
+  *arguments->bounds_o = widened(list.tree != nullptr ? list.bounds_of_frames(begin) : list.bounds_of_triangles(begin));
 }
 
 void RayTrees::meet_instance(const RTCIntersectFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
-  const auto& list = *static_cast<const InstancedPart*>(arguments->geometryUserPtr);
+  const auto& list = *static_cast<const ListedPart*>(arguments->geometryUserPtr);
   auto& query = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);  // of one ray, as all queries are
-  RTCRayHit local = query;
-  if (!enter_frame(list.part->frames[arguments->primID], local.ray)) return;
-  local.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(list.tree, &context, &local);
-  if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-  query.ray.tfar = local.ray.tfar;
-  query.hit = local.hit;
-  query.hit.geomID = arguments->geomID;
-  query.hit.instID[0] = arguments->context->instID[0];
-  reinterpret_cast<HitContext*>(arguments->context)->frame = arguments->primID;
+  const std::size_t begin = std::size_t{arguments->primID} * list.in_a_box;
+  const std::size_t end = std::min(begin + list.in_a_box, list.part->frames.size());
+  for (std::size_t f = begin; f < end; ++f) {
+    RTCRayHit local = query;
+    if (!enter_frame(list.part->frames[f], local.ray)) continue;
+    if (list.in_a_box > 1 && !may_meet(list.box, local.ray)) continue;
+    local.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(list.tree, &context, &local);
+    if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+    query.ray.tfar = local.ray.tfar;
+    query.hit = local.hit;
+    query.hit.geomID = arguments->geomID;
+    query.hit.instID[0] = arguments->context->instID[0];
+    reinterpret_cast<HitContext*>(arguments->context)->frame = static_cast<std::uint32_t>(f);
+  }
 }
 
 void RayTrees::block_by_instance(const RTCOccludedFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
-  const auto& list = *static_cast<const InstancedPart*>(arguments->geometryUserPtr);
+  const auto& list = *static_cast<const ListedPart*>(arguments->geometryUserPtr);
   auto& query = *reinterpret_cast<RTCRay*>(arguments->ray);
-  RTCRay local = query;
-  if (!enter_frame(list.part->frames[arguments->primID], local)) return;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(list.tree, &context, &local);
-  if (local.tfar < 0) query.tfar = -std::numeric_limits<float>::infinity();
+  const std::size_t begin = std::size_t{arguments->primID} * list.in_a_box;
+  const std::size_t end = std::min(begin + list.in_a_box, list.part->frames.size());
+  for (std::size_t f = begin; f < end; ++f) {
+    RTCRay local = query;
+    if (!enter_frame(list.part->frames[f], local)) continue;
+    if (list.in_a_box > 1 && !may_meet(list.box, local)) continue;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(list.tree, &context, &local);
+    if (!(local.tfar < 0)) continue;
+    query.tfar = -std::numeric_limits<float>::infinity();
+    return;
+  }
 }
 
-RayTrees::RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, Progress& progress)
+void RayTrees::meet_triangle(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& list = *static_cast<const ListedPart*>(arguments->geometryUserPtr);
+  auto& query = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+  RTCRay local = query.ray;
+  if (!enter_frame(list.part->frames[0], local)) return;
+  const Mesh& mesh = *list.part->mesh;
+  const std::size_t begin = std::size_t{arguments->primID} * list.in_a_box;
+  const std::size_t end = std::min(begin + list.in_a_box, mesh.triangle_count());
+  for (std::size_t t = begin; t < end; ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    const auto hit = meet(local, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    if (!hit) continue;
+    query.ray.tfar = local.tfar = hit->distance;
+    query.hit.u = hit->second;
+    query.hit.v = hit->third;
+    query.hit.primID = static_cast<unsigned>(t);
+    query.hit.geomID = arguments->geomID;
+    query.hit.instID[0] = arguments->context->instID[0];
+  }
+}
+
+void RayTrees::block_by_triangle(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& list = *static_cast<const ListedPart*>(arguments->geometryUserPtr);
+  auto& query = *reinterpret_cast<RTCRay*>(arguments->ray);
+  RTCRay local = query;
+  if (!enter_frame(list.part->frames[0], local)) return;
+  const Mesh& mesh = *list.part->mesh;
+  const std::size_t begin = std::size_t{arguments->primID} * list.in_a_box;
+  const std::size_t end = std::min(begin + list.in_a_box, mesh.triangle_count());
+  for (std::size_t t = begin; t < end; ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    if (!meet(local, mesh.positions[a], mesh.positions[b], mesh.positions[c])) continue;
+    query.tfar = -std::numeric_limits<float>::infinity();
+    return;
+  }
+}
+
+RayTrees::RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, std::uint64_t large_from, Progress& progress)
     : scene_(scene), device_(rtcNewDevice(kEmbreeDevice)) {
   if (device_ == nullptr) throw MachineError("tracing rays: Embree could not be started");
   const auto keep_failure = [](void* self, RTCError code, const char* reason) {
@@ -179,8 +304,8 @@ RayTrees::RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, Progr
   };
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_bytes, this);
 
-  const std::vector<bool> copied = choose_copied(scene, copied_triangles);
-  is_compact_ = triangles_in_trees(scene, copied) > kCompactTriangles;
+  is_large_ = size_of(scene) > large_from;
+  const std::vector<bool> copied = choose_copied(scene, is_large_ ? 0 : copied_triangles);
   top_ = new_scene(progress);
   for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {
     const MeshInstances& part = scene.meshes[p];
@@ -199,7 +324,7 @@ RayTrees::RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, Progr
 RayTrees::SceneOwner RayTrees::new_scene(Progress& progress) const {
   SceneOwner scene(rtcNewScene(device_.get()));
   rtcSetSceneProgressMonitorFunction(scene.get(), stop_if_cancelled, &progress);
-  if (is_compact_) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_COMPACT);
+  if (is_large_) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_COMPACT);
   return scene;
 }
 
@@ -218,7 +343,9 @@ RayTrees::PlacedPlant& RayTrees::plant_at(const std::vector<Frame>* places, Prog
 RayTrees::Geometry RayTrees::add_part(RTCScene scene, std::uint32_t number, bool is_copied, Progress& progress) {
   const MeshInstances& part = scene_.meshes[number];
   const Texture* texture = texture_with_holes(scene_.materials[part.material], *part.mesh);
-  if (is_copied) {
+  if (is_copied && is_large_ && texture == nullptr) {
+    add_packed_triangles(scene, part);
+  } else if (is_copied) {
     add_triangles(scene, *part.mesh, part.frames, texture, progress);
   } else {
     add_instances(scene, part, texture, progress);
@@ -275,20 +402,37 @@ void RayTrees::add_triangles(RTCScene scene, const Mesh& mesh, const std::vector
   rtcAttachGeometry(scene, geometry);
 }
 
+RayTrees::GeometryOwner RayTrees::list_geometry(ListedPart& list, std::size_t count) const {
+  GeometryOwner geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+  const std::size_t boxes = (count + list.in_a_box - 1) / list.in_a_box;
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes));
+  rtcSetGeometryUserData(geometry.get(), &list);
+  rtcSetGeometryBoundsFunction(geometry.get(), find_bounds, nullptr);
+  return geometry;
+}
+
 void RayTrees::add_instances(RTCScene scene, const MeshInstances& part, const Texture* texture, Progress& progress) {
-  InstancedPart& list = instanced_parts_.emplace_back();
+  ListedPart& list = listed_parts_.emplace_back();
   list.part = &part;
   list.tree = tree_of(*part.mesh, texture, progress);
+  list.in_a_box = is_large_ ? kFramesInABox : 1;
   for (const Vec3 position : part.mesh->positions) list.box.add(position);
-  const GeometryOwner owner(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
-  RTCGeometry geometry = owner.get();
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(part.frames.size()));
-  rtcSetGeometryUserData(geometry, &list);
-  rtcSetGeometryBoundsFunction(geometry, find_bounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, meet_instance);
-  rtcSetGeometryOccludedFunction(geometry, block_by_instance);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
+  const GeometryOwner geometry = list_geometry(list, part.frames.size());
+  rtcSetGeometryIntersectFunction(geometry.get(), meet_instance);
+  rtcSetGeometryOccludedFunction(geometry.get(), block_by_instance);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene, geometry.get());
+}
+
+void RayTrees::add_packed_triangles(RTCScene scene, const MeshInstances& part) {
+  ListedPart& list = listed_parts_.emplace_back();
+  list.part = &part;
+  list.in_a_box = kTrianglesInABox;
+  const GeometryOwner geometry = list_geometry(list, part.mesh->triangle_count());
+  rtcSetGeometryIntersectFunction(geometry.get(), meet_triangle);
+  rtcSetGeometryOccludedFunction(geometry.get(), block_by_triangle);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene, geometry.get());
 }
 
 RTCScene RayTrees::tree_of(const Mesh& mesh, const Texture* texture, Progress& progress) {

@@ -31,12 +31,14 @@ namespace meristem {
 /// The upper tree holds the geometries of parts that stand in the world once, and an instance for each place of a
 /// placed plant. The tree of a placed plant holds the geometries of its parts. A geometry of a part is either all
 /// triangles of all frames, or a list of instances: then each frame is one box, and the ray goes on in the tree of the
-/// mesh, which exists once for each distinct mesh.
+/// mesh, which exists once for each distinct mesh. In large scenes one box holds several neighbouring frames, or
+/// several neighbouring triangles of a part with one frame, and nothing is copied.
 class RayTrees {
  public:
   /// `scene` must outlive this. Parts with several frames become triangles while these are at most `copied_triangles`
-  /// in all, first those that stand in the world once. Throws Cancelled, MachineError (memory).
-  RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, Progress& progress);
+  /// in all, first those that stand in the world once. A scene is large if its distinct triangles and frames are more
+  /// than `large_from`. Throws Cancelled, MachineError (memory).
+  RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, std::uint64_t large_from, Progress& progress);
 
   std::optional<RayHit> first_hit(const Ray& ray) const;
   bool is_blocked(const Ray& ray, float within) const;
@@ -62,11 +64,15 @@ class RayTrees {
     const AlphaMask* mask;
     std::vector<std::array<Vec2, 3>> uvs;
   };
-  /// A part as a list of instances.
-  struct InstancedPart {
+  /// A part as a list of instances, or as a list of triangles in packs.
+  struct ListedPart {
     const MeshInstances* part = nullptr;
-    RTCScene tree = nullptr;  ///< of its mesh
-    Box box;                  ///< of its mesh
+    RTCScene tree = nullptr;     ///< of its mesh; null for triangles
+    Box box;                     ///< of its mesh
+    std::uint32_t in_a_box = 1;  ///< number of frames or triangles in one box
+
+    Box bounds_of_frames(std::size_t begin) const;
+    Box bounds_of_triangles(std::size_t begin) const;
   };
   struct HitContext;
   /// What a geometry shows.
@@ -92,6 +98,8 @@ class RayTrees {
   static void find_bounds(const RTCBoundsFunctionArguments* arguments);
   static void meet_instance(const RTCIntersectFunctionNArguments* arguments);
   static void block_by_instance(const RTCOccludedFunctionNArguments* arguments);
+  static void meet_triangle(const RTCIntersectFunctionNArguments* arguments);
+  static void block_by_triangle(const RTCOccludedFunctionNArguments* arguments);
 
   SceneOwner new_scene(Progress& progress) const;
   void commit(const SceneOwner& scene, Progress& progress) const;
@@ -100,6 +108,9 @@ class RayTrees {
   void add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, const Texture* texture,
                      Progress& progress);
   void add_instances(RTCScene scene, const MeshInstances& part, const Texture* texture, Progress& progress);
+  void add_packed_triangles(RTCScene scene, const MeshInstances& part);
+  /// A geometry whose primitives are the boxes of a list of `count` items.
+  GeometryOwner list_geometry(ListedPart& list, std::size_t count) const;
   RTCScene tree_of(const Mesh& mesh, const Texture* texture, Progress& progress);
   void cut_holes(RTCGeometry geometry, const Mesh& mesh, const Texture& texture);
   void add_places(Progress& progress);
@@ -108,11 +119,11 @@ class RayTrees {
   mutable std::atomic<std::int64_t> bytes_{0};
   mutable std::string failure_;
   DeviceOwner device_;
-  bool is_compact_ = false;
+  bool is_large_ = false;
   std::map<const Texture*, AlphaMask> masks_;
   std::map<LookKey, MaskedMesh> masked_meshes_;  ///< geometries point to them
   std::map<LookKey, SceneOwner> mesh_trees_;
-  std::deque<InstancedPart> instanced_parts_;  ///< geometries point to them
+  std::deque<ListedPart> listed_parts_;  ///< geometries point to them
   std::vector<PlacedPlant> plants_;
   std::unordered_map<const std::vector<Frame>*, std::size_t> plant_of_places_;
   std::vector<TopGeometry> geometries_;  ///< of the upper tree

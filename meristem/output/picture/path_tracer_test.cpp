@@ -355,7 +355,7 @@ TEST(RayScene, InstancesAndCopiesAnswerAlike) {
   scene.meshes = {{"leaf", mesh, 0, frames}};
   Progress progress;
   const RayScene copies(scene, progress);
-  const RayScene instances(scene, progress, 0);
+  const RayScene instances(scene, progress, {.copied_triangles = 0});
   int hits = 0;
   for (int i = 0; i < 1200; ++i) {
     const Vec3 target = frames[i].point({0.1F, 0, 0.05F});
@@ -393,7 +393,7 @@ TEST(RayScene, RaysPassTheHolesOfAMask) {
   scene.meshes[0].frames[1].origin.y = -1;
   Progress progress;
   for (const std::uint64_t copied_triangles : {1000U, 0U}) {
-    const RayScene rays(scene, progress, copied_triangles);
+    const RayScene rays(scene, progress, {.copied_triangles = copied_triangles});
     EXPECT_TRUE(rays.first_hit(kOnWest));
     EXPECT_TRUE(rays.is_blocked(kOnWest));
     EXPECT_FALSE(rays.first_hit(kOnEast));

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// Returns the meshes that make_mesh_scene makes of a plant at level 0, with what rays need alone: tubes have no
+/// normals and tangents, and uvs only under textures with holes; instances have no tints. Takes about half of the
+/// memory. The textures with holes must be painted before. Throws as make_mesh_scene does.
+MeshScene make_ray_meshes(const Plant& plant, const Limits& limits, Progress& progress);
+
+}  // namespace meristem

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -134,12 +135,13 @@ void scan(ScanCommand command) {
   {
     TerminalProgress terminal(command.document.quiet);
     Progress& progress = terminal.progress();
-    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::meshes});
+    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::plant});
     // Pulses pass through the holes of textures.
-    if (has_holes(grown.plant)) complete_growth(document, grown, progress, {.time = time});
+    if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress);
     warnings = grown.warnings;
-    const MeshScene meshes = scanned_meshes(grown.meshes, document.scene.obstacles, plan);
-    const Scanner scanner(grown.plant, document.graph.limits, meshes, plan.options, progress);
+    const MeshScene meshes =
+        scanned_meshes(mesh_for_rays(document, grown.plant, progress), document.scene.obstacles, plan);
+    const Scanner scanner(std::move(grown.plant), document.graph.limits, meshes, plan.options, progress);
     const std::uint64_t points = write_scan(scanner, command.outputs, provenance_of(document), progress);
     summary = fmt::format("{}: {} points of {} pulses from {} {}", fmt::join(command.outputs, ", "), points,
                           scanner.pulse_count(), scanner.stations().size(),

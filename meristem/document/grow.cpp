@@ -13,6 +13,7 @@
 #include "meristem/graph/looks.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/ray_meshes.h"
 
 namespace meristem {
 
@@ -123,6 +124,10 @@ MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail
                       GrowthCache* cache) {
   return placing_faults(document,
                         [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail, cache); });
+}
+
+MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress) {
+  return placing_faults(document, [&] { return make_ray_meshes(plant, document.graph.limits, progress); });
 }
 
 }  // namespace meristem

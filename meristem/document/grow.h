@@ -70,4 +70,8 @@ void paint_plant(const Document& document, Plant& plant, Progress& progress, Gro
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
                       GrowthCache* cache = nullptr);
 
+/// Returns the meshes that a plant which has grown from the document has for rays alone (ray_meshes.h), at level 0.
+/// Textures with holes must be painted (paint_plant). Throws what grow_document throws.
+MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress);
+
 }  // namespace meristem

@@ -129,8 +129,18 @@ void find_shoots_of_organs(PlantFacts& facts, Progress& progress) {
   }
 }
 
+/// Returns true if any mesh is a body about several axes.
+bool has_bodies(const MeshScene& scene) {
+  return std::ranges::any_of(scene.meshes, [](const MeshInstances& part) {
+    const MeshOrigin* origin = part.origin.get();
+    while (origin != nullptr && origin->inner != nullptr) origin = origin->inner.get();
+    return origin != nullptr && origin->stem != kNoStem && origin->tubes == nullptr;
+  });
+}
+
 /// What stands on one site, by what comes before it.
 struct PlaceFacts {
+  const PlantFacts* facts = nullptr;  // of the plant that stands there
   std::uint32_t shoots = 0;
   std::uint32_t trees = 0;
   std::vector<std::uint32_t> stem_instances{};   // of each component of the variant
@@ -141,15 +151,12 @@ struct PlaceFacts {
 }  // namespace
 
 struct SurfaceLabels::Facts {
-  std::shared_ptr<const Plant> copied;  // with the copies that deformed plantings need
-  const Plant* plant = nullptr;
   const MeshScene* scene = nullptr;
   std::unordered_map<const Plant*, PlantFacts> of_plant;
   PlaceFacts root;
   std::uint32_t shoots = 0;
   std::vector<std::string> components;
   std::vector<std::uint32_t> component_of_part;
-  const PlantFacts* facts_of_plant = nullptr;  // those of the plant itself, which most labels are asked of
 
   /// From this shoot on, the shoots are those of one plant on one of its places.
   struct Owner {
@@ -185,7 +192,7 @@ struct SurfaceLabels::Facts {
     progress.check();
     const PlantFacts& facts = of_plant.at(&own);
     if (!facts.shoots.empty()) owners.push_back({counts.shoots, &facts, prefix});
-    PlaceFacts made{.shoots = counts.shoots, .trees = counts.trees};
+    PlaceFacts made{.facts = &facts, .shoots = counts.shoots, .trees = counts.trees};
     counts.shoots += static_cast<std::uint32_t>(facts.shoots.size());
     counts.trees += facts.trees;
     for (std::size_t k = 0; k < facts.components.size(); ++k) {
@@ -220,23 +227,24 @@ struct SurfaceLabels::Facts {
 
 SurfaceLabels::SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress) {
   auto facts = std::make_unique<Facts>();
-  facts->plant = &plant;
   facts->scene = &scene;
-  if (has_deformed_plantings(plant)) {
-    // The meshes have been made of this plant as well.
-    facts->copied = std::make_shared<const Plant>(with_deformed_copies(plant, limits, progress));
-    facts->plant = facts->copied.get();
-  }
-  facts->gather(*facts->plant, progress);
+  std::optional<Plant> copied;
+  // The meshes have been made of this plant as well.
+  if (has_deformed_plantings(plant)) copied = with_deformed_copies(plant, limits, progress);
+  const Plant& labelled = copied ? *copied : plant;
+  facts->gather(labelled, progress);
   std::uint64_t organs = 0;
   for (const auto& [own, of] : facts->of_plant) organs += own->organs.size();
   progress.begin("labelling", organs);
   for (auto& [own, of] : facts->of_plant) find_shoots_of_organs(of, progress);
   Facts::Counts counts;
-  facts->root = facts->place(*facts->plant, std::make_shared<const std::string>(), counts, progress);
+  facts->root = facts->place(labelled, std::make_shared<const std::string>(), counts, progress);
   facts->shoots = counts.shoots;
   facts->name_components();
-  facts->facts_of_plant = &facts->of_plant.at(facts->plant);
+  for (auto& [own, of] : facts->of_plant) {
+    of.plant = nullptr;
+    if (!has_bodies(scene)) of.segments.reset();  // they find the axes of bodies only
+  }
   facts_ = std::move(facts);
 }
 
@@ -254,21 +262,19 @@ SurfaceLabel SurfaceLabels::of(std::uint32_t part, std::uint32_t instance, std::
   const std::uint32_t frame = instance % frames;
   std::size_t place_number = instance / frames;
   std::size_t deeper = mesh.place_count();
-  const Plant* plant = facts_->plant;
   const PlaceFacts* place = &facts_->root;
   if (mesh.places != nullptr && origin->inner != nullptr) {
     const Frame& to_world = (*mesh.places)[place_number];
     position = glm::inverse(to_world.axes) * (position - to_world.origin);
   }
   while (origin->planting != kNoNumber) {
-    const Planting& planting = plant->plantings[origin->planting];
-    deeper /= planting.places.size();
-    place = &place->inner[origin->planting][place_number / deeper];
+    const std::vector<PlaceFacts>& places = place->inner[origin->planting];
+    deeper /= places.size();
+    place = &places[place_number / deeper];
     place_number %= deeper;
-    plant = planting.variant->plant.get();
     origin = origin->inner.get();
   }
-  const PlantFacts& facts = plant == facts_->plant ? *facts_->facts_of_plant : facts_->of_plant.at(plant);
+  const PlantFacts& facts = *place->facts;
   const auto set_shoot = [&](std::uint32_t shoot) {
     label.tree = place->trees + facts.shoots[shoot].tree;
     label.shoot = place->shoots + shoot;

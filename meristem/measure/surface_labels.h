@@ -55,8 +55,9 @@ struct ShootOrigin {
 /// organ belongs to the shoot whose surface is nearest to where the organ is attached.
 class SurfaceLabels {
  public:
-  /// `scene` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles (with_obstacles). Both
-  /// must outlive it. Begins a stage of `progress`, which counts organs. Throws InputError past `limits`, Cancelled.
+  /// `scene` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles (with_obstacles).
+  /// `scene` must outlive it; `plant` need not. Begins a stage of `progress`, which counts organs. Throws InputError
+  /// past `limits`, Cancelled.
   SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress);
   ~SurfaceLabels();
   SurfaceLabels(const SurfaceLabels&) = delete;

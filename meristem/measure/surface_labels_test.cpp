@@ -132,6 +132,9 @@ TEST(SurfaceLabels, PlacedPlantsAreNumberedAsTheirCopies) {
         EXPECT_EQ(label.tree, other.label.tree) << other.component;
         EXPECT_EQ(label.shoot, other.label.shoot) << other.component;
         EXPECT_EQ(labels.shoot_label(label.shoot), wanted.shoot_label(other.label.shoot));
+        const ShootOrigin origin = labels.shoot_origin(label.shoot), of_copy = wanted.shoot_origin(other.label.shoot);
+        EXPECT_EQ(origin.component, of_copy.component);
+        EXPECT_EQ(origin.order, of_copy.order);
       }
     }
   }

@@ -55,6 +55,31 @@ class Measuring(cli_case.Case):
                          [("left", 0, [-3, 0, 0]), ("right", 0, [3, 0, 0])])
         self.assertIn(b"\ntree 2: right 0, at 3, 0, 0\n", self.run_program("measure", "stand.json", "--each").stdout)
 
+    def test_skeleton_measures_make_no_meshes_and_heed_no_limit_on_them(self):
+        limited = json.loads(TREE)
+        limited["limits"] = {"triangles": 1, "mesh_bytes": 1}
+        self.write("limited.json", json.dumps(limited))
+        self.assertIn("triangles", self.assert_ends(WRONG_INPUT, "measure", "limited.json"))
+        whole, each = self.measured("tree.json"), self.measured("limited.json", "--each")
+        meshes = {"triangles", "instances", "bytes"}
+        self.assertEqual({name for name in whole if whole[name] != each[name]}, meshes)
+        self.assertEqual({each[name] for name in meshes}, {None})
+        self.assertEqual(len(each["each"]), whole["trees"])
+        self.assertEqual(self.measured("limited.json", "--only", "height,leaf_area"),
+                         {name: whole[name] for name in ("height", "leaf_area")})
+
+    def test_only_named_measures(self):
+        whole = self.measured("tree.json")
+        self.assertEqual(self.measured("tree.json", "--only", "triangles", "--only", "nodes"),
+                         {name: whole[name] for name in ("nodes", "triangles")})
+        self.assertEqual(self.measured("tree.json", "--each", "--only", "triangles")["triangles"], whole["triangles"])
+        self.assertGreater(self.measured("tree.json", "--only", "leaf_exposure")["leaf_exposure"], 0)
+        text = self.run_program("measure", "tree.json", "--only", "height").stdout
+        self.assertRegex(text.decode(), r"^height +[0-9.]+ m\n$")
+        message = self.assert_ends(WRONG_INPUT, "measure", "tree.json", "--only", "height,leaf_aera")
+        self.assertIn("there is no measure 'leaf_aera'", message)
+        self.assertIn("did you mean 'leaf_area'?", message)
+
     def test_light_on_leaves_only_if_asked(self):
         self.assertEqual(self.measured("tree.json")["leaf_exposure"], None)
         self.write("walnut.mtg", MTG)

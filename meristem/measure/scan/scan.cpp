@@ -14,13 +14,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/large_memory.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
@@ -55,9 +56,14 @@ struct Return {
 Box bounds_of_plants(const MeshScene& meshes, const Box& whole) {
   const auto is_known = [](const MeshInstances& part) { return part.origin != nullptr; };
   if (std::ranges::all_of(meshes.meshes, is_known)) return whole;
-  MeshScene plants;
-  std::ranges::copy_if(meshes.meshes, std::back_inserter(plants.meshes), is_known);
-  return plants.meshes.empty() ? whole : plants.bounds();
+  Box plants;
+  for (const MeshInstances& part : meshes.meshes) {
+    if (!is_known(part)) continue;
+    MeshScene alone;
+    alone.meshes.push_back(part);
+    plants.add(alone.bounds());
+  }
+  return plants.is_empty() ? whole : plants;
 }
 
 /// Mean distance, and the label with most of the strength. The echoes are sorted.
@@ -94,7 +100,7 @@ struct Scanner::Parts {
   Box box;
   ScanPattern pattern;
   SurfaceLabels labels;
-  RayScene rays;
+  std::optional<RayScene> rays;  // set once all else is ready
   bool has_meshes;
   std::vector<Vec2> offsets;
   RandomKey turn_key;
@@ -110,7 +116,6 @@ struct Scanner::Parts {
         box(whole),
         pattern(std::move(ways)),
         labels(plant, limits, meshes, progress),
-        rays(meshes, progress),
         has_meshes(!meshes.meshes.empty()),
         offsets(beam_offsets(given.instrument.rays)),
         turn_key(RandomKey(given.seed).child("scan").child("turn")),
@@ -147,7 +152,7 @@ struct Scanner::Parts {
   /// What one ray meets, within the instrument's range.
   bool trace(const Ray& ray, Echo& echo) const {
     std::optional<RayHit> hit;
-    if (has_meshes) hit = rays.first_hit(ray);
+    if (has_meshes) hit = rays->first_hit(ray);
     float distance = hit ? hit->distance : std::numeric_limits<float>::infinity();
     bool is_ground = false;
     if (options.ground && ray.direction.y < 0 && ray.origin.y > 0) {
@@ -163,7 +168,7 @@ struct Scanner::Parts {
     if (is_ground) {
       echo.label = {.kind = SurfaceKind::ground, .component = labels.ground()};
     } else {
-      normal = rays.face_normal(*hit);
+      normal = rays->face_normal(*hit);
       echo.label = labels.of(hit->part, hit->instance, hit->triangle, ray.origin + distance * ray.direction);
     }
     echo.strength = std::abs(glm::dot(normal, ray.direction)) / static_cast<float>(offsets.size());
@@ -232,8 +237,8 @@ struct Scanner::Parts {
   }
 };
 
-Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
-                 Progress& progress) {
+std::unique_ptr<Scanner::Parts> Scanner::labelled(const Plant& plant, const Limits& limits, const MeshScene& meshes,
+                                                  const ScanOptions& options, Progress& progress) {
   const Box box = meshes.bounds();
   if (options.instrument.kind == ScannerClass::drone && !box.is_empty() && options.instrument.altitude <= box.high.y) {
     throw InputError(
@@ -251,7 +256,23 @@ Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& mesh
                                 .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
                                 .path = "instrument.step"});
   }
-  parts_ = std::make_unique<const Parts>(plant, limits, meshes, options, box, std::move(pattern), progress);
+  return std::make_unique<Parts>(plant, limits, meshes, options, box, std::move(pattern), progress);
+}
+
+Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+                 Progress& progress) {
+  std::unique_ptr<Parts> parts = labelled(plant, limits, meshes, options, progress);
+  parts->rays.emplace(meshes, progress);
+  parts_ = std::move(parts);
+}
+
+Scanner::Scanner(Plant&& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+                 Progress& progress) {
+  std::unique_ptr<Parts> parts = labelled(plant, limits, meshes, options, progress);
+  plant = Plant();
+  give_back_memory();
+  parts->rays.emplace(meshes, progress);
+  parts_ = std::move(parts);
 }
 
 Scanner::~Scanner() = default;

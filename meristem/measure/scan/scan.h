@@ -50,13 +50,14 @@ inline constexpr std::uint64_t kMostPulses = 4'000'000'000;
 /// A scan that is ready to be taken.
 class Scanner {
  public:
-  /// `meshes` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles; both outlive it. Textures
-  /// with holes must be painted (has_holes, foliage.h), since pulses pass through the holes. Begins a stage of
-  /// `progress`. Throws InputError if a limit is passed, if the pulses are too many or if a drone would fly into the
-  /// scene, Cancelled,
-  /// MachineError (memory).
+  /// `meshes` is what make_mesh_scene makes of `plant` at level 0, with or without obstacles, and must outlive it;
+  /// `plant` need not. Textures with holes must be painted (has_holes, foliage.h), since pulses pass through the holes.
+  /// Begins a stage of `progress`. Throws InputError if a limit is passed, if the pulses are too many or if a drone
+  /// would fly into the scene, Cancelled, MachineError (memory).
   Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
           Progress& progress);
+  /// Like the constructor above. Frees the memory of the plant before it takes memory for the rays.
+  Scanner(Plant&& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
   ~Scanner();
   Scanner(const Scanner&) = delete;
   Scanner& operator=(const Scanner&) = delete;
@@ -73,6 +74,8 @@ class Scanner {
 
  private:
   struct Parts;
+  static std::unique_ptr<Parts> labelled(const Plant& plant, const Limits& limits, const MeshScene& meshes,
+                                         const ScanOptions& options, Progress& progress);
   std::unique_ptr<const Parts> parts_;
 };
 

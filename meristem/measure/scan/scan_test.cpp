@@ -11,6 +11,8 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/scan/beam.h"
+#include "meristem/plant/plant_variant.h"
+#include "meristem/shape/ray_meshes.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 
@@ -317,6 +319,28 @@ TEST(Scan, StopsWhenItIsCancelledAndAtTheMostPoints) {
   EXPECT_THROW(scanner.run([](std::span<const ScanPoint>) {}, stopped), Cancelled);
   Progress progress;
   EXPECT_THROW(scan(plant, {}, meshes, options, progress, 10), InputError);
+}
+
+TEST(Scan, NeedsNeitherThePlantNorWhatOnlyPicturesShow) {
+  Plant leafy = two_stems();
+  leafy.materials.emplace_back();
+  add_organ(leafy, "ball", make_sphere(0.12, 60), {0.3F, 1, 0});
+  leafy.organs.back().tint = Vec3(0.5F);
+  const auto tree = std::make_shared<PlantVariant>();
+  tree->plant = std::make_shared<const Plant>(leafy);
+  Plant plant;
+  plant.plantings.push_back(
+      {.component = "tree", .variant = tree, .places = {{{.origin = {9, 0, 0}}, 0}, {{.origin = {18, 0, 0}}, 1}}});
+  const ScanOptions options{.instrument = plain_camera(40, 200, 200), .stations = {Vec3(13, 1, 12)}};
+  const Scan wanted = scan_of(plant, options);
+  Progress progress;
+  const MeshScene meshes = make_ray_meshes(plant, {}, progress);
+  for (const MeshInstances& part : meshes.meshes) EXPECT_TRUE(part.tints.empty());
+  const Scanner scanner(Plant(plant), {}, meshes, options, progress);
+  const Scan made = take_scan(scanner, progress);
+  ASSERT_GT(wanted.points.size(), 100U);
+  EXPECT_TRUE(std::ranges::equal(made.points, wanted.points, are_equal));
+  EXPECT_EQ(made.shoot_labels, wanted.shoot_labels);
 }
 
 }  // namespace meristem::scan_test

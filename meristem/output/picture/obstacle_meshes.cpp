@@ -52,8 +52,8 @@ MeshScene obstacle_meshes(const Obstacles& obstacles, Progress& progress) {
   return scene;
 }
 
-MeshScene with_obstacles(const MeshScene& plants, const Obstacles& obstacles) {
-  MeshScene scene = plants;
+MeshScene with_obstacles(MeshScene plants, const Obstacles& obstacles) {
+  MeshScene scene = std::move(plants);
   for (const Obstacle& body : obstacles.bodies()) {
     if (body.is_hidden || body.mesh.triangles.empty()) continue;
     const auto material = static_cast<std::uint32_t>(scene.materials.size());

@@ -15,6 +15,6 @@ MeshScene obstacle_meshes(const Obstacles& obstacles, Progress& progress);
 
 /// The plants' meshes and after them the obstacles that are not hidden, matt and with flat faces. Meshes and textures
 /// are shared with `plants`.
-MeshScene with_obstacles(const MeshScene& plants, const Obstacles& obstacles);
+MeshScene with_obstacles(MeshScene plants, const Obstacles& obstacles);
 
 }  // namespace meristem

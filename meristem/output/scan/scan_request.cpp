@@ -2,6 +2,7 @@
 #include "meristem/output/scan/scan_request.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -161,8 +162,9 @@ ScanPlan plan_scan(const Value& request, std::uint64_t seed) {
   return plan;
 }
 
-MeshScene scanned_meshes(const MeshScene& meshes, const Obstacles& obstacles, const ScanPlan& plan) {
-  return plan.obstacles && has_visible(obstacles) ? with_obstacles(meshes, obstacles) : meshes;
+MeshScene scanned_meshes(MeshScene meshes, const Obstacles& obstacles, const ScanPlan& plan) {
+  const bool sees_obstacles = plan.obstacles && has_visible(obstacles);
+  return sees_obstacles ? with_obstacles(std::move(meshes), obstacles) : std::move(meshes);
 }
 
 }  // namespace meristem

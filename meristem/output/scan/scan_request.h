@@ -27,6 +27,6 @@ const ParameterTable& scan_table();        ///< of ScanPlan
 ScanPlan plan_scan(const Value& request, std::uint64_t seed);
 
 /// The meshes that such a scan sees: those of the plant, and the obstacles if they are wanted.
-MeshScene scanned_meshes(const MeshScene& meshes, const Obstacles& obstacles, const ScanPlan& plan);
+MeshScene scanned_meshes(MeshScene meshes, const Obstacles& obstacles, const ScanPlan& plan);
 
 }  // namespace meristem

@@ -20,25 +20,37 @@ char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' +
 
 bool are_equal(char a, char b) { return lowered(a) == lowered(b); }
 
-/// How many edits lead from a to b, both at most kLongestName long: optimal string alignment, three rows of the table.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  using Row = std::array<std::size_t, kLongestName + 1>;
-  Row before{};
-  Row above{};
-  Row row{};
-  for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
+/// Returns the number of edits that lead from a to b, or `limit` if there are at least that many. Both names have at
+/// most kLongestName bytes. Optimal string alignment with three rows of the table; only cells near the diagonal can be
+/// below the limit.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
+  using Row = std::array<std::size_t, kLongestName + 2>;
+  std::array<Row, 3> rows;
+  const std::size_t band = limit - 1;  // cells farther from the diagonal need at least `limit` edits
+  for (Row& row : rows) std::fill_n(row.begin(), b.size() + 2, limit);
+  for (std::size_t j = 0; j <= std::min(b.size(), band); ++j) rows[0][j] = j;
+  std::size_t least_above = 0;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
+    Row& row = rows[i % 3];
+    const Row& above = rows[(i + 2) % 3];
+    const Row& before = rows[(i + 1) % 3];
+    const std::size_t first = i > band ? i - band : 1;
+    const std::size_t last = std::min(b.size(), i + band);
+    row[first - 1] = first == 1 && i <= band ? i : limit;
+    std::size_t least = row[first - 1];
+    for (std::size_t j = first; j <= last; ++j) {
       const std::size_t replaced = above[j - 1] + (are_equal(a[i - 1], b[j - 1]) ? 0 : 1);
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
       const bool is_swap = i > 1 && j > 1 && are_equal(a[i - 1], b[j - 2]) && are_equal(a[i - 2], b[j - 1]);
       if (is_swap) row[j] = std::min(row[j], before[j - 2] + 1);
+      least = std::min(least, row[j]);
     }
-    before = above;
-    above = row;
+    row[last + 1] = limit;  // which the next row reads
+    // A swap reaches back two rows.
+    if (least >= limit && least_above >= limit) return limit;
+    least_above = least;
   }
-  return above[b.size()];
+  return std::min(limit, rows[a.size() % 3][b.size()]);
 }
 
 std::string all_texts(std::span<const Diagnostic> diagnostics) {
@@ -80,8 +92,10 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   const std::string* nearest = nullptr;
   std::size_t allowed = name.size() / 3 + 1;  // one too many, so that a distance below it counts
   for (const std::string& candidate : candidates) {
+    if (allowed == 0) break;  // none is nearer than an equal name
     if (candidate.size() > kLongestName || candidate.size() + allowed <= name.size()) continue;
-    const std::size_t distance = edit_distance(name, candidate);
+    if (name.size() + allowed <= candidate.size()) continue;
+    const std::size_t distance = edit_distance(name, candidate, allowed);
     if (distance >= allowed) continue;
     allowed = distance;
     nearest = &candidate;

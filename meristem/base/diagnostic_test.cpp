@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/base/diagnostic.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 
 #include <gtest/gtest.h>
+
+#include "meristem/base/random.h"
 
 namespace meristem::diagnostic_test {
 
@@ -93,6 +97,49 @@ TEST(NearestName, GivesUpOnNamesOverAHundredBytes) {
   EXPECT_EQ(nearest_name(std::string(99, 'a'), names), names[0]);
   EXPECT_EQ(nearest_name(std::string(101, 'a'), names), "");
   EXPECT_EQ(nearest_name(std::string(16'000'000, 'a'), names), "");
+}
+
+/// Optimal string alignment by the whole table; capitals count as equal.
+std::size_t plain_distance(const std::string& a, const std::string& b) {
+  const auto equal = [](char x, char y) { return std::tolower(x) == std::tolower(y); };
+  std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      std::size_t& cell = rows[i][j];
+      if (i == 0 || j == 0) {
+        cell = i + j;
+        continue;
+      }
+      const std::size_t replaced = rows[i - 1][j - 1] + (equal(a[i - 1], b[j - 1]) ? 0 : 1);
+      cell = std::min({rows[i - 1][j] + 1, rows[i][j - 1] + 1, replaced});
+      const bool is_swap = i > 1 && j > 1 && equal(a[i - 1], b[j - 2]) && equal(a[i - 2], b[j - 1]);
+      if (is_swap) cell = std::min(cell, rows[i - 2][j - 2] + 1);
+    }
+  }
+  return rows[a.size()][b.size()];
+}
+
+TEST(NearestName, AgreesWithTheWholeTableOfEdits) {
+  const auto drawn = [](RandomKey key) {
+    std::string name;
+    const auto size = static_cast<std::size_t>(1 + 14 * key.uniform(0));
+    for (std::size_t k = 0; k < size; ++k) name += "abcA"[static_cast<std::size_t>(4 * key.uniform(k + 1))];
+    return name;
+  };
+  for (std::uint64_t round = 0; round < 500; ++round) {
+    const RandomKey key = RandomKey().child(round);
+    const std::string name = drawn(key.child("name"));
+    std::vector<std::string> candidates;
+    for (std::uint64_t k = 0; k < 20; ++k) candidates.push_back(drawn(key.child(k)));
+    std::string nearest;
+    std::size_t least = name.size() / 3 + 1;
+    for (const std::string& candidate : candidates) {
+      if (plain_distance(name, candidate) >= least) continue;
+      least = plain_distance(name, candidate);
+      nearest = candidate;
+    }
+    EXPECT_EQ(nearest_name(name, candidates), nearest) << name;
+  }
 }
 
 }  // namespace meristem::diagnostic_test

@@ -7,6 +7,7 @@
 
 #include "meristem/base/expression/expression_bytecode.h"
 #include "meristem/base/expression/expression_parser.h"
+#include "meristem/base/expression/expression_scope.h"
 #include "meristem/base/fingerprint.h"
 
 namespace meristem {
@@ -39,17 +40,21 @@ Expression::Expression(std::shared_ptr<const Program> program) : program_(std::m
 
 Expression Expression::compile(std::string_view text, const ExpressionNames& names, std::size_t max_bytes) {
   require_names(names);
+  return compile_in(text, {.variables = names.variables, .constants = names.constants}, max_bytes);
+}
+
+Expression Expression::compile_in(std::string_view text, const ExpressionScope& scope, std::size_t max_bytes) {
   if (text.size() > max_bytes) {
     throw ExpressionError(
         {max_bytes, fmt::format("the expression has {} bytes", text.size()), fmt::format("at most {}", max_bytes), ""});
   }
-  return Expression(std::make_shared<const Program>(Program{std::string(text), parse_expression(text, names)}));
+  return Expression(std::make_shared<const Program>(Program{std::string(text), parse_expression(text, scope)}));
 }
 
 void Expression::require(std::size_t count, std::span<const double* const> variables,
                          std::span<const RandomKey> keys) const {
   const ExpressionBytecode& code = program_->code;
-  for (std::size_t k = 0; k < code.variable_count; ++k) {
+  for (std::size_t k = 0; k < code.used.size(); ++k) {
     if (code.used[k] && (k >= variables.size() || variables[k] == nullptr)) {
       throw std::invalid_argument(fmt::format("no values for variable {} of '{}'", k, text()));
     }
@@ -72,8 +77,7 @@ void Expression::evaluate_with_slopes(std::size_t count, std::span<const double*
 
 double Expression::evaluate(std::span<const double> variables, RandomKey key) const {
   const ExpressionBytecode& code = program_->code;
-  if (const auto last = std::find(code.used.rbegin(), code.used.rend(), true);
-      variables.size() < static_cast<std::size_t>(code.used.rend() - last)) {
+  if (variables.size() < code.used.size()) {
     throw std::invalid_argument(fmt::format("too few values of variables for '{}'", text()));
   }
   // Most components offer some 20 variables.
@@ -95,10 +99,7 @@ bool Expression::uses(std::size_t variable) const {
   return variable < program_->code.used.size() && program_->code.used[variable];
 }
 bool Expression::is_random() const { return program_->code.is_random; }
-bool Expression::is_constant() const {
-  const auto& used = program_->code.used;
-  return !is_random() && std::find(used.begin(), used.end(), true) == used.end();
-}
+bool Expression::is_constant() const { return !is_random() && program_->code.used.empty(); }
 const std::string& Expression::text() const { return program_->text; }
 
 std::uint64_t Expression::hash() const {

@@ -42,6 +42,8 @@ struct ExpressionNames {
   std::vector<Constant> constants;
 };
 
+struct ExpressionScope;  // expression_scope.h
+
 /// A fault in an expression's text; `offset` is the byte at which it lies.
 struct ExpressionFault {
   std::size_t offset = 0;
@@ -76,6 +78,8 @@ class Expression {
   /// Compiles `text`. Throws ExpressionError for the first fault. Nesting is bounded (200 levels) and so is the length
   /// (`max_bytes`). A name that is no identifier or a built-in one is a std::invalid_argument.
   static Expression compile(std::string_view text, const ExpressionNames& names, std::size_t max_bytes = 16'384);
+  /// Compiles `text` like compile(), with names that many expressions share.
+  static Expression compile_in(std::string_view text, const ExpressionScope& scope, std::size_t max_bytes = 16'384);
 
   /// Values for `count` lanes into `out`. `variables[k]` points to `count` values of the k-th name (only those that
   /// `uses(k)` are read; others may be null). `keys` has a key per lane, or is empty if the expression draws nothing.

@@ -17,12 +17,10 @@ bool is_random(ExpressionOp op) {
          op == ExpressionOp::gauss;
 }
 
-ExpressionEmitter::ExpressionEmitter(std::size_t variable_count) {
-  code_.variable_count = variable_count;
-  code_.used.resize(variable_count);
-}
+ExpressionEmitter::ExpressionEmitter(std::size_t variable_count) { code_.variable_count = variable_count; }
 
 ExpressionOperand ExpressionEmitter::variable(std::size_t index) {
+  if (code_.used.size() <= index) code_.used.resize(index + 1);
   code_.used[index] = true;
   return {ExpressionOperand::Kind::variable, static_cast<std::uint32_t>(index), 0};
 }

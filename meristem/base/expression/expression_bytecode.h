@@ -89,7 +89,7 @@ struct ExpressionInstruction {
 struct ExpressionBytecode {
   std::size_t variable_count = 0;
   std::size_t scratch_count = 0;
-  std::vector<bool> used;  ///< one per variable
+  std::vector<bool> used;  ///< one per variable up to the last used one, which ends the list
   std::vector<ExpressionInstruction> instructions;
   std::uint32_t result = 0;  ///< register with the value, after the last instruction
   bool is_random = false;

@@ -17,6 +17,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/expression/expression_functions.h"
 #include "meristem/base/expression/expression_lexer.h"
+#include "meristem/base/expression/expression_scope.h"
 #include "meristem/base/in_quotes.h"
 
 namespace meristem {
@@ -63,10 +64,23 @@ std::string operator_for_word(std::string_view word) {
   return "";
 }
 
+const std::string& name_of(const std::string& variable) { return variable; }
+const std::string& name_of(const ExpressionNames::Constant& constant) { return constant.name; }
+
+/// Position of a name in a list, by the list's table if it has one.
+template <class Named>
+std::optional<std::size_t> position_of(std::string_view name, const NameTable* table, std::span<const Named> list) {
+  if (table != nullptr) return table->find(name);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (name_of(list[k]) == name) return k;
+  }
+  return std::nullopt;
+}
+
 class Parser {
  public:
-  Parser(std::string_view text, const ExpressionNames& names)
-      : lexer_(text), names_(names), emitter_(names.variables.size()) {}
+  Parser(std::string_view text, const ExpressionScope& scope)
+      : lexer_(text), scope_(scope), emitter_(scope.variables.size()) {}
 
   ExpressionBytecode parse();
 
@@ -103,7 +117,7 @@ class Parser {
   }
 
   ExpressionLexer lexer_;
-  const ExpressionNames& names_;
+  const ExpressionScope& scope_;
   ExpressionEmitter emitter_;
   ExpressionToken token_;
   ExpressionToken previous_;
@@ -125,8 +139,11 @@ void Parser::fail_without_value() {
 }
 
 void Parser::fail_unknown_name(const ExpressionToken& name) {
-  std::vector<std::string> values = names_.variables;
-  for (const auto& constant : names_.constants) values.push_back(constant.name);
+  const std::string message = fmt::format("{} is not a known name", in_quotes(name.text));
+  constexpr std::string_view kExpected = "a variable or a constant";
+  if (!scope_.has_nearest) fail(name.offset, message, kExpected);
+  std::vector<std::string> values(scope_.variables.begin(), scope_.variables.end());
+  for (const auto& constant : scope_.constants) values.push_back(constant.name);
   for (const auto& constant : expression_constants()) values.push_back(constant.name);
   std::string nearest = operator_for_word(name.text);
   // Who writes "parent.length" means what is called "length" here.
@@ -134,8 +151,7 @@ void Parser::fail_unknown_name(const ExpressionToken& name) {
   if (last_part != name.text && std::ranges::find(values, last_part) != values.end()) nearest = last_part;
   if (nearest.empty()) nearest = nearest_name(name.text, values);
   if (nearest.empty()) nearest = nearest_name(name.text, builtin_names());
-  fail(name.offset, fmt::format("{} is not a known name", in_quotes(name.text)), "a variable or a constant",
-       std::move(nearest));
+  fail(name.offset, message, kExpected, std::move(nearest));
 }
 
 void Parser::fail_unknown_function(const ExpressionToken& name) {
@@ -252,11 +268,9 @@ Operand Parser::parse_parentheses() {
 }
 
 std::optional<Operand> Parser::find_value(std::string_view name) {
-  for (std::size_t k = 0; k < names_.variables.size(); ++k) {
-    if (names_.variables[k] == name) return emitter_.variable(k);
-  }
-  for (const auto& constant : names_.constants) {
-    if (constant.name == name) return ExpressionEmitter::constant(constant.value);
+  if (const auto k = position_of(name, scope_.variable_table, scope_.variables)) return emitter_.variable(*k);
+  if (const auto k = position_of(name, scope_.constant_table, scope_.constants)) {
+    return ExpressionEmitter::constant(scope_.constants[*k].value);
   }
   const ExpressionConstant* constant = find_expression_constant(name);
   if (constant == nullptr) return std::nullopt;
@@ -313,8 +327,8 @@ Operand Parser::parse_arguments(const ExpressionFunction& function, const Expres
 
 }  // namespace
 
-ExpressionBytecode parse_expression(std::string_view text, const ExpressionNames& names) {
-  return Parser(text, names).parse();
+ExpressionBytecode parse_expression(std::string_view text, const ExpressionScope& scope) {
+  return Parser(text, scope).parse();
 }
 
 }  // namespace meristem

@@ -13,6 +13,6 @@ namespace meristem {
 inline constexpr int kDeepestExpression = 200;
 
 /// Throws ExpressionError for the first fault.
-ExpressionBytecode parse_expression(std::string_view text, const ExpressionNames& names);
+ExpressionBytecode parse_expression(std::string_view text, const ExpressionScope& scope);
 
 }  // namespace meristem

@@ -259,7 +259,7 @@ TEST(CachedExpansion, FaultsAreThoseThatThereWouldBeWithoutIt) {
 
 /// Hash of a value with one variable and no files.
 std::uint64_t hash_of_text(const Value& value, double size) {
-  return *fingerprint_of(value, std::vector<ExpressionNames::Constant>{{"size", size}}, {}, 0);
+  return *fingerprint_of(value, ConstantTable({{"size", size}}), {}, 0);
 }
 
 TEST(Fingerprint, TellsValuesApartAndTheVariablesThatTheyName) {
@@ -277,7 +277,7 @@ TEST(Fingerprint, TellsValuesApartAndTheVariablesThatTheyName) {
 
 TEST(Fingerprint, WhatIsNoFileHasNone) {
   const std::vector<NamedFile> files{{.path = "/dev/null"}};
-  EXPECT_FALSE(fingerprint_of("x", {}, files, 100).has_value());
+  EXPECT_FALSE(fingerprint_of("x", ConstantTable(), files, 100).has_value());
 }
 
 }  // namespace meristem::cached_expansion_test

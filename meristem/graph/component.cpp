@@ -148,7 +148,7 @@ bool asks_for_time(const Value& value) { return mentions(value, "t") || has_memb
 
 }  // namespace
 
-void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
+void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTable& constants,
                       std::span<const NamedFile> files, const Limits& limits) {
   prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
   prototype.depends_on_time = asks_for_time(value) || prototype.type->begins_clock;

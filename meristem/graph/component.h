@@ -160,7 +160,7 @@ std::vector<std::string> rows_after_growth(const ComponentType& type);
 
 /// Sets its fingerprints: `value` is what the document says of it, with those of `constants` that it names, and `files`
 /// are those that were read with it.
-void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
+void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTable& constants,
                       std::span<const NamedFile> files, const Limits& limits);
 
 /// Throws an InputError if an instance's parameters break a rule of their table: they may vary, so what held for those

@@ -12,6 +12,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
 #include "meristem/graph/animation.h"
 #include "meristem/graph/component.h"
 #include "meristem/graph/link.h"
@@ -59,7 +60,8 @@ std::string link_path(const Graph& graph, LinkIndex link);
 /// components without a parent, links to the camera, cycles without a recursion, crossing recursions (both named).
 /// Two recursions cross where one begins inside the other and ends outside, having part of the way in common; one that
 /// begins inside and goes its own way lies within the other. Reports at most `graph.limits.diagnostics` faults. The
-/// structure is meaningful only if no error was added.
-void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics);
+/// structure is meaningful only if no error was added. Takes time by the number of components and links. Throws
+/// Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress = nullptr);
 
 }  // namespace meristem

@@ -40,6 +40,7 @@ void LinkReader::read(const Value& links, const DocumentPath& path) {
 }
 
 void LinkReader::read_link(const Value& value, const DocumentPath& path) {
+  reader_.check_stop();
   Link link;
   const std::size_t files_before = reader_.files().size();
   if (const Value::List* pair = value.list()) {
@@ -58,7 +59,7 @@ void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   }
   // An expression of the time gives other sites at another one, which no fingerprint knows.
   if (!mentions(value, "t")) {
-    link.fingerprint = fingerprint_of(value, reader_.constants(), std::span(reader_.files()).subspan(files_before),
+    link.fingerprint = fingerprint_of(value, reader_.constant_table(), std::span(reader_.files()).subspan(files_before),
                                       reader_.limits().file_bytes);
   }
   if (link.from != kNoIndex && link.to != kNoIndex) graph_.links.push_back(std::move(link));

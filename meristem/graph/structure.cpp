@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::size_t kMaxRecursions = 64;
 constexpr std::size_t kShownMembers = 8;  // of a cycle in messages
+constexpr std::size_t kStepsBetweenChecks = 4096;
 
 class Analysis {
  public:
-  Analysis(const Graph& graph, std::vector<Diagnostic>& diagnostics) : graph_(graph), diagnostics_(diagnostics) {
+  Analysis(const Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress)
+      : graph_(graph), diagnostics_(diagnostics), progress_(progress) {
     structure_.outgoing.resize(graph.components.size());
     structure_.recursion_of_link.assign(graph.links.size(), kNoIndex);
     structure_.recursion_of.assign(graph.components.size(), kNoIndex);
@@ -26,6 +28,7 @@ class Analysis {
   Structure run() {
     const std::size_t errors_before = diagnostics_.size();
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
+      check(k);
       structure_.outgoing[graph_.links[k].from].push_back(k);
       incoming_[graph_.links[k].to].push_back(k);
     }
@@ -36,6 +39,10 @@ class Analysis {
   }
 
  private:
+  void check(std::size_t step) const {
+    if (progress_ != nullptr && step % kStepsBetweenChecks == 0) progress_->check();
+  }
+
   const std::string& id(ComponentIndex component) const { return graph_.components[component].id; }
 
   void error(std::string path, std::string message, std::string expected) {
@@ -86,7 +93,8 @@ class Analysis {
       path.push_back({component});
     };
     enter(structure_.root);
-    while (!path.empty()) {
+    for (std::size_t step = 0; !path.empty(); ++step) {
+      check(step);
       Visit& top = path.back();
       if (top.next == structure_.outgoing[top.component].size()) {
         state[top.component] = State::done;
@@ -140,10 +148,13 @@ class Analysis {
   /// Recursions may lie apart or within one another, but not cross. Levels count from the outermost.
   void order_recursions() {
     std::vector<Structure::Recursion>& recursions = structure_.recursions;
-    for (const Structure::Recursion& a : recursions) {
-      for (const Structure::Recursion& b : recursions) {
-        if (cross(a, b)) {
-          error("links", fmt::format("the recursions {} and {} cross", cycle_text(a), cycle_text(b)),
+    std::vector<std::vector<bool>> members;
+    for (const Structure::Recursion& recursion : recursions) members.push_back(members_of(recursion));
+    for (std::size_t a = 0; a < recursions.size(); ++a) {
+      for (std::size_t b = 0; b < recursions.size(); ++b) {
+        if (cross(recursions[a], members[a], recursions[b], members[b])) {
+          error("links",
+                fmt::format("the recursions {} and {} cross", cycle_text(recursions[a]), cycle_text(recursions[b])),
                 "recursions that lie apart or one within the other");
         }
       }
@@ -172,13 +183,16 @@ class Analysis {
   }
 
   /// Whether b begins on a's way below its head, goes some of that way, and ends beyond it.
-  static bool cross(const Structure::Recursion& a, const Structure::Recursion& b) {
-    const auto contains = [](const Structure::Recursion& recursion, ComponentIndex c) {
-      return std::find(recursion.members.begin(), recursion.members.end(), c) != recursion.members.end();
-    };
+  static bool cross(const Structure::Recursion& a, const std::vector<bool>& in_a, const Structure::Recursion& b,
+                    const std::vector<bool>& in_b) {
     const ComponentIndex a_tail = a.members.back();
-    return b.head != a.head && b.head != a_tail && contains(a, b.head) && contains(b, a_tail) &&
-           !contains(a, b.members.back());
+    return b.head != a.head && b.head != a_tail && in_a[b.head] && in_b[a_tail] && !in_a[b.members.back()];
+  }
+
+  std::vector<bool> members_of(const Structure::Recursion& recursion) const {
+    std::vector<bool> inside(graph_.components.size());
+    for (const ComponentIndex member : recursion.members) inside[member] = true;
+    return inside;
   }
 
   /// All components below the head from which its recursion's last member can be reached without passing the head.
@@ -187,7 +201,8 @@ class Analysis {
     std::vector<bool> inside(graph_.components.size());
     std::vector<ComponentIndex> open{recursion.members.back()};
     inside[recursion.head] = inside[open.back()] = true;
-    while (!open.empty()) {
+    for (std::size_t step = 0; !open.empty(); ++step) {
+      check(step);
       const ComponentIndex component = open.back();
       open.pop_back();
       if (component == recursion.head) continue;
@@ -209,6 +224,7 @@ class Analysis {
 
   const Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
+  const Progress* progress_;
   Structure structure_;
   std::vector<std::vector<LinkIndex>> incoming_;  // by component
   std::vector<Span> spans_;                       // by component
@@ -222,8 +238,8 @@ std::string link_path(const Graph& graph, LinkIndex link) {
   return is_made ? "components." + graph.components[graph.links[link].from].id : fmt::format("links[{}]", link);
 }
 
-void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  graph.structure = Analysis(graph, diagnostics).run();
+void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress) {
+  graph.structure = Analysis(graph, diagnostics, progress).run();
 }
 
 }  // namespace meristem

@@ -82,7 +82,7 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   Value::Object described = parameters;
   described.emplace_back("type", type);
-  set_fingerprints(prototype, Value(std::move(described)), variables_, {}, graph_.limits);
+  set_fingerprints(prototype, Value(std::move(described)), ConstantTable(variables_), {}, graph_.limits);
   for (Prototype& present : graph_.components) {
     if (present.id != id) continue;
     present = std::move(prototype);
@@ -103,7 +103,7 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
   if (kind == LinkKind::branch) link.kind = std::move(branch);
   if (kind == LinkKind::leaf) link.kind = LeafLink();
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
-  link.fingerprint = fingerprint_of(Value(placement), variables_, {}, 0);
+  link.fingerprint = fingerprint_of(Value(placement), ConstantTable(variables_), {}, 0);
   graph_.links.push_back(std::move(link));
   return *this;
 }

@@ -62,9 +62,7 @@ ShootChoice choice_of(const std::string& text, const std::vector<std::string>& n
                       ParameterReader& reader) {
   if (text == "leader") return ShootChoice::leader();
   if (is_shoot_name(text)) return ShootChoice::label(text);
-  const bool is_known =
-      std::ranges::find(names, text) != names.end() ||
-      std::ranges::find(reader.constants(), text, &ExpressionNames::Constant::name) != reader.constants().end();
+  const bool is_known = std::ranges::find(names, text) != names.end() || reader.constant_table().names().contains(text);
   static const std::vector<std::string> words{"leader", "main"};
   const std::string nearest = is_identifier(text) && !is_known ? reader.nearest(text, words) : "";
   if (text.empty() || text.starts_with("main") || !nearest.empty()) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/table/fingerprint.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/read_file.h"
@@ -45,6 +47,39 @@ void add_value(const Value& value, Fingerprint& to) {
   }
 }
 
+/// Adds the positions of all names in a text, with repeats.
+void add_mentioned_in_text(std::string_view text, const NameTable& names, std::vector<std::size_t>& found) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = at;
+    while (at < text.size() && is_of_name(text[at])) ++at;
+    if (at == begin) {
+      ++at;
+    } else if (const auto position = names.find(text.substr(begin, at - begin))) {
+      found.push_back(*position);
+    }
+  }
+}
+
+void add_mentioned(const Value& value, const NameTable& names, std::vector<std::size_t>& found) {
+  if (const std::string* text = value.text()) add_mentioned_in_text(*text, names, found);
+  if (const Value::List* list = value.list()) {
+    for (const Value& element : *list) add_mentioned(element, names, found);
+  }
+  if (const Value::Object* object = value.object()) {
+    for (const auto& [key, member] : *object) add_mentioned(member, names, found);
+  }
+}
+
+/// Positions of the names that the texts of a value mention, rising.
+std::vector<std::size_t> mentioned(const Value& value, const NameTable& names) {
+  std::vector<std::size_t> found;
+  if (names.size() == 0) return found;
+  add_mentioned(value, names, found);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 }  // namespace
 
 bool mentions(const Value& value, std::string_view name) {
@@ -62,13 +97,17 @@ bool mentions(const Value& value, std::string_view name) {
   return false;
 }
 
-std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
+std::optional<std::uint64_t> fingerprint_of(const Value& value, const ConstantTable& constants,
                                             std::span<const NamedFile> files, std::uint64_t file_bytes) {
   Fingerprint fingerprint;
   add_value(value, fingerprint);
-  for (const ExpressionNames::Constant& constant : constants) {
-    if (files.empty() && !mentions(value, constant.name)) continue;
+  const auto add_constant = [&](const ExpressionNames::Constant& constant) {
     fingerprint.add_text(constant.name).add(constant.value);
+  };
+  if (files.empty()) {
+    for (const std::size_t k : mentioned(value, constants.names())) add_constant(constants.all()[k]);
+  } else {
+    for (const ExpressionNames::Constant& constant : constants.all()) add_constant(constant);
   }
   for (const NamedFile& file : files) {
     std::error_code error;

@@ -54,7 +54,7 @@ bool is_any_of(std::string_view name, const std::vector<std::string>& names) {
 /// The value of an expression that is the same for all instances.
 std::optional<double> constant_of(const Varying& varying) {
   if (!varying.expression || !varying.expression->is_constant()) return std::nullopt;
-  return varying.expression->evaluate(std::vector<double>(varying.names));
+  return varying.expression->evaluate();
 }
 
 /// The word of a text that begins at a byte.
@@ -99,7 +99,9 @@ void ParameterReader::fault_meaning(const DocumentPath& path, std::string messag
 }
 
 std::string ParameterReader::nearest(std::string_view name, std::span<const std::string> candidates) const {
-  return faults_ < limits_.diagnostics ? nearest_name(name, candidates) : std::string();
+  if (faults_ >= limits_.diagnostics || names_compared_ + candidates.size() > kMaxNamesCompared) return {};
+  names_compared_ += candidates.size();
+  return nearest_name(name, candidates);
 }
 
 void ParameterReader::warn(const DocumentPath& path, std::string message) {
@@ -154,6 +156,7 @@ void ParameterReader::element(const Parameter& row, void* member, std::size_t in
 
 GivenRows ParameterReader::object(const ParameterTable& table, void* object, const Value& value,
                                   const DocumentPath& path) {
+  check_stop();
   GivenRows given;
   const std::size_t faults_before = faults_;
   const auto finish = [&] {
@@ -242,10 +245,18 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
   }
   if (expression_paths_ != nullptr) expression_paths_->push_back(path.text());
   try {
-    const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
-    return Expression::compile(*text, names, limits_.expression_bytes);
+    const bool is_of_instance = variables.data() == instance_names().data();
+    const bool has_nearest = faults_ < limits_.diagnostics && names_compared_ <= kMaxNamesCompared;
+    return Expression::compile_in(*text,
+                                  {.variables = variables,
+                                   .constants = constants(),
+                                   .variable_table = is_of_instance ? &instance_names_ : nullptr,
+                                   .constant_table = &constants_.names(),
+                                   .has_nearest = has_nearest},
+                                  limits_.expression_bytes);
   } catch (const ExpressionError& error) {
     const ExpressionFault& found = error.fault();
+    names_compared_ += variables.size() + constants().size();
     const std::string_view name = name_at(*text, found.offset);
     if (const auto refused = refused_names_.find(name); refused != refused_names_.end()) {
       fault(path, fmt::format("'{}' {}", name, refused->second), "", "", static_cast<int>(found.offset));
@@ -264,6 +275,7 @@ std::string_view ParameterReader::why_one(const Parameter& parameter) const {
 
 std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value,
                                               const DocumentPath& path) {
+  check_stop();
   if (const double* plain = value.number()) {
     if (parameter.kind == ParameterKind::integer && !parameter.form.counts && *plain != std::floor(*plain)) {
       fault(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
@@ -283,7 +295,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
     }
     return check_range(parameter, *hours, path, "the time") ? hours : std::nullopt;
   }
-  const std::optional<Expression> compiled = expression(value, path, instance_names_);
+  const std::optional<Expression> compiled = expression(value, path, instance_names());
   if (!compiled) return std::nullopt;
   if (!compiled->is_constant()) {
     fault(path,
@@ -291,13 +303,13 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
           "an expression of numbers and the document's variables");
     return std::nullopt;
   }
-  const double result = compiled->evaluate(std::vector<double>(instance_names_.size()));
+  const double result = compiled->evaluate();
   return check_range(parameter, result, path, "the expression's value") ? std::optional(result) : std::nullopt;
 }
 
 void ParameterReader::store_number(const Parameter& parameter, const Value& value, const DocumentPath& path,
                                    const NumberSlot& slot) {
-  if (value.number() == nullptr) worked_out_.push_back(path.text());
+  if (value.number() == nullptr) worked_out_.insert(path.text());
   const double scale = document_scale(parameter.form.unit);
   const auto store = [&](double number) { slot.store(slot.member, number * scale); };
   const bool may_vary = holder_.object != nullptr && parameter.may_vary();
@@ -331,7 +343,7 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   varyings_.push_back(std::move(*read));
 }
 
-bool ParameterReader::is_worked_out(const DocumentPath& path) const { return is_any_of(path.text(), worked_out_); }
+bool ParameterReader::is_worked_out(const DocumentPath& path) const { return worked_out_.contains(path.text()); }
 
 void ParameterReader::store_per_child(const Parameter& parameter, const Value& value, const DocumentPath& path,
                                       PerChild& number) {
@@ -355,7 +367,7 @@ void ParameterReader::store_per_child(const Parameter& parameter, const Value& v
 /// The keys of a value that is an object.
 void ParameterReader::check_members(const Value& value, const DocumentPath& path) {
   static const std::vector<std::string> names{"range", "sample", "smooth", "apply"};
-  const bool is_keyed = value.find("keys") != nullptr && is_any_of(path.text(), keyed_);
+  const bool is_keyed = value.find("keys") != nullptr && keyed_.contains(path.text());
   for (const auto& [name, member] : *value.object()) {
     if (is_any_of(name, names) || (is_keyed && name == "keys")) continue;
     fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name),
@@ -429,7 +441,7 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
   varying.is_rounded = parameter.form.counts && (keys == nullptr || apply != nullptr);
   if (apply != nullptr) {
     const DocumentPath apply_place(path, "apply");
-    varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, instance_names_);
+    varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, instance_names());
     varying.names = instance_names_.size();
   }
   return faults_ == faults_before ? std::optional(std::move(varying)) : std::nullopt;
@@ -577,6 +589,16 @@ Fingerprint ParameterReader::fingerprint_of_loading(void (*load)()) const {
   static_assert(std::has_unique_object_representations_v<Limits>);
   const std::string_view limits(reinterpret_cast<const char*>(&limits_), sizeof(Limits));
   return Fingerprint().add(reinterpret_cast<std::uintptr_t>(load)).add_text(limits);
+}
+
+/// Hash of all constants, computed once.
+std::uint64_t ParameterReader::fingerprint_of_constants() {
+  if (!constants_hash_) {
+    Fingerprint all;
+    for (const ExpressionNames::Constant& constant : constants()) all.add_text(constant.name).add(constant.value);
+    constants_hash_ = all.hash();
+  }
+  return *constants_hash_;
 }
 
 bool ParameterReader::are_present(const std::vector<NamedFile>& files) {

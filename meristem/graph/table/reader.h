@@ -8,12 +8,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/expression/expression.h"
+#include "meristem/base/expression/expression_scope.h"
 #include "meristem/base/function_ref.h"
 #include "meristem/base/limits.h"
+#include "meristem/base/name_table.h"
+#include "meristem/base/progress.h"
 #include "meristem/graph/table/file_access.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/graph/table/plant_source.h"
@@ -21,6 +25,9 @@
 #include "meristem/graph/table/varying.h"
 
 namespace meristem {
+
+/// Number of names that reading one document compares with unknown names to propose a similar name.
+inline constexpr std::size_t kMaxNamesCompared = 2'000'000;
 
 /// Where a number goes.
 struct NumberSlot {
@@ -40,17 +47,22 @@ class ParameterReader {
   ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, FileAccess access = {})
       : constants_(std::move(constants)),
         limits_(limits),
-        instance_names_(site_variables().begin(), site_variables().end()),
+        instance_names_(site_variables()),
         access_(std::move(access)) {}
 
   /// Names that expressions of instances may use besides the site variables, from here on.
-  void add_instance_names(std::span<const std::string> names) {
-    instance_names_.insert(instance_names_.end(), names.begin(), names.end());
-  }
+  void add_instance_names(std::span<const std::string> names) { instance_names_.add(names); }
   /// What messages say of names that one may look for and that there are not: "is a column of texts".
   void refuse_instance_name(const std::string& name, std::string reason) { refused_names_[name] = std::move(reason); }
   /// All of them, the site variables first.
-  const std::vector<std::string>& instance_names() const { return instance_names_; }
+  const std::vector<std::string>& instance_names() const { return instance_names_.names(); }
+
+  /// Reading throws Cancelled soon after `progress` was asked to stop. Null: reading cannot be stopped.
+  void stop_with(const Progress* progress) { progress_ = progress; }
+  /// Throws Cancelled if reading was asked to stop.
+  void check_stop() const {
+    if (progress_ != nullptr) progress_->check();
+  }
 
   /// The document that a component names, ready to grow; null with faults at `path`.
   std::shared_ptr<const PlantSource> plant_source(const std::string& name, const DocumentPath& path);
@@ -74,7 +86,8 @@ class ParameterReader {
     std::string file_path, other;
   };
   const std::vector<Meaningless>& meaningless() const { return meaningless_; }
-  /// The candidate nearest to `name`, until the number of faults exceeds what is shown.
+  /// The candidate nearest to `name`, until the number of faults exceeds what is shown. Empty as well once all searches
+  /// together have looked at kMaxNamesCompared candidates, so that many faults among many names cost little time.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
   void warn(const DocumentPath& path, std::string message);
   /// The fault of `wanted` of `what` where the limit called `limit_name` allows fewer.
@@ -113,7 +126,8 @@ class ParameterReader {
   /// Calls `read` with the text of the file that `value` names, as `lines` does with a text.
   void text_file(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// The document's variables.
-  const std::vector<ExpressionNames::Constant>& constants() const { return constants_; }
+  const std::vector<ExpressionNames::Constant>& constants() const { return constants_.all(); }
+  const ConstantTable& constant_table() const { return constants_; }
   /// The text of a file that another one names, sought from the folder of that one. Throws an InputError.
   std::string included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes);
   /// All files that were named so far.
@@ -159,7 +173,7 @@ class ParameterReader {
     if (access_.store == nullptr) return make().made;
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(make_of));
     key.add_text(file_path).add_text(text);
-    for (const ExpressionNames::Constant& constant : constants_) key.add_text(constant.name).add(constant.value);
+    key.add(fingerprint_of_constants());
     std::shared_ptr<const Read> found = access_.store->find<Read>(key.hash());
     if (found == nullptr || !are_present(found->files)) {
       found = std::make_shared<const Read>(make());
@@ -171,7 +185,7 @@ class ParameterReader {
     return found->made;
   }
   /// The document paths of the values that keys of the animation stand for, as {"keys": [[time, value, way], ...]}.
-  void expect_keys(std::vector<std::string> paths) { keyed_ = std::move(paths); }
+  void expect_keys(const std::vector<std::string>& paths) { keyed_ = {paths.begin(), paths.end()}; }
   /// Takes the paths of all expressions that are read from here on; null: none.
   void note_expressions(std::vector<std::string>* paths) { expression_paths_ = paths; }
   /// The table's members from an object, or its shorthand from a bare value.
@@ -191,21 +205,25 @@ class ParameterReader {
   std::string_view why_one(const Parameter& parameter) const;
   bool check_range(const Parameter& parameter, double value, const DocumentPath& path, std::string_view what);
 
-  std::vector<ExpressionNames::Constant> constants_;
+  ConstantTable constants_;
+  std::optional<std::uint64_t> constants_hash_;
   Limits limits_;
-  std::vector<std::string> instance_names_;
+  NameTable instance_names_;
+  const Progress* progress_ = nullptr;
+  mutable std::size_t names_compared_ = 0;
   std::map<std::string, std::string, std::less<>> refused_names_;
   /// The hash of a file as the store has it; nothing where there is no store.
   std::optional<std::uint64_t> file_hash(const std::string& file_path);
   void name_file(const std::string& file_path);
   Fingerprint fingerprint_of_loading(void (*load)()) const;
+  std::uint64_t fingerprint_of_constants();
   bool are_present(const std::vector<NamedFile>& files);
 
   FileAccess access_;
   std::vector<NamedFile> files_;
   std::vector<std::string>* expression_paths_ = nullptr;
-  std::vector<std::string> worked_out_;  // document paths of numbers
-  std::vector<std::string> keyed_;       // and of those with keys
+  std::unordered_set<std::string> worked_out_;  // document paths of numbers
+  std::unordered_set<std::string> keyed_;       // and of those with keys
   std::vector<Diagnostic> diagnostics_;
   std::vector<Meaningless> meaningless_;
   std::size_t faults_ = 0;

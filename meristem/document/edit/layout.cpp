@@ -85,11 +85,12 @@ std::size_t behind_comments(std::string_view text, std::size_t offset) {
   for (;;) {
     std::size_t at = behind;
     while (at < text.size() && is_blank_in_line(text[at])) ++at;
-    const std::size_t line = std::min(text.find('\n', at), text.size());
     const std::string_view rest = text.substr(at);
     if (rest.starts_with("//")) return std::min(text.find_first_of("\r\n", at), text.size());
-    const std::size_t end = rest.starts_with("/*") ? text.find("*/", at + 2) : std::string_view::npos;
-    if (end == std::string_view::npos || end > line) return behind;
+    if (!rest.starts_with("/*")) return behind;
+    // Only the comment is searched: its line may be the whole text.
+    const std::size_t end = text.find("*/", at + 2);
+    if (end == std::string_view::npos || text.substr(at, end - at).find('\n') != std::string_view::npos) return behind;
     behind = end + 2;
   }
 }

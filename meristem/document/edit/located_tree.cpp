@@ -10,16 +10,19 @@ namespace meristem {
 
 namespace {
 
+constexpr std::size_t kTokensBetweenChecks = 4096;
+
 /// Finds the values of a text that is known to be JSON, without recursion.
 class NodeScanner {
  public:
-  explicit NodeScanner(std::string_view text) : text_(text) {}
+  NodeScanner(std::string_view text, const Progress* progress) : text_(text), progress_(progress) {}
 
   std::vector<TextNode> run() {
     at_ = text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
     skip();
     begin_value();
-    while (!open_.empty() && at_ < text_.size()) {
+    for (std::size_t token = 0; !open_.empty() && at_ < text_.size(); ++token) {
+      if (progress_ != nullptr && token % kTokensBetweenChecks == 0) progress_->check();
       skip();
       step();
     }
@@ -79,6 +82,7 @@ class NodeScanner {
   }
 
   std::string_view text_;
+  const Progress* progress_;
   std::size_t at_ = 0;
   std::vector<TextNode> nodes_;
   std::vector<std::uint32_t> open_;
@@ -87,8 +91,8 @@ class NodeScanner {
 
 }  // namespace
 
-LocatedTree::LocatedTree(std::string text)
-    : text_(std::move(text)), value_(parse_json(text_)), nodes_(NodeScanner(text_).run()) {}
+LocatedTree::LocatedTree(std::string text, const Progress* progress)
+    : text_(std::move(text)), value_(parse_json(text_, {}, progress)), nodes_(NodeScanner(text_, progress).run()) {}
 
 LocatedValue LocatedTree::part(LocatedValue container, std::size_t index) const {
   const std::uint32_t node = nodes_[container.node].parts[index];

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
@@ -35,8 +36,8 @@ struct LocatedValue {
 
 class LocatedTree {
  public:
-  /// Throws an InputError as parse_json does.
-  explicit LocatedTree(std::string text);
+  /// Throws what parse_json throws.
+  explicit LocatedTree(std::string text, const Progress* progress = nullptr);
 
   const std::string& text() const { return text_; }
   LocatedValue root() const { return {&value_, 0}; }

@@ -44,8 +44,9 @@ std::optional<NotePlace> find_note(const LocatedTree& tree, LocatedValue contain
     const Comment& comment = comments.back();
     if (!begins_line(text, comment.begin) || !are_neighbouring_lines(text, comment.end, below)) break;
     below = comment.begin;
-    above.comments.insert(above.comments.begin(), comment);
+    above.comments.push_back(comment);
   }
+  std::reverse(above.comments.begin(), above.comments.end());
   if (!above.comments.empty()) return above;
   const std::size_t end = part.comma == TextNode::kNone ? part.end : part.comma + 1;
   const std::size_t behind = behind_comments(text, end);
@@ -135,12 +136,14 @@ std::string note_on(const LocatedTree& tree, LocatedValue container, std::size_t
   return place ? text_of(tree, *place) : std::string();
 }
 
-std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object) {
+std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object,
+                                                                  const Progress* progress) {
   std::vector<std::pair<std::string, std::string>> notes;
   const Value* members = tree.root().value->find(object);
   if (members == nullptr || members->object() == nullptr) return notes;
   const LocatedValue container = follow_path(tree, object).last();
   for (std::size_t k = 0; k < part_count(*members); ++k) {
+    if (progress != nullptr) progress->check();
     std::string note = note_on(tree, container, k);
     if (!note.empty()) notes.emplace_back((*members->object())[k].first, std::move(note));
   }

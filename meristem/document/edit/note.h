@@ -29,8 +29,10 @@ struct TextRange {
 /// the part's own; nothing where no note stands there.
 std::optional<TextRange> note_lines_above(const LocatedTree& tree, LocatedValue container, std::size_t index);
 
-/// The notes on the members of an object at the top of the document, such as "components", by name.
-std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object);
+/// The notes on the members of an object at the top of the document, such as "components", by name. Takes time by the
+/// size of the text. Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object,
+                                                                  const Progress* progress = nullptr);
 
 /// Has the note on the member at `path` say `note`: where one stands, or else above the member; an empty one goes.
 /// Throws an InputError for paths that lead nowhere.

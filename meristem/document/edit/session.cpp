@@ -15,9 +15,9 @@ std::string plant_part(const std::string& text, const std::vector<std::string>& 
   return part_text(LocatedTree(text), components);
 }
 
-std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text) {
+std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text, const Progress* progress) {
   try {
-    return notes_on_members(LocatedTree(text), "components");
+    return notes_on_members(LocatedTree(text, progress), "components", progress);
   } catch (const InputError&) {
     return {};
   }
@@ -25,42 +25,54 @@ std::vector<std::pair<std::string, std::string>> component_notes(const std::stri
 
 Session::Session(std::string text, std::string file, const Registry& registry, SessionOptions options)
     : text_(std::move(text)), file_(std::move(file)), registry_(&registry), options_(std::move(options)) {
-  read();
+  if (options_.reads_at_once) read();
 }
 
-ReadOptions Session::reading() {
+ReadOptions Session::reading(const Progress* progress) {
   return {.overrides = options_.overrides,
           .seed = options_.seed,
           .root = options_.root,
           .store = &store_,
-          .models = options_.models};
+          .models = options_.models,
+          .progress = progress};
 }
 
-void Session::read() {
+void Session::read(const Progress* progress) {
+  if (!is_read_) read_anew(progress);
+}
+
+void Session::read_anew(const Progress* progress) {
   try {
-    document_ = read_document(text_, file_, *registry_, reading());
+    document_ = std::make_shared<const Document>(read_document(text_, file_, *registry_, reading(progress)));
     faults_ = document_->warnings;
     is_good_ = true;
   } catch (const InputError& error) {
     faults_ = error.diagnostics();
     is_good_ = false;
   }
+  is_read_ = true;
 }
 
-Change Session::take_over(Patch patch) {
+Change Session::take_over(Patch patch, const Progress* progress) {
   Change change{.patch = std::move(patch), .inverse = {}};
   change.inverse = inverse_patch(text_, change.patch);
-  text_ = apply_patch(text_, change.patch);
-  read();
+  std::string before = std::exchange(text_, apply_patch(text_, change.patch));
+  try {
+    read_anew(progress);
+  } catch (const Cancelled&) {
+    text_ = std::move(before);
+    throw;
+  }
   return change;
 }
 
-Change Session::edit(const std::vector<Edit>& edits) {
+Change Session::edit(const std::vector<Edit>& edits, const Progress* progress) {
   Patch patch;
   std::string text = text_;
   try {
     for (const Edit& edit : edits) {
-      const Patch next = patch_of(edit, LocatedTree(text), {file_, *registry_, document(), reading()});
+      const Patch next =
+          patch_of(edit, LocatedTree(text, progress), {file_, *registry_, document(), reading(progress)});
       text = apply_patch(text, next);
       patch = joined_patches(patch, next);
     }
@@ -69,43 +81,64 @@ Change Session::edit(const std::vector<Edit>& edits) {
     for (Diagnostic& fault : faults) fault.file = file_;
     throw InputError(std::move(faults));
   }
-  return edit_text(patch);
+  return edit_text(patch, progress);
 }
 
-Change Session::edit_text(const Patch& patch) {
-  if (patch.empty()) return {};
-  Change change = take_over(patch);
+/// Keeps a step for undo().
+void Session::note(const Change& change) {
   undone_.clear();
   done_.push_back(change);
   if (done_.size() > options_.most_undone) done_.erase(done_.begin());
+}
+
+Change Session::edit_text(const Patch& patch, const Progress* progress) {
+  if (patch.empty()) return {};
+  Change change = take_over(patch, progress);
+  note(change);
   return change;
 }
 
-Change Session::step_back(std::vector<Change>& from, std::vector<Change>& to) {
-  Change change = take_over(std::move(from.back().inverse));
+Change Session::change_text(const Patch& patch) {
+  if (patch.empty()) return {};
+  Change change{.patch = patch, .inverse = inverse_patch(text_, patch)};
+  text_ = apply_patch(text_, patch);
+  faults_.clear();
+  is_good_ = false;
+  is_read_ = false;
+  note(change);
+  return change;
+}
+
+Change Session::step_back(std::vector<Change>& from, std::vector<Change>& to, const Progress* progress) {
+  Change change = take_over(from.back().inverse, progress);
   from.pop_back();
   to.push_back(change);
   return change;
 }
 
-std::optional<Change> Session::undo() {
+std::optional<Change> Session::undo(const Progress* progress) {
   if (done_.empty()) return std::nullopt;
-  return step_back(done_, undone_);
+  return step_back(done_, undone_, progress);
 }
 
-std::optional<Change> Session::redo() {
+std::optional<Change> Session::redo(const Progress* progress) {
   if (undone_.empty()) return std::nullopt;
-  return step_back(undone_, done_);
+  return step_back(undone_, done_, progress);
 }
 
-void Session::set_overrides(std::vector<Override> overrides) {
-  options_.overrides = std::move(overrides);
-  read();
+void Session::set_overrides(std::vector<Override> overrides, const Progress* progress) {
+  std::swap(options_.overrides, overrides);
+  try {
+    read_anew(progress);
+  } catch (const Cancelled&) {
+    options_.overrides = std::move(overrides);
+    throw;
+  }
 }
 
-void Session::reload() {
+void Session::reload(const Progress* progress) {
   store_.reload();
-  read();
+  read_anew(progress);
 }
 
 const GrownDocument& Session::grow(Progress& progress, GrowthOptions options) {

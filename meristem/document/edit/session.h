@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,7 +76,9 @@ using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, Rename
 std::string plant_part(const std::string& text, const std::vector<std::string>& components);
 
 /// The comments on a document's components, by their names, as SetNote sets them; none where the text is not JSON.
-std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text);
+/// Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text,
+                                                                 const Progress* progress = nullptr);
 
 /// A change of the text, and the inverse change.
 struct Change {
@@ -89,12 +92,15 @@ struct SessionOptions {
   std::string root{};                   ///< as of read_document
   std::string models{};                 ///< as of read_document
   std::size_t most_undone = 1000;       ///< edits that can be taken back; the oldest are forgotten
+  /// False: the constructor does not read the text, which then counts as one with faults until read().
+  bool reads_at_once = true;
 };
 
 /// Text, document and grown plant, kept together. An edit changes only those bytes of the text that it must change. If
 /// the new text has faults, the session keeps the text with its faults, while document and growth stay those of the
 /// last text without faults. Reading and growing make anew only what an edit has changed; files are read again by
-/// reload() alone. One call at a time.
+/// reload() alone. One call at a time. Calls that read the text throw Cancelled within 50 ms after their `progress` was
+/// asked to stop, and then have changed nothing; null: they cannot be stopped.
 class Session {
  public:
   /// `file` is the name of the text in messages; paths in the text start from the folder of `file`. `registry` must
@@ -107,26 +113,34 @@ class Session {
   const std::vector<Diagnostic>& faults() const { return faults_; }
   /// Whether the present text has no errors, so that document() is the document of this text.
   bool is_good() const { return is_good_; }
+  /// Whether the present text has been read. False only after change_text(), or without SessionOptions::reads_at_once.
+  bool is_read() const { return is_read_; }
   /// The document of the last text without errors; null if there was none yet.
-  const Document* document() const { return document_ ? &*document_ : nullptr; }
+  const Document* document() const { return document_.get(); }
+  /// The same document, which stays as it is when the session reads another text.
+  std::shared_ptr<const Document> shared_document() const { return document_; }
 
   /// Makes the edits, one after another, as one step. Throws an InputError if one of them cannot be made or the text is
   /// not JSON; then nothing has changed.
-  Change edit(const std::vector<Edit>& edits);
+  Change edit(const std::vector<Edit>& edits, const Progress* progress = nullptr);
   Change edit(std::string path, Value value) { return edit({SetValue{std::move(path), std::move(value)}}); }
   /// Applies a patch to the text, as when a user types. Throws std::invalid_argument if the patch does not fit.
-  Change edit_text(const Patch& patch);
+  Change edit_text(const Patch& patch, const Progress* progress = nullptr);
+  /// Applies a patch like edit_text(), but does not read the new text: until read() it counts as one with faults.
+  Change change_text(const Patch& patch);
+  /// Reads the present text unless that has been done. If it is stopped, the text stays and is not read.
+  void read(const Progress* progress = nullptr);
   /// Takes the last step back, or makes it again; nullopt if there is no such step.
-  std::optional<Change> undo();
-  std::optional<Change> redo();
+  std::optional<Change> undo(const Progress* progress = nullptr);
+  std::optional<Change> redo(const Progress* progress = nullptr);
   std::size_t undo_count() const { return done_.size(); }
   std::size_t redo_count() const { return undone_.size(); }
 
   const std::vector<Override>& overrides() const { return options_.overrides; }
   /// Values that replace those of the text until the next call, as during the drag of a slider; the text stays.
-  void set_overrides(std::vector<Override> overrides);
+  void set_overrides(std::vector<Override> overrides, const Progress* progress = nullptr);
   /// Reads the files that have changed on the disk since they were read, and the document with them.
-  void reload();
+  void reload(const Progress* progress = nullptr);
 
   /// Grows the document with the session's own cache: what has changed since the last growth is made anew. Throws an
   /// InputError (limits; also where there was never a document), Cancelled; then grown() stays.
@@ -142,10 +156,11 @@ class Session {
   const ReadStore::Counts& read_counts() const { return store_.counts(); }
 
  private:
-  ReadOptions reading();
-  void read();
-  Change take_over(Patch patch);
-  Change step_back(std::vector<Change>& from, std::vector<Change>& to);
+  ReadOptions reading(const Progress* progress);
+  void read_anew(const Progress* progress);
+  Change take_over(Patch patch, const Progress* progress);
+  Change step_back(std::vector<Change>& from, std::vector<Change>& to, const Progress* progress);
+  void note(const Change& change);
 
   std::string text_;
   std::string file_;
@@ -154,7 +169,8 @@ class Session {
   ReadStore store_;
   std::vector<Diagnostic> faults_;
   bool is_good_ = false;
-  std::optional<Document> document_;
+  bool is_read_ = false;
+  std::shared_ptr<const Document> document_;
   std::vector<Change> done_;
   std::vector<Change> undone_;
   GrowthCache cache_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "meristem/document/member_index.h"
+
 namespace meristem {
 
 namespace {
@@ -23,8 +25,9 @@ std::optional<PartDifference> difference_of_lists(LocatedValue old, const Value:
 /// Names that both have, in the order of the first.
 std::vector<std::string_view> shared_names(const Value& one, const Value& other) {
   std::vector<std::string_view> names;
+  const MemberIndex members(&other);
   for (const auto& [name, member] : *one.object()) {
-    if (other.find(name) != nullptr) names.push_back(name);
+    if (members.position(name)) names.push_back(name);
   }
   return names;
 }
@@ -32,8 +35,9 @@ std::vector<std::string_view> shared_names(const Value& one, const Value& other)
 std::optional<PartDifference> difference_of_objects(LocatedValue old, const Value& was, const Value& is) {
   const Value::Object& old_members = *was.object();
   const Value::Object& new_members = *is.object();
+  const MemberIndex members(&is);
   for (std::size_t k = 0; k < old_members.size(); ++k) {
-    if (is.find(old_members[k].first) == nullptr) return PartDifference{.container = old, .index = k};
+    if (!members.position(old_members[k].first)) return PartDifference{.container = old, .index = k};
   }
   // All old ones stay, in their order: so the first that differs is new.
   for (std::size_t k = 0; k < new_members.size(); ++k) {

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "meristem/base/name_table.h"
 #include "meristem/base/track.h"
 #include "meristem/document/instance_variables.h"
+#include "meristem/document/member_index.h"
 #include "meristem/document/override.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/crown_placement.h"
@@ -94,7 +97,12 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
 class KeyReader {
  public:
   KeyReader(Value& root, const Registry* registry, double time, ParameterReader& reader)
-      : root_(root), registry_(registry), time_(time), reader_(reader) {}
+      : root_(root),
+        registry_(registry),
+        time_(time),
+        reader_(reader),
+        components_(root.find("components")),
+        variables_(root.find("variables")) {}
 
   std::vector<KeyedParameter> run(bool of_variables) {
     const Value* animation = root_.find("animation");
@@ -164,12 +172,12 @@ class KeyReader {
   FoundRow find_variable(const std::vector<std::string>& elements) const {
     const std::string& name = elements[1];
     const Value* variables = root_.find("variables");
-    const bool is_known = variables != nullptr && variables->find(name) != nullptr;
-    if (!is_known) return unknown("variable", name, variables);
+    const Value* variable = variables_.find(name);
+    if (variable == nullptr) return unknown("variable", name, variables);
     FoundRow found;
     const bool is_value = elements.size() == 2 || (elements.size() == 3 && elements[2] == "value");
     if (!is_value) found.fault = "a variable has keys as a whole";
-    if (is_per_instance(*variables->find(name))) {
+    if (is_per_instance(*variable)) {
       found.fault = fmt::format("'{}' is drawn for each instance and cannot have keys", name);
       found.expected = "keys of the parameters that use it";
     }
@@ -179,7 +187,7 @@ class KeyReader {
 
   FoundRow find_in_component(const std::vector<std::string>& elements) const {
     const Value* components = root_.find("components");
-    const Value* component = components == nullptr ? nullptr : components->find(elements[1]);
+    const Value* component = components_.find(elements[1]);
     if (component == nullptr) return unknown("component", elements[1], components);
     const Value* type_name = component->find("type");
     const bool has_type = type_name != nullptr && type_name->text() != nullptr;
@@ -384,7 +392,7 @@ class KeyReader {
   void put(const std::string& path, const FoundRow& found, Value value, const DocumentPath& place, bool by_instance) {
     std::vector<Diagnostic> faults;
     if (found.is_element) add_vector(path.substr(0, path.rfind('[')), *found.row, place, faults);
-    Value* const target = find_or_add(root_, path, place.text(), faults);
+    Value* const target = find_or_add_known(path, place, faults);
     if (target == nullptr) {
       for (const Diagnostic& fault : faults) reader_.fault_name(place, fault.message, fault.expected, fault.nearest);
       return;
@@ -402,10 +410,20 @@ class KeyReader {
     *target = std::move(before);
   }
 
+  /// The value at a path, whose component or variable is there.
+  Value* find_or_add_known(const std::string& path, const DocumentPath& place, std::vector<Diagnostic>& faults) {
+    const std::vector<std::string> elements = path_elements(path);
+    const bool is_component = elements.size() > 1 && elements[0] == "components";
+    const auto position = is_component ? components_.position(elements[1]) : std::nullopt;
+    if (!position) return find_or_add(root_, path, place.text(), faults);
+    Value& component = (*root_.find("components")->object())[*position].second;
+    return find_or_add_below(component, std::span(elements).subspan(2), place.text(), faults);
+  }
+
   /// A vector of which one number has keys has its default in the others, where the document does not say it.
   void add_vector(const std::string& path, const Parameter& row, const DocumentPath& place,
                   std::vector<Diagnostic>& faults) {
-    Value* const vector = find_or_add(root_, path, place.text(), faults);
+    Value* const vector = find_or_add_known(path, place, faults);
     if (vector == nullptr || !vector->is_null()) return;
     *vector = row.fallback();
     if (vector->is_null()) *vector = Value::List{0, 0, 0};
@@ -423,6 +441,8 @@ class KeyReader {
   const Registry* registry_;
   double time_;
   ParameterReader& reader_;
+  const MemberIndex components_;
+  const MemberIndex variables_;
   const DocumentPath top_;
   std::vector<KeyedParameter> keyed_;
 };
@@ -461,14 +481,15 @@ std::vector<KeyedParameter> put_other_keys(Value& root, const Registry& registry
 void check_key_clocks(const std::vector<KeyedParameter>& keyed, const Graph& graph,
                       std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::uint8_t> own = with_own_clocks(graph);
+  NameTable ids;
+  for (const Prototype& prototype : graph.components) ids.add(prototype.id);
   const double end = graph.animation->length;
   for (const KeyedParameter& parameter : keyed) {
     const std::vector<std::string> elements = path_elements(parameter.path);
     bool has_own_clock = false;
     if (elements[0] == "components") {
-      const auto found = std::ranges::find(graph.components, elements[1], &Prototype::id);
-      has_own_clock =
-          found != graph.components.end() && own[static_cast<std::size_t>(found - graph.components.begin())];
+      const auto found = ids.find(elements[1]);
+      has_own_clock = found && own[*found] != 0;
     } else if (elements[0] == "links") {
       const std::size_t link = index_of(elements[1]);
       const ComponentIndex from = graph.links[link].from;

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "meristem/base/name_table.h"
 #include "meristem/document/animation_keys.h"
 #include "meristem/document/instance_variables.h"
 #include "meristem/document/json.h"
@@ -40,8 +43,8 @@ Limits within(const Limits& own, const Limits& outer) {
 class DocumentReader {
  public:
   /// The tree gets what the keys of the animation say.
-  DocumentReader(Value root, const Registry& registry, const ReadOptions& options, const std::string& file)
-      : root_(std::move(root)),
+  DocumentReader(const Value& root, const Registry& registry, const ReadOptions& options, const std::string& file)
+      : root_(&root),
         registry_(registry),
         options_(options),
         access_{.folder = std::filesystem::path(file).parent_path().string(),
@@ -52,11 +55,11 @@ class DocumentReader {
 
   /// Returns the faults and warnings.
   std::vector<Diagnostic> run(Document& document) {
-    if (root_.object() == nullptr) {
-      return {{.message = fmt::format("the document is {}", root_.description()),
+    if (root_->object() == nullptr) {
+      return {{.message = fmt::format("the document is {}", root_->description()),
                .expected = "an object with \"meristem\": 1"}};
     }
-    if (const Value* format = root_.find("meristem");
+    if (const Value* format = root_->find("meristem");
         format != nullptr && format->number() != nullptr && *format->number() > kDocumentFormat) {
       return {{.message = fmt::format("the document's format {} is newer than this program", *format->number()),
                .expected = fmt::format("at most {}", kDocumentFormat),
@@ -68,14 +71,18 @@ class DocumentReader {
     if (options_.within) document.graph.limits = within(document.graph.limits, *options_.within);
     sources_.set_limits(document.graph.limits);
     std::vector<KeyedParameter> keyed = put_keys_of_variables(document.graph.limits);
-    const Value* given_variables = root_.find("variables");
+    const Value* given_variables = root_->find("variables");
+    if (are_too_many_variables(given_variables)) return with_too_many_variables(document.graph.limits);
     const VariableValues solved = solve_variables(given_variables, document.graph.limits);
 
     ParameterReader reader(solved.constants, document.graph.limits, access_);
+    reader.stop_with(options_.progress);
     reader.note_expressions(options_.expression_paths);
     read_animation(reader, document.graph);
-    for (KeyedParameter& parameter : put_other_keys(root_, registry_, options_.time, reader)) {
-      keyed.push_back(std::move(parameter));
+    if (own_) {
+      for (KeyedParameter& parameter : put_other_keys(*own_, registry_, options_.time, reader)) {
+        keyed.push_back(std::move(parameter));
+      }
     }
     reader.expect_keys(paths_of_keys(keyed));
     document.variables = read_variables(given_variables, solved, reader);
@@ -83,9 +90,9 @@ class DocumentReader {
     read_head(reader, document);
     read_components(reader, document.graph);
     LinkReader links(document.graph, reader);
-    if (const Value* given = root_.find("links")) links.read(*given, DocumentPath(top_, "links"));
+    if (const Value* given = root_->find("links")) links.read(*given, DocumentPath(top_, "links"));
     links.link_placed(DocumentPath(top_, "components"));
-    warn_of_variables(root_, document.variables, reader);
+    warn_of_variables(*root_, document.variables, reader);
     for (const NamedFile& file : reader.files()) document.source.named_files.push_back(file.path);
     take_from(reader);
     if (options_.seed) document.graph.seed = *options_.seed;
@@ -93,9 +100,9 @@ class DocumentReader {
     // The links mean something only once all are read.
     if (!has_errors(diagnostics_)) {
       add_camera(document.graph, registry_.camera());
-      analyse_structure(document.graph, diagnostics_);
-      if (!has_errors(diagnostics_)) check_given_names(root_, document.graph, diagnostics_);
-      if (!has_errors(diagnostics_)) check_silent_keys(root_, document.graph, diagnostics_);
+      analyse_structure(document.graph, diagnostics_, options_.progress);
+      if (!has_errors(diagnostics_)) check_given_names(*root_, document.graph, diagnostics_, options_.progress);
+      if (!has_errors(diagnostics_)) check_silent_keys(*root_, document.graph, diagnostics_);
       if (!has_errors(diagnostics_) && !keyed.empty()) check_key_clocks(keyed, document.graph, diagnostics_);
     }
     keep_first(document.graph.limits.diagnostics);
@@ -113,10 +120,23 @@ class DocumentReader {
 
  private:
   std::vector<KeyedParameter> put_keys_of_variables(const Limits& limits) {
+    const Value* animation = root_->find("animation");
+    if (animation == nullptr || animation->find("keys") == nullptr) return {};
+    root_ = &own_.emplace(*root_);
     ParameterReader reader({}, limits);
-    std::vector<KeyedParameter> keyed = put_variable_keys(root_, options_.time, reader);
+    reader.stop_with(options_.progress);
+    std::vector<KeyedParameter> keyed = put_variable_keys(*own_, options_.time, reader);
     take_from(reader);
     return keyed;
+  }
+
+  /// Nothing else is read then: whatever uses the variables would be faulty as well.
+  std::vector<Diagnostic> with_too_many_variables(const Limits& limits) {
+    ParameterReader reader({}, limits);
+    read_variables(root_->find("variables"), {}, reader);
+    take_from(reader);
+    keep_first(limits.diagnostics);
+    return std::move(diagnostics_);
   }
 
   /// Document paths of the numbers in whose place keys stand.
@@ -132,7 +152,7 @@ class DocumentReader {
   }
 
   void read_animation(ParameterReader& reader, Graph& graph) const {
-    const Value* given = root_.find("animation");
+    const Value* given = root_->find("animation");
     if (given == nullptr) return;
     Animation animation;
     reader.read(animation_table(), &animation, *given, DocumentPath(top_, "animation"));
@@ -162,7 +182,7 @@ class DocumentReader {
   }
 
   void read_limits(Limits& limits) {
-    const Value* given = root_.find("limits");
+    const Value* given = root_->find("limits");
     if (given == nullptr) return;
     ParameterReader reader({}, Limits{});
     reader.read(limits_table(), &limits, *given, DocumentPath(top_, "limits"));
@@ -171,7 +191,7 @@ class DocumentReader {
 
   void read_head(ParameterReader& reader, Document& document) {
     DocumentHead head;
-    reader.read(head_table(), &head, root_, top_);
+    reader.read(head_table(), &head, *root_, top_);
     document.name = std::move(head.name);
     document.description = std::move(head.description);
     document.author = std::move(head.author);
@@ -181,20 +201,20 @@ class DocumentReader {
     document.scene.ground_colour = head.scene.ground.colour;
     for (auto& [name, support] : head.scene.supports) document.scene.supports[name] = std::move(support.line);
     if (reader.fault_count() > 0) return;
-    const Value* scene = root_.find("scene");
-    document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constants(), reader.files(),
-                                                reader.limits().file_bytes);
+    const Value* scene = root_->find("scene");
+    document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constant_table(),
+                                                reader.files(), reader.limits().file_bytes);
     light_scene(head.scene.light, DocumentPath(top_, "scene"), reader, document.scene);
     if (head.scene.obstacles.empty()) return;
     const Value* obstacles = scene->find("obstacles");
-    const auto said = fingerprint_of(*obstacles, reader.constants(), reader.files(), reader.limits().file_bytes);
+    const auto said = fingerprint_of(*obstacles, reader.constant_table(), reader.files(), reader.limits().file_bytes);
     const auto build = [&] { return build_obstacles(head.scene.obstacles); };
     document.scene.obstacles = said ? *reader.kept<Obstacles>(Fingerprint().add(*said), build) : build();
   }
 
   void read_components(ParameterReader& reader, Graph& graph) {
     const DocumentPath path(top_, "components");
-    const Value* given = root_.find("components");
+    const Value* given = root_->find("components");
     if (given == nullptr || given->object() == nullptr || given->object()->empty()) {
       const bool is_missing = given == nullptr || given->object() != nullptr;
       return reader.fault(
@@ -207,6 +227,7 @@ class DocumentReader {
     // What gives names comes before all that may use them.
     const auto read_all = [&](bool gives) {
       for (std::size_t c = 0; c < graph.components.size(); ++c) {
+        reader.check_stop();
         const auto& [id, value] = (*given->object())[c];
         if (gives_names(value) != gives) continue;
         const DocumentPath own(path, id);
@@ -218,7 +239,7 @@ class DocumentReader {
     };
     read_all(true);
     reader.add_instance_names(graph.site_names);
-    read_instance_variables(root_.find("variables"), graph, reader);
+    read_instance_variables(root_->find("variables"), graph, reader);
     read_all(false);
   }
 
@@ -234,14 +255,15 @@ class DocumentReader {
     if (reader.fault_count() > 0) return;
     GivenNames given = prototype.type->gives(prototype.parameters.get());
     for (const std::string& name : given.names) {
-      const auto is_it = [&](const ExpressionNames::Constant& constant) { return constant.name == name; };
-      if (std::ranges::any_of(reader.constants(), is_it)) {
+      if (reader.constant_table().names().contains(name)) {
         reader.fault(path, fmt::format("'{}' is a column here and a variable of the document", name),
                      "another name for one of them");
       }
-      const auto known = std::ranges::find(graph.site_names, name);
-      prototype.given_slots.push_back(static_cast<std::uint32_t>(known - graph.site_names.begin()));
-      if (known == graph.site_names.end()) graph.site_names.push_back(name);
+      if (!columns_.contains(name)) {
+        columns_.add(name);
+        graph.site_names.push_back(name);
+      }
+      prototype.given_slots.push_back(static_cast<std::uint32_t>(*columns_.find(name)));
     }
     for (auto& [name, reason] : given.refused) reader.refuse_instance_name(name, std::move(reason));
   }
@@ -285,7 +307,7 @@ class DocumentReader {
     prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), whole, path);
     if (reader.fault_count() != faults_before) return;
     check_shown(reader, prototype, value, path);
-    set_fingerprints(prototype, whole, reader.constants(), std::span(reader.files()).subspan(files_before),
+    set_fingerprints(prototype, whole, reader.constant_table(), std::span(reader.files()).subspan(files_before),
                      reader.limits());
   }
 
@@ -303,20 +325,15 @@ class DocumentReader {
   }
 
   /// What a component says, and what it takes from the one that it shows.
-  Value with_shown(ParameterReader& reader, Prototype& prototype, const Value& value, const DocumentPath& path) const {
+  Value with_shown(ParameterReader& reader, Prototype& prototype, const Value& value, const DocumentPath& path) {
     const Showing& shows = prototype.type->shows;
     const Value* of = shows.type.empty() ? nullptr : value.find("of");
     if (of == nullptr || of->text() == nullptr) return value;
-    std::vector<std::string> ids;
-    const Value* shown = nullptr;
-    for (const auto& [id, other] : *root_.find("components")->object()) {
-      const Value* type = other.find("type");
-      if (type == nullptr || *type != Value(shows.type)) continue;
-      ids.push_back(id);
-      if (id == *of->text()) shown = &other;
-    }
+    const Typed& typed = components_of_type(shows.type);
+    const auto position = typed.ids.find(*of->text());
+    const Value* shown = position ? typed.values[*position] : nullptr;
     if (shown == nullptr) {
-      const std::string nearest = reader.nearest(*of->text(), ids);
+      const std::string nearest = reader.nearest(*of->text(), typed.ids.names());
       reader.fault(DocumentPath(path, "of"), fmt::format("there is no {} '{}'", shows.type, *of->text()),
                    nearest.empty() ? fmt::format("the id of a component of type {}", shows.type) : "", nearest);
       return value;
@@ -330,6 +347,23 @@ class DocumentReader {
     return whole;
   }
 
+  /// Components of one type, as the document says them.
+  struct Typed {
+    NameTable ids;
+    std::vector<const Value*> values;
+  };
+  const Typed& components_of_type(const std::string& type) {
+    const auto [found, is_new] = typed_.try_emplace(type);
+    if (!is_new) return found->second;
+    for (const auto& [id, value] : *root_->find("components")->object()) {
+      const Value* own = value.find("type");
+      if (own == nullptr || own->text() == nullptr || *own->text() != type) continue;
+      found->second.ids.add(id);
+      found->second.values.push_back(&value);
+    }
+    return found->second;
+  }
+
   /// The value behind names that dots part; null where there is none.
   static const Value* find_member(const Value& value, std::string_view names) {
     const Value* found = &value;
@@ -341,7 +375,10 @@ class DocumentReader {
     return found;
   }
 
-  Value root_;
+  const Value* root_;
+  std::optional<Value> own_;  // a copy of the root with what the keys of the animation say
+  NameTable columns_;         // that components give to their children
+  std::map<std::string, Typed> typed_;
   const Registry& registry_;
   const ReadOptions& options_;
   const FileAccess access_;
@@ -355,9 +392,9 @@ class DocumentReader {
 
 }  // namespace
 
-void Source::place(std::vector<Diagnostic>& diagnostics) const {
+void Source::place(std::vector<Diagnostic>& diagnostics, const Progress* progress) const {
   tell_variables(tree, variable_notes, diagnostics);
-  locate_diagnostics(text, diagnostics);
+  locate_diagnostics(text, diagnostics, progress);
   for (Diagnostic& diagnostic : diagnostics) {
     diagnostic.file = file;
     for (std::size_t k = 0; k < overridden.size(); ++k) {
@@ -377,6 +414,7 @@ std::function<Document(double)> reading_again(const Document& document, const Re
                                               const ReadOptions& options) {
   ReadOptions again = options;
   again.expression_paths = nullptr;
+  again.progress = nullptr;
   auto store = std::make_shared<ReadStore>();
   return [text = document.source.text, file = document.source.file, &registry, again, store](double time) mutable {
     again.time = time;
@@ -400,7 +438,9 @@ Document read_document(std::string text, const std::string& file, const Registry
   if (is_outermost) reading.chain = &outermost;
   try {
     Value& root = document.source.tree;
-    root = parse_json(document.source.text);
+    Limits of_text;
+    of_text.document_bytes = options.document_bytes;
+    root = parse_json(document.source.text, of_text, options.progress);
     if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);
     for (bool again = diagnostics.empty(); again;) {
       DocumentReader reader(root, registry, reading, file);
@@ -413,7 +453,7 @@ Document read_document(std::string text, const std::string& file, const Registry
   } catch (const InputError& error) {
     diagnostics = error.diagnostics();
   }
-  document.source.place(diagnostics);
+  document.source.place(diagnostics, options.progress);
   if (DocumentReader::has_errors(diagnostics)) throw InputError(std::move(diagnostics));
   document.warnings = std::move(diagnostics);
   if (options.store != nullptr && is_outermost) options.store->end_read();

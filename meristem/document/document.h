@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
 #include "meristem/graph/graph.h"
 #include "meristem/graph/table/read_store.h"
 #include "meristem/graph/table/value.h"
@@ -68,7 +71,8 @@ struct Source {
 
   /// Gives diagnostics with a path their file, line and column: in the text, or the override that brought the value.
   /// Errors tell of the variables behind the value that were set or lie beyond their ranges.
-  void place(std::vector<Diagnostic>& diagnostics) const;
+  /// Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+  void place(std::vector<Diagnostic>& diagnostics, const Progress* progress = nullptr) const;
 };
 
 /// A document that was read without faults: what grows, in which scene, and the defaults for output.
@@ -120,16 +124,20 @@ struct ReadOptions {
   std::optional<Limits> within{};
   /// Takes the document paths of all expressions, as far as they were read; may be null.
   std::vector<std::string>* expression_paths = nullptr;
+  /// Reading stops within 50 ms after this was asked to stop; null: it cannot be stopped.
+  const Progress* progress = nullptr;
+  /// Largest size of the text in bytes. A larger value lets larger documents be read, in the same time per byte.
+  std::uint64_t document_bytes = Limits{}.document_bytes;
 };
 
 /// Reads a document's text. `file` is the name of the document in messages; paths in the document start from the
 /// folder of `file`. Throws one InputError with all faults (up to the limit), each with line, column and document
-/// path.
+/// path. Throws Cancelled if it was asked to stop. Takes time by the size of the text.
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const ReadOptions& options = {});
 
 /// Reads a whole file, or standard input for "-". Throws MachineError if it cannot be read, InputError if it is larger
-/// than a document may be.
-std::string read_text_file(const std::string& path);
+/// than `document_bytes`.
+std::string read_text_file(const std::string& path, std::uint64_t document_bytes = Limits{}.document_bytes);
 
 }  // namespace meristem

@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/hash.h"
+#include "meristem/base/name_table.h"
 #include "meristem/document/mentions.h"
 #include "meristem/document/tables.h"
 #include "meristem/document/variables.h"
+#include "meristem/graph/dominators.h"
 #include "meristem/graph/table/fingerprint.h"
 
 namespace meristem {
@@ -45,9 +49,11 @@ class InstanceVariableReader {
     }
     if (drafts_.empty()) return;
     first_slot_ = graph_.site_names.size();
+    for (const Prototype& prototype : graph_.components) ids_.add(prototype.id);
+    const NameTable columns(graph_.site_names);
     std::vector<std::string> names;
     for (const Draft& draft : drafts_) {
-      if (std::ranges::find(graph_.site_names, draft.name) != graph_.site_names.end()) {
+      if (columns.contains(draft.name)) {
         reader_.fault_name(DocumentPath(path_, draft.name),
                            fmt::format("'{}' is already a column of places", draft.name), "another name", "");
       }
@@ -91,31 +97,44 @@ class InstanceVariableReader {
   }
 
   void find_owner(Draft& draft, const std::string& id, const DocumentPath& path) {
-    std::vector<std::string> ids;
-    for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
-      ids.push_back(graph_.components[c].id);
-      if (ids.back() == id) draft.owner = c;
+    if (const auto owner = ids_.find(id)) {
+      draft.owner = static_cast<ComponentIndex>(*owner);
+      return;
     }
-    if (draft.owner != kNoIndex) return;
-    const std::string nearest = reader_.nearest(id, ids);
+    const std::string nearest = reader_.nearest(id, ids_.names());
     reader_.fault(path, fmt::format("there is no component '{}'", id), nearest.empty() ? "the id of a component" : "",
                   nearest);
   }
 
-  /// Each after those that it uses. Those that are left when none can go next need each other.
+  /// Adds each variable after those that it uses: in rounds, of which each adds, in the document's order, all variables
+  /// whose used ones are there. Variables that are left over need each other.
   void add_in_order() {
-    std::vector<bool> is_added(drafts_.size());
-    for (std::size_t added = 0; added < drafts_.size();) {
-      const std::size_t before = added;
-      for (std::size_t k = 0; k < drafts_.size(); ++k) {
-        const auto is_ready = [&](std::size_t used) { return is_added[used]; };
-        if (is_added[k] || !std::ranges::all_of(drafts_[k].uses, is_ready)) continue;
-        is_added[k] = true;
-        ++added;
-        add(k);
-      }
-      if (added == before) return tell_circle(is_added);
+    const std::size_t count = drafts_.size();
+    std::vector<std::vector<std::size_t>> users(count);
+    std::vector<std::size_t> missing(count);  // of those that a variable uses
+    for (std::size_t k = 0; k < count; ++k) {
+      missing[k] = drafts_[k].uses.size();
+      for (const std::size_t used : drafts_[k].uses) users[used].push_back(k);
     }
+    std::vector<std::size_t> round(count);
+    std::vector<std::size_t> ready;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (missing[k] == 0) ready.push_back(k);
+    }
+    for (std::size_t next = 0; next < ready.size(); ++next) {
+      const std::size_t used = ready[next];
+      for (const std::size_t k : users[used]) {
+        round[k] = std::max(round[k], round[used] + (used > k ? 1 : 0));
+        if (--missing[k] == 0) ready.push_back(k);
+      }
+    }
+    std::ranges::sort(ready, {}, [&](std::size_t k) { return std::pair(round[k], k); });
+    std::vector<bool> is_added(count);
+    for (const std::size_t k : ready) {
+      is_added[k] = true;
+      add(k);
+    }
+    if (ready.size() < count) tell_circle(is_added);
   }
 
   void add(std::size_t k) {
@@ -125,14 +144,16 @@ class InstanceVariableReader {
     variable.owner = draft.owner;
     variable.value = draft.value;
     variable.slot = static_cast<std::uint32_t>(first_slot_ + k);
-    variable.fingerprint = fingerprint_of(*draft.said, reader_.constants(), {}, 0).value_or(0);
+    variable.fingerprint = fingerprint_of(*draft.said, reader_.constant_table(), {}, 0).value_or(0);
   }
 
   void tell_circle(const std::vector<bool>& is_added) {
     // Follow uses from one that is left until one comes again.
     std::size_t at = static_cast<std::size_t>(std::ranges::find(is_added, false) - is_added.begin());
     std::vector<std::size_t> way;
-    while (std::ranges::find(way, at) == way.end()) {
+    std::vector<bool> is_met(drafts_.size());
+    while (!is_met[at]) {
+      is_met[at] = true;
       way.push_back(at);
       at = *std::ranges::find_if(drafts_[at].uses, [&](std::size_t used) { return !is_added[used]; });
     }
@@ -149,20 +170,15 @@ class InstanceVariableReader {
   ParameterReader& reader_;
   const DocumentPath top_;
   const DocumentPath path_{top_, "variables"};
+  NameTable ids_;  // of components
   std::vector<Draft> drafts_;
   std::size_t first_slot_ = 0;
 };
 
-/// Whether a text of the value other than those of a name, a file or a choice mentions the name. Where it does so in
-/// vain, such as in the name of a column to choose by, the component still knows what it says.
-bool mentions_in_expression(const Value& said, std::string_view name) {
-  const Value::Object* members = said.object();
-  if (members == nullptr) return false;
+/// Whether a member of a component is a name, a file or a choice and no expression.
+bool is_plain_text(std::string_view member) {
   constexpr std::array kTexts{"type", "file", "table", "choose", "names", "grammar", "of"};
-  return std::ranges::any_of(*members, [&](const Value::Member& member) {
-    const bool is_text = std::ranges::find(kTexts, member.first) != kTexts.end();
-    return !is_text && mentions(member.second, name);
-  });
+  return std::ranges::find(kTexts, member) != kTexts.end();
 }
 
 /// Which components stand somewhere without any of the givers above them.
@@ -184,6 +200,143 @@ std::vector<bool> reached_without(const Graph& graph, const std::vector<bool>& g
   return reached;
 }
 
+/// Looks at every name that a component or a variable mentions, once.
+class GivenNamesCheck {
+ public:
+  GivenNamesCheck(const Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress)
+      : graph_(graph),
+        diagnostics_(diagnostics),
+        progress_(progress),
+        names_(graph.site_names),
+        givers_(graph.site_names.size()),
+        owners_(graph.site_names.size(), kNoIndex) {
+    for (ComponentIndex c = 0; c < graph.components.size(); ++c) {
+      for (const std::uint32_t slot : graph.components[c].given_slots) {
+        if (givers_[slot].empty() || givers_[slot].back() != c) givers_[slot].push_back(c);
+      }
+    }
+    // The owner of a variable sees it itself; who gives columns gives them to children only.
+    for (const InstanceVariable& variable : graph.instance_variables) {
+      std::vector<ComponentIndex>& givers = givers_[variable.slot];
+      const auto place = std::ranges::lower_bound(givers, variable.owner);
+      if (place == givers.end() || *place != variable.owner) givers.insert(place, variable.owner);
+      owners_[variable.slot] = variable.owner;
+    }
+  }
+
+  void run(const Value& root) {
+    find_mentions(root);
+    std::ranges::sort(mentions_);
+    for (const Mention& mention : mentions_) {
+      if (progress_ != nullptr) progress_->check();
+      if (owners_[mention.slot] != mention.component && is_reached(mention)) tell(mention);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kByComponent = 0;
+
+  /// A component that mentions a name, or its variable with the number `variable` - 1.
+  struct Mention {
+    std::uint32_t slot = 0;
+    std::size_t variable = kByComponent;
+    ComponentIndex component = 0;
+    auto operator<=>(const Mention&) const = default;
+  };
+
+  void find_mentions(const Value& root) {
+    std::vector<ComponentIndex> last(names_.size(), kNoIndex);  // component that mentioned a name last
+    const Value* components = root.find("components");
+    const std::size_t count =
+        components == nullptr || components->object() == nullptr ? 0 : components->object()->size();
+    // The graph's components are those of the document in their order, and then those that the reader adds.
+    for (std::size_t k = 0; k < count; ++k) {
+      if (progress_ != nullptr) progress_->check();
+      const auto component = static_cast<ComponentIndex>(k);
+      const Value::Object* members = (*components->object())[k].second.object();
+      if (members == nullptr) continue;
+      for (const auto& [name, member] : *members) {
+        if (is_plain_text(name)) continue;
+        for_each_mention(member, [&](std::string_view mentioned) {
+          const auto slot = names_.find(mentioned);
+          if (!slot || last[*slot] == component) return;
+          last[*slot] = component;
+          mentions_.push_back({static_cast<std::uint32_t>(*slot), kByComponent, component});
+        });
+      }
+    }
+    for (std::size_t v = 0; v < graph_.instance_variables.size(); ++v) {
+      const InstanceVariable& variable = graph_.instance_variables[v];
+      if (!variable.value.expression) continue;
+      std::vector<std::uint32_t> slots;
+      for_each_name(variable.value.expression->text(), [&](std::string_view mentioned) {
+        const auto slot = names_.find(mentioned);
+        if (slot && variable.value.expression->uses(site_variables().size() + *slot)) {
+          slots.push_back(static_cast<std::uint32_t>(*slot));
+        }
+      });
+      std::ranges::sort(slots);
+      slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+      for (const std::uint32_t slot : slots) mentions_.push_back({slot, v + 1, variable.owner});
+    }
+  }
+
+  /// Whether the component stands somewhere without any of the givers of the name above it.
+  bool is_reached(const Mention& mention) {
+    const std::vector<ComponentIndex>& givers = givers_[mention.slot];
+    if (!dominators_) {
+      std::vector<std::vector<ComponentIndex>> children(graph_.components.size());
+      for (const Link& link : graph_.links) children[link.from].push_back(link.to);
+      dominators_.emplace(children, graph_.structure.root, progress_);
+    }
+    const auto is_above = [&](ComponentIndex giver) {
+      return dominators_->is_strictly_dominated(mention.component, giver);
+    };
+    if (givers.size() == 1) return !is_above(givers[0]);
+    // A name that several components give needs a walk, once for all names that these give.
+    if (!walked_ || *walked_ != givers) {
+      std::vector<bool> gives(graph_.components.size());
+      for (const ComponentIndex giver : givers) gives[giver] = true;
+      reached_ = reached_without(graph_, gives);
+      walked_ = givers;
+    }
+    return reached_[mention.component];
+  }
+
+  void tell(const Mention& mention) {
+    // Only the number of faults beyond the limit is shown.
+    if (++told_ > graph_.limits.diagnostics) {
+      diagnostics_.emplace_back();
+      return;
+    }
+    std::string who;
+    for (const ComponentIndex giver : givers_[mention.slot]) {
+      who += fmt::format("{}'{}'", who.empty() ? "" : " or ", graph_.components[giver].id);
+    }
+    const bool is_variable = mention.variable != kByComponent;
+    const InstanceVariable* variable = is_variable ? &graph_.instance_variables[mention.variable - 1] : nullptr;
+    const std::string& user = is_variable ? variable->name : graph_.components[mention.component].id;
+    diagnostics_.push_back({.message = fmt::format("'{}' uses '{}', which only components that stand on {} have", user,
+                                                   graph_.site_names[mention.slot], who),
+                            .expected = is_variable
+                                            ? fmt::format("a component of that kind as the \"per\" of '{}'", user)
+                                            : fmt::format("links that lead to '{}' through {} alone", user, who),
+                            .path = is_variable ? variable->value.path : "components." + user});
+  }
+
+  const Graph& graph_;
+  std::vector<Diagnostic>& diagnostics_;
+  const Progress* progress_;
+  const NameTable names_;                            // of sites
+  std::vector<std::vector<ComponentIndex>> givers_;  // by name, rising
+  std::vector<ComponentIndex> owners_;               // by name, of a variable
+  std::vector<Mention> mentions_;
+  std::optional<Dominators> dominators_;
+  std::optional<std::vector<ComponentIndex>> walked_;  // givers of the last walk
+  std::vector<bool> reached_;                          // by it
+  std::size_t told_ = 0;
+};
+
 }  // namespace
 
 bool is_per_instance(const Value& variable) { return variable.object() != nullptr && variable.find("per") != nullptr; }
@@ -193,43 +346,9 @@ void read_instance_variables(const Value* given, Graph& graph, ParameterReader& 
   InstanceVariableReader(*given->object(), graph, reader).run();
 }
 
-void check_given_names(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  for (std::size_t slot = 0; slot < graph.site_names.size(); ++slot) {
-    const std::string& name = graph.site_names[slot];
-    // The owner of a variable sees it itself; who gives columns gives them to children only.
-    std::vector<bool> gives(graph.components.size());
-    std::vector<bool> sees(graph.components.size());
-    std::string who;
-    for (ComponentIndex c = 0; c < graph.components.size(); ++c) {
-      const std::vector<std::uint32_t>& slots = graph.components[c].given_slots;
-      gives[c] = std::ranges::find(slots, slot) != slots.end();
-    }
-    for (const InstanceVariable& variable : graph.instance_variables) {
-      if (variable.slot == slot) gives[variable.owner] = sees[variable.owner] = true;
-    }
-    for (ComponentIndex c = 0; c < graph.components.size(); ++c) {
-      if (gives[c]) who += fmt::format("{}'{}'", who.empty() ? "" : " or ", graph.components[c].id);
-    }
-    const std::vector<bool> reached = reached_without(graph, gives);
-    const Value* components = root.find("components");
-    for (ComponentIndex c = 0; c < graph.components.size(); ++c) {
-      const Prototype& prototype = graph.components[c];
-      const Value* said = components == nullptr ? nullptr : components->find(prototype.id);
-      if (said == nullptr || !reached[c] || sees[c] || !mentions_in_expression(*said, name)) continue;
-      diagnostics.push_back({.message = fmt::format("'{}' uses '{}', which only components that stand on {} have",
-                                                    prototype.id, name, who),
-                             .expected = fmt::format("links that lead to '{}' through {} alone", prototype.id, who),
-                             .path = "components." + prototype.id});
-    }
-    for (const InstanceVariable& variable : graph.instance_variables) {
-      if (!variable.value.expression || !variable.value.expression->uses(site_variables().size() + slot)) continue;
-      if (!reached[variable.owner] || sees[variable.owner]) continue;
-      diagnostics.push_back({.message = fmt::format("'{}' uses '{}', which only components that stand on {} have",
-                                                    variable.name, name, who),
-                             .expected = fmt::format("a component of that kind as the \"per\" of '{}'", variable.name),
-                             .path = variable.value.path});
-    }
-  }
+void check_given_names(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics,
+                       const Progress* progress) {
+  if (!graph.site_names.empty()) GivenNamesCheck(graph, diagnostics, progress).run(root);
 }
 
 }  // namespace meristem

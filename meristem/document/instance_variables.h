@@ -21,7 +21,9 @@ bool is_per_instance(const Value& variable);
 void read_instance_variables(const Value* given, Graph& graph, ParameterReader& reader);
 
 /// Adds a fault for each component that uses a name which it is not given wherever it stands: what hangs on nothing
-/// that gives it. The graph's structure is sound.
-void check_given_names(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics);
+/// that gives it. The graph's structure is sound. Faults beyond the graph's limit have no text, since only their number
+/// is shown. Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+void check_given_names(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics,
+                       const Progress* progress = nullptr);
 
 }  // namespace meristem

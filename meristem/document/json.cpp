@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ namespace meristem {
 
 namespace {
 
+constexpr std::size_t kValuesBetweenChecks = 4096;
 constexpr std::size_t kLongestKey = 1000;  // bytes; keys stand in messages, names of parameters are short
 
 /// The parser's words for what it did not like, in ours: "syntax error while parsing object - unexpected string
@@ -44,7 +46,8 @@ Diagnostic syntax_fault(std::string_view what) {
 /// Builds the tree from the parser's events, without recursion, and stops at the first fault.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TreeBuilder(std::string_view text, const Limits& limits) : text_(text), limits_(limits) {}
+  TreeBuilder(std::string_view text, const Limits& limits, const Progress* progress)
+      : text_(text), limits_(limits), progress_(progress) {}
 
   bool null() override { return add(Value()); }
   bool boolean(bool value) override { return add(Value(value)); }
@@ -101,6 +104,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool add(Value value) {
+    if (progress_ != nullptr && ++added_ % kValuesBetweenChecks == 0) progress_->check();
     if (open_.empty()) {
       root_ = std::move(value);
     } else if (Value::List* list = open_.back().list()) {
@@ -128,7 +132,21 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return add(std::move(done));
   }
 
+  /// Of all names that are given twice, the first in alphabetical order; null if there is none.
   static const std::string* repeated_key(const Value::Object& object) {
+    constexpr std::size_t kFew = 16;
+    bool is_repeated = false;
+    if (object.size() <= kFew) {
+      for (std::size_t k = 1; k < object.size() && !is_repeated; ++k) {
+        const auto is_equal = [&](const Value::Member& member) { return member.first == object[k].first; };
+        is_repeated = std::any_of(object.begin(), object.begin() + static_cast<std::ptrdiff_t>(k), is_equal);
+      }
+    } else {
+      std::unordered_set<std::string_view> seen(2 * object.size());
+      is_repeated = std::any_of(object.begin(), object.end(),
+                                [&](const Value::Member& member) { return !seen.insert(member.first).second; });
+    }
+    if (!is_repeated) return nullptr;
     std::vector<const std::string*> names;
     names.reserve(object.size());
     for (const Value::Member& member : object) names.push_back(&member.first);
@@ -155,6 +173,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   const Limits& limits_;
+  const Progress* progress_;
+  std::size_t added_ = 0;
   Value root_;
   std::vector<Value> open_;
   std::vector<std::string> keys_;
@@ -163,7 +183,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 }  // namespace
 
-Value parse_json(std::string_view text, const Limits& limits) {
+Value parse_json(std::string_view text, const Limits& limits, const Progress* progress) {
   if (text.size() > limits.document_bytes) {
     throw InputError(Diagnostic{.message = fmt::format("the text has {} bytes", text.size()),
                                 .expected = fmt::format("at most {}", limits.document_bytes)});
@@ -174,7 +194,7 @@ Value parse_json(std::string_view text, const Limits& limits) {
     throw InputError(Diagnostic{
         .message = "a byte 0x00", .expected = "text in UTF-8 without it", .line = at.line, .column = at.column});
   }
-  TreeBuilder builder(text, limits);
+  TreeBuilder builder(text, limits, progress);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder, nlohmann::json::input_format_t::json,
                             /*strict=*/true, /*ignore_comments=*/true);
   if (builder.fault()) throw InputError(*builder.fault());

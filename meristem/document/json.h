@@ -5,15 +5,16 @@
 #include <string_view>
 
 #include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
 
 /// Reads JSON text, comments allowed. Throws an InputError with line and column (no file) for the first fault of form:
 /// bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000 bytes long, nesting or size
-/// past the limits. Of `limits` only `document_bytes` and `nesting` count. A document cannot change these two, so the
-/// defaults are right for every document.
-Value parse_json(std::string_view text, const Limits& limits = {});
+/// past the limits. Of `limits` only `document_bytes` and `nesting` count; a document cannot change these two. Throws
+/// Cancelled soon after `progress` was asked to stop; null: parsing cannot be stopped.
+Value parse_json(std::string_view text, const Limits& limits = {}, const Progress* progress = nullptr);
 
 /// Writes JSON in the canonical form: a member per line, two spaces, members in their order; lists that hold no objects
 /// on one line; whole numbers without a point, others with the fewest digits that read back as the same number. Numbers

@@ -19,6 +19,8 @@ namespace meristem {
 
 namespace {
 
+constexpr std::size_t kTokensBetweenChecks = 4096;
+
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 /// Four hexadecimal digits at `at`; 0 where there are none.
@@ -77,7 +79,8 @@ struct Found {
 
 class Scanner {
  public:
-  Scanner(std::string_view text, std::unordered_map<std::string, Found>& wanted) : text_(text), wanted_(wanted) {
+  Scanner(std::string_view text, std::unordered_map<std::string, Found>& wanted, const Progress* progress)
+      : text_(text), wanted_(wanted), progress_(progress) {
     for (const auto& [path, found] : wanted) longest_ = std::max(longest_, path.size());
   }
 
@@ -85,7 +88,8 @@ class Scanner {
     if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
     skip_blanks();
     begin_value(at_);
-    while (at_ < text_.size() && !open_.empty()) {
+    for (std::size_t token = 0; at_ < text_.size() && !open_.empty(); ++token) {
+      if (progress_ != nullptr && token % kTokensBetweenChecks == 0) progress_->check();
       skip_blanks();
       if (at_ >= text_.size()) return;
       step();
@@ -180,6 +184,7 @@ class Scanner {
 
   std::string_view text_;
   std::unordered_map<std::string, Found>& wanted_;
+  const Progress* progress_;
   std::size_t longest_ = 0;
   std::size_t at_ = 0;
   std::string path_;
@@ -259,14 +264,14 @@ std::vector<std::size_t> places_of_bytes(std::string_view text, std::size_t begi
 
 TextPosition text_position(std::string_view text, std::size_t offset) { return PositionCounter(text).at(offset); }
 
-void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics) {
+void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics, const Progress* progress) {
   // Every path is wanted, and its ancestors in case it is not in the text.
   std::unordered_map<std::string, Found> wanted;
   for (const Diagnostic& diagnostic : diagnostics) {
     std::string path = diagnostic.path;
     while (wanted.try_emplace(path).second && !path.empty()) path = parent_path(path);
   }
-  Scanner(text, wanted).run();
+  Scanner(text, wanted, progress).run();
 
   // Lines are counted from the first fault to the last.
   std::vector<std::pair<std::size_t, Diagnostic*>> found;
@@ -277,6 +282,7 @@ void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   PositionCounter counter(text);
   for (const auto& [offset, diagnostic] : found) {
+    if (progress != nullptr) progress->check();
     const TextPosition position = counter.at(offset);
     diagnostic->line = position.line;
     diagnostic->column = position.column;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/progress.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
@@ -33,7 +34,7 @@ Value parse_json_of(const std::string& text, const std::string& file);
 /// Fills line and column of the diagnostics that have a path, from the JSON `text` in which they arose: those of the
 /// value at the path, of the member's name (kAtName), or of a byte within the text there. Paths not in the text take
 /// the path of the longest part of them that is. Two passes over the text however many diagnostics; text that is not
-/// JSON leaves the rest unplaced.
-void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics);
+/// JSON leaves the rest unplaced. Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics, const Progress* progress = nullptr);
 
 }  // namespace meristem

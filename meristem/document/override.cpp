@@ -108,8 +108,12 @@ std::string full_path(const Value& root, const std::string& path) {
 Value* find_or_add(Value& root, const std::string& path, const std::string& place,
                    std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::string> elements = path_elements(path);
-  if (!is_known(root, elements, place, diagnostics)) return nullptr;
-  Value* at = &root;
+  return is_known(root, elements, place, diagnostics) ? find_or_add_below(root, elements, place, diagnostics) : nullptr;
+}
+
+Value* find_or_add_below(Value& value, std::span<const std::string> elements, const std::string& place,
+                         std::vector<Diagnostic>& diagnostics) {
+  Value* at = &value;
   for (std::size_t k = 0; k < elements.size() && at != nullptr; ++k) {
     at = elements[k][0] == '[' ? find_element(*at, elements[k], place, diagnostics)
                                : find_or_add_member(*at, elements[k], place, diagnostics);
@@ -189,6 +193,7 @@ std::string part_of(const std::string& path) {
 
 bool give_way(Value& root, const std::vector<ParameterReader::Meaningless>& meaningless,
               const std::vector<std::string>& overridden) {
+  if (overridden.empty()) return false;
   const auto contains = [](const std::string& outer, const std::string& inner) {
     return inner.starts_with(outer) && (inner.size() == outer.size() || std::strchr(".[", inner[outer.size()]));
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ std::string full_path(const Value& root, const std::string& path);
 /// The value at a full path, made where it is a member that may be added; null with a fault at `place` otherwise.
 Value* find_or_add(Value& root, const std::string& path, const std::string& place,
                    std::vector<Diagnostic>& diagnostics);
+
+/// The same for the rest of a path, below a value that it leads to: `elements` are those from there on.
+Value* find_or_add_below(Value& value, std::span<const std::string> elements, const std::string& place,
+                         std::vector<Diagnostic>& diagnostics);
 
 /// Puts the values into the tree and their paths into `source`; adds a fault for each path that leads nowhere. A path
 /// without a dot or bracket is a variable; one that begins with a top-level key is taken as it stands; others begin

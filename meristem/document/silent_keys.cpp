@@ -2,8 +2,11 @@
 #include "meristem/document/silent_keys.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
+
+#include "meristem/base/name_table.h"
 
 namespace meristem {
 
@@ -19,11 +22,13 @@ void report(std::vector<Diagnostic>& diagnostics, std::string path, std::string 
 }
 
 void check_recursions(const Value& components, const Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  for (ComponentIndex component = 0; component < graph.components.size(); ++component) {
-    const std::string& id = graph.components[component].id;
-    const Value* given = components.find(id);
-    if (given == nullptr || given->find("recursion") == nullptr) continue;
-    const auto is_its = [&](const Structure::Recursion& recursion) { return recursion.head == component; };
+  // The graph's components are those of the document in their order, and then those that the reader adds.
+  if (components.object() == nullptr) return;
+  for (std::size_t k = 0; k < components.object()->size(); ++k) {
+    const auto component = static_cast<ComponentIndex>(k);
+    const auto& [id, given] = (*components.object())[k];
+    if (given.find("recursion") == nullptr) continue;
+    const auto is_its = [component](const Structure::Recursion& recursion) { return recursion.head == component; };
     if (std::ranges::any_of(graph.structure.recursions, is_its)) continue;
     report(diagnostics, fmt::format("components.{}.recursion", id),
            fmt::format("'recursion' has no meaning here: no link leads back to '{}'", id),
@@ -33,11 +38,12 @@ void check_recursions(const Value& components, const Graph& graph, std::vector<D
 
 /// Where children head along the stem unless the link gives an angle, nothing else turns them away from it.
 void check_angles(const Value& links, std::vector<Diagnostic>& diagnostics, const Graph& graph) {
+  NameTable ids;
+  for (const Prototype& prototype : graph.components) ids.add(prototype.id);
   const auto leads_away = [&](const Value& link) {
     const Value* to = link.find("to");
-    const auto is_it = [&](const Prototype& prototype) { return to != nullptr && *to == Value(prototype.id); };
-    const auto found = std::ranges::find_if(graph.components, is_it);
-    return found != graph.components.end() && found->type->stance == BranchStance::along_axis;
+    const auto found = to == nullptr || to->text() == nullptr ? std::nullopt : ids.find(*to->text());
+    return found && graph.components[*found].type->stance == BranchStance::along_axis;
   };
   for (std::size_t k = 0; k < links.list()->size(); ++k) {
     const Value& link = (*links.list())[k];

@@ -265,13 +265,16 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
                       .store = options_.store,
                       .models = options_.models,
                       .chain = &here,
-                      .within = limits_};
-  std::string text = read_text_file(file);
+                      .within = limits_,
+                      .progress = options_.progress,
+                      .document_bytes = options_.document_bytes};
+  std::string text = read_text_file(file, options_.document_bytes);
   const Document document = read_document(text, file, registry_, options);
   Opened opened;
   opened.files.push_back(file);
   opened.files.insert(opened.files.end(), document.source.named_files.begin(), document.source.named_files.end());
   options.chain = &here;
+  options.progress = nullptr;  // it need not live as long as the source
   opened.source = std::make_shared<const DocumentSource>(file, std::move(text), registry_, options, document);
   return opened;
 }

@@ -10,8 +10,7 @@
 
 namespace meristem {
 
-std::string read_text_file(const std::string& path) {
-  const Limits limits;
+std::string read_text_file(const std::string& path, std::uint64_t document_bytes) {
   const bool is_input = path == "-";
   const std::string shown = is_input ? "<standard input>" : path;
   const auto fail = [&] {
@@ -32,8 +31,8 @@ std::string read_text_file(const std::string& path) {
     const std::size_t got = std::fread(text.data() + before, 1, kPiece, file);
     text.resize(before + got);
     if (std::ferror(file) != 0) fail();
-    if (text.size() > limits.document_bytes) {
-      Diagnostic diagnostic{.message = fmt::format("the document is larger than {} bytes", limits.document_bytes),
+    if (text.size() > document_bytes) {
+      Diagnostic diagnostic{.message = fmt::format("the document is larger than {} bytes", document_bytes),
                             .expected = "a smaller document",
                             .file = shown};
       throw InputError(std::move(diagnostic));

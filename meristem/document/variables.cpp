@@ -14,8 +14,10 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/expression/expression_scope.h"
 #include "meristem/base/read_file.h"
 #include "meristem/document/instance_variables.h"
+#include "meristem/document/member_index.h"
 #include "meristem/document/mentions.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/table/node_condition.h"
@@ -24,7 +26,7 @@ namespace meristem {
 
 namespace {
 
-/// More are no handles, and the time to compile an expression grows with them.
+/// More are no handles, and each instance holds a number for each variable that is drawn per instance.
 constexpr std::size_t kMostVariables = 1000;
 /// Grammars are shorter; what is longer, such as a mesh, is not searched for names.
 constexpr std::uint64_t kLongestGrammar = 1'000'000;
@@ -55,7 +57,7 @@ class Solver {
     for (const auto& [name, variable] : given) {
       if (!is_free_name(name) || nodes_.size() == kMostVariables || is_per_instance(variable)) continue;
       Node& node = nodes_.emplace_back();
-      names_.variables.push_back(name);
+      names_.add(name);
       const Value* value = value_of(variable);
       if (value != nullptr && value->number() != nullptr) node.value = *value->number();
       node.text = text_of(variable);
@@ -69,7 +71,7 @@ class Solver {
       if (nodes_[k].state == State::ahead) walk_from(k);
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      solved_.constants.push_back({names_.variables[k], values_[k]});
+      solved_.constants.push_back({names_.names()[k], values_[k]});
       solved_.uses.push_back(std::move(nodes_[k].uses));
     }
     return std::move(solved_);
@@ -92,7 +94,9 @@ class Solver {
   void compile(Node& node, const Limits& limits) const {
     if (node.text.empty()) return;
     try {
-      node.expression = Expression::compile(node.text, names_, limits.expression_bytes);
+      const ExpressionScope scope{
+          .variables = names_.names(), .constants = {}, .variable_table = &names_, .has_nearest = false};
+      node.expression = Expression::compile_in(node.text, scope, limits.expression_bytes);
     } catch (const ExpressionError&) {
       return;
     }
@@ -143,7 +147,7 @@ class Solver {
     solved_.circles.push_back(std::move(members));
   }
 
-  ExpressionNames names_;  // each variable is one of an expression's variables
+  NameTable names_;  // each variable is one of an expression's variables
   std::vector<Node> nodes_;
   std::vector<double> values_;
   VariableValues solved_;
@@ -178,6 +182,19 @@ DocumentPath value_place(const DocumentPath& variable, const Value& said) {
   return said.object() == nullptr ? variable : DocumentPath(variable, "value");
 }
 
+/// The value at a path, as find_value() finds it. `components` are the root's.
+const Value* find_value(const Value& root, const MemberIndex& components, std::string_view path) {
+  constexpr std::string_view kComponents = "components.";
+  if (!path.starts_with(kComponents)) return find_value(root, path);
+  const std::string_view below = path.substr(kComponents.size());
+  const std::size_t end = std::min(below.find_first_of(".["), below.size());
+  const Value* component = components.find(below.substr(0, end));
+  if (component == nullptr) return find_value(root, "components");
+  const std::string_view rest = below.substr(end);
+  const Value* found = find_value(*component, rest.starts_with('.') ? rest.substr(1) : rest);
+  return found == nullptr ? component : found;
+}
+
 /// The text of a file that is no longer than grammars are.
 std::string text_of_grammar(const std::string& file) {
   std::error_code error;
@@ -197,6 +214,10 @@ VariableValues solve_variables(const Value* given, const Limits& limits) {
   return given == nullptr || given->object() == nullptr ? VariableValues{} : Solver(*given->object(), limits).run();
 }
 
+bool are_too_many_variables(const Value* given) {
+  return given != nullptr && given->object() != nullptr && given->object()->size() > kMostVariables;
+}
+
 std::vector<Variable> read_variables(const Value* given, const VariableValues& solved, ParameterReader& reader) {
   std::vector<Variable> variables;
   if (given == nullptr) return variables;
@@ -206,7 +227,7 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
     reader.fault(path, fmt::format("the variables are {}", given->description()), "an object of names");
     return variables;
   }
-  if (given->object()->size() > kMostVariables) {
+  if (are_too_many_variables(given)) {
     reader.fault(path, fmt::format("the document has {} variables", given->object()->size()),
                  fmt::format("at most {}", kMostVariables));
     return variables;
@@ -288,11 +309,17 @@ void tell_variables(const Value& root, const std::vector<VariableNote>& notes, s
   if (notes.empty()) return;
   std::unordered_map<std::string_view, std::size_t> note_of;
   for (std::size_t k = 0; k < notes.size(); ++k) note_of.emplace(notes[k].variable, k);
+  const MemberIndex components(root.find("components"));
+  std::unordered_map<const Value*, std::string> told_of;  // what is added to messages about a value
   for (Diagnostic& diagnostic : diagnostics) {
     // A fault in the text of an expression or in a name has nothing to do with a variable's value.
     if (diagnostic.severity != Severity::error || diagnostic.path.empty() || diagnostic.text_offset != -1) continue;
-    const Value* said = find_value(root, diagnostic.path);
+    const Value* said = find_value(root, components, diagnostic.path);
     if (said == nullptr) continue;
+    if (const auto known = told_of.find(said); known != told_of.end()) {
+      diagnostic.message += known->second;
+      continue;
+    }
     // From the variables that are mentioned to those that they are made of.
     std::vector<bool> is_met(notes.size());
     std::vector<std::size_t> ahead;
@@ -312,7 +339,9 @@ void tell_variables(const Value& root, const std::vector<VariableNote>& notes, s
     for (std::size_t k = 0; k < notes.size(); ++k) {
       if (is_met[k] && !notes[k].text.empty()) told.push_back(notes[k].text);
     }
-    if (!told.empty()) diagnostic.message += fmt::format(" ({})", fmt::join(told, "; "));
+    const std::string addition = told.empty() ? std::string() : fmt::format(" ({})", fmt::join(told, "; "));
+    diagnostic.message += addition;
+    told_of.emplace(said, addition);
   }
 }
 

@@ -37,6 +37,9 @@ void warn_of_variables(const Value& root, const std::vector<Variable>& variables
 std::vector<VariableNote> note_variables(const std::vector<Variable>& variables, const VariableValues& solved,
                                          const std::vector<std::string>& overridden);
 
+/// Returns true if an object has more variables than a document may have.
+bool are_too_many_variables(const Value* given);
+
 /// Adds to each error's message the notes on variables that the value at its path mentions, or that stand behind
 /// those.
 void tell_variables(const Value& root, const std::vector<VariableNote>& notes, std::vector<Diagnostic>& diagnostics);

@@ -112,13 +112,16 @@ Document open_document(const DocumentOptions& options, double time) {
   const bool from_input = options.path == "-";
   const DocumentFile found =
       from_input ? DocumentFile{"-", options.root} : find_document_within(options.path, models_folder(), options.root);
-  Document document =
-      read_document(read_text_file(found.file), from_input ? "<standard input>" : found.file, components(),
-                    {.overrides = overrides_of(options),
-                     .seed = options.seed,
-                     .time = time,
-                     .root = found.root,
-                     .models = models_folder()});
+  std::string text = read_text_file(found.file);
+  // From here on Ctrl-C stops the reading; while standard input is awaited it ends the program.
+  TerminalProgress terminal(options.quiet);
+  Document document = read_document(std::move(text), from_input ? "<standard input>" : found.file, components(),
+                                    {.overrides = overrides_of(options),
+                                     .seed = options.seed,
+                                     .time = time,
+                                     .root = found.root,
+                                     .models = models_folder(),
+                                     .progress = &terminal.progress()});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
 }
@@ -126,11 +129,13 @@ Document open_document(const DocumentOptions& options, double time) {
 Document read_again(const Document& document, const DocumentOptions& options, std::vector<Override> more) {
   std::vector<Override> overrides = overrides_of(options);
   overrides.insert(overrides.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  TerminalProgress terminal(options.quiet);
   return read_document(document.source.text, document.source.file, components(),
                        {.overrides = std::move(overrides),
                         .seed = options.seed,
                         .root = root_of(document, options),
-                        .models = models_folder()});
+                        .models = models_folder(),
+                        .progress = &terminal.progress()});
 }
 
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun) {

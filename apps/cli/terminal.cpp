@@ -79,6 +79,8 @@ TerminalProgress::TerminalProgress(bool quiet)
   active_progress.store(&progress_);
   handle(SIGINT);
   handle(SIGTERM);
+  // A signal that came between two long calls stops the second one.
+  if (last_signal.load() != 0) progress_.cancel();
 }
 
 TerminalProgress::~TerminalProgress() {

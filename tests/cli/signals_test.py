@@ -36,6 +36,21 @@ class Signals(cli_case.Case):
         self.stop(signal.SIGINT, "measure", "tree.json", "-o", "a.txt", "--organs", "a.csv", *LONG_GROWTH)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
+    def test_reading_a_large_document_stops(self):
+        leaf = '{"type": "leaf", "length": 0.1}'
+        components = ", ".join(f'"c{k}": {leaf}' for k in range(300_000))
+        text = '{"meristem": 1, "components": {' + components + "}}"
+        # The document comes through a pipe, so that the signal follows when the program has all of it.
+        pipe = os.path.join(self.folder, "large.json")
+        os.mkfifo(pipe)
+        process = self.start("check", "--quick", "large.json")
+        with open(pipe, "w") as document:
+            document.write(text)
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=10)
+        self.assertEqual(process.returncode, -signal.SIGINT)
+
     def test_ignored_signals_stay_ignored(self):
         process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER,
                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))

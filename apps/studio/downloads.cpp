@@ -47,6 +47,11 @@ std::uint64_t Downloads::keep(const Draft& draft) {
   return count_;
 }
 
+std::string Downloads::made_folder() const {
+  const std::lock_guard lock(mutex_);
+  return folder_ ? folder_->path() : std::string();
+}
+
 std::optional<std::string> Downloads::find(std::uint64_t number, const std::string& name) const {
   const std::lock_guard lock(mutex_);
   if (!folder_ || name.empty() || name[0] == '.' || name.find('/') != std::string::npos) return std::nullopt;

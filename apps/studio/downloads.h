@@ -26,6 +26,8 @@ class Downloads {
   std::uint64_t keep(const Draft& draft);
   /// The path of a file; nothing where there is none.
   std::optional<std::string> find(std::uint64_t number, const std::string& name) const;
+  /// The folder of all files, or empty while there is none.
+  std::string made_folder() const;
 
  private:
   const std::string& folder();

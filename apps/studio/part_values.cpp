@@ -27,9 +27,9 @@ Value implied_links_value(const Graph& graph) {
   return links;
 }
 
-Value notes_value(const std::string& text) {
+Value notes_value(const std::string& text, const Progress* progress) {
   Value::Object notes;
-  for (auto& [id, note] : component_notes(text)) notes.emplace_back(id, std::move(note));
+  for (auto& [id, note] : component_notes(text, progress)) notes.emplace_back(id, std::move(note));
   return notes;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/graph/component.h"
 #include "meristem/graph/graph.h"
 #include "meristem/graph/table/value.h"
@@ -15,7 +16,8 @@ namespace meristem::studio {
 Value implied_links_value(const Graph& graph);
 
 /// The comments on components, by their names; empty where the text is not JSON.
-Value notes_value(const std::string& text);
+/// Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+Value notes_value(const std::string& text, const Progress* progress = nullptr);
 
 /// All components of a document but cameras.
 std::vector<std::string> placeable_components(const Value& tree, const Registry& registry);

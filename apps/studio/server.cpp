@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One thread for all sockets, which never waits; one for messages, so that reading a document stops no other page.
+// One thread for all sockets, which never waits. Messages are handled by other threads: those of one page one after
+// another, those of several pages side by side, so that reading a large document stops no other page. Messages go on
+// arriving meanwhile, and stop readings that they make useless.
 // A request of a page is read only after its Host, its token and, for sockets, its Origin have been checked.
 #include "server.h"
 
@@ -7,11 +9,14 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <deque>
+#include <filesystem>
 #include <list>
 #include <memory>
 #include <set>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include <boost/asio/io_context.hpp>
@@ -19,6 +24,8 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -53,7 +60,9 @@ constexpr std::chrono::seconds kUnauthenticatedPatience{5};  // for the whole he
 constexpr std::size_t kMaxAuthenticated = 64;                // HTTP connections; pages keep some of them open
 constexpr std::chrono::seconds kHttpPatience{30};            // for one request or answer of these
 constexpr std::chrono::milliseconds kAcceptPause{100};       // after the system has refused a connection
-constexpr std::chrono::milliseconds kFarewell{300};          // for closing sockets
+constexpr std::chrono::milliseconds kFarewell{200};          // for closing sockets
+constexpr std::chrono::milliseconds kMaxEnding{800};         // from a signal until the program ends, whatever it does
+constexpr std::size_t kMostWaiting = 64;                     // messages of a page that are not handled yet
 constexpr std::size_t kMostQueuedBytes = 512'000'000;        // for a page that does not read
 constexpr std::uint64_t kMostBeyond = 1'000'000;
 constexpr std::size_t kMostQueuedNews = 64;  // beyond which progress is not told
@@ -71,16 +80,17 @@ struct Serving {
   // HTTP connections by the time of their last request, oldest first.
   std::list<HttpConnection*> unauthenticated{};
   std::list<HttpConnection*> authenticated{};
-  Worker messages{};
+  asio::thread_pool sessions{static_cast<std::size_t>(host.limits.connections) + 1};  // handle messages
   asio::io_context io{1};  // the last, as what it has to do speaks of the others
 };
 
 bool is_progress(std::string_view message) { return message.substr(0, 17) == R"({"is": "working",)"; }
 
-/// A page's socket. Its session lives on the thread for messages alone.
+/// A page's socket. Its session lives on its strand of the threads for messages alone.
 class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
  public:
-  SocketConnection(Serving& serving, beast::tcp_stream stream) : serving_(serving), socket_(std::move(stream)) {
+  SocketConnection(Serving& serving, beast::tcp_stream stream)
+      : serving_(serving), socket_(std::move(stream)), strand_(serving.sessions.get_executor()) {
     serving_.sockets.insert(this);
   }
   SocketConnection(const SocketConnection&) = delete;
@@ -114,7 +124,9 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     end_session();
   }
 
-  /// Once the thread for messages has ended.
+  /// Stops what the session reads; messages that wait are not handled any more.
+  void stop_reading() { readings_->close(); }
+  /// Once the threads for messages have ended.
   void drop_session() { session_ = nullptr; }
 
  private:
@@ -122,17 +134,34 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
 
   void read() {
     socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      self->is_reading_ = false;
       if (error) return self->end();
       auto message = std::make_shared<std::string>(beast::buffers_to_string(self->buffer_.data()));
       self->buffer_.consume(self->buffer_.size());
       self->buffer_.shrink_to_fit();
-      // The next message is read once this one is done with, so that none are heaped up.
-      self->do_with_session([message, is_text = self->socket_.got_text()](SocketConnection& here) {
-        if (here.session_ == nullptr) return;
-        // Bytes are no message; the session says so, as of any other text that is no JSON.
+      // Bytes are no message; the session says so, as of any other text that is no JSON.
+      const bool is_text = self->socket_.got_text();
+      self->readings_->arrive(is_text ? std::string_view(*message) : std::string_view());
+      ++self->waiting_;
+      self->waiting_bytes_ += message->size();
+      const auto handle = [message, is_text](SocketConnection& here) {
+        if (here.session_ == nullptr || here.readings_->is_closed()) return;
         here.session_->receive(is_text ? std::string_view(*message) : std::string_view());
+      };
+      self->do_with_session(handle, [bytes = message->size()](SocketConnection& here) {
+        --here.waiting_;
+        here.waiting_bytes_ -= bytes;
       });
+      self->read_on();
     });
+  }
+
+  /// Reads the next message, unless too many wait to be handled.
+  void read_on() {
+    const bool is_full = waiting_ >= kMostWaiting || waiting_bytes_ > serving_.host.limits.message_bytes;
+    if (!is_open_ || is_reading_ || is_full) return;
+    is_reading_ = true;
+    read();
   }
 
   void write() {
@@ -153,17 +182,20 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
 
   void end_session() {
     serving_.sockets.erase(this);
-    do_with_session([](SocketConnection& here) { here.session_ = nullptr; });
+    stop_reading();
+    do_with_session([](SocketConnection& here) { here.session_ = nullptr; }, [](SocketConnection&) {});
   }
 
-  /// Has the thread for messages do something, and then reads on. The connection goes on this thread, not on that one.
-  template <class Act>
-  void do_with_session(Act act) {
-    serving_.messages.post([self = shared_from_this(), act = std::move(act)]() mutable {
+  /// Calls `act` on a thread for messages, after all earlier calls, and then `then` on this one, which reads on. The
+  /// connection goes on this thread, not on that one.
+  template <class Act, class Then>
+  void do_with_session(Act act, Then then) {
+    asio::post(strand_, [self = shared_from_this(), act = std::move(act), then = std::move(then)]() mutable {
       act(*self);
       asio::io_context& io = self->serving_.io;
-      asio::post(io, [self = std::move(self)] {
-        if (self->is_open_) self->read();
+      asio::post(io, [self = std::move(self), then = std::move(then)] {
+        then(*self);
+        self->read_on();
       });
     });
   }
@@ -174,7 +206,12 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
   std::deque<std::pair<bool, std::string>> queue_;  // whether it is text; the first is on its way
   std::size_t queued_bytes_ = 0;
   bool is_open_ = false;
-  std::unique_ptr<StudioSession> session_;  // of the thread for messages
+  bool is_reading_ = false;
+  std::size_t waiting_ = 0;  // messages that are not handled yet, and their bytes
+  std::size_t waiting_bytes_ = 0;
+  const std::shared_ptr<Readings> readings_ = std::make_shared<Readings>();
+  asio::strand<asio::thread_pool::executor_type> strand_;
+  std::unique_ptr<StudioSession> session_;  // of the strand
 };
 
 /// Brings messages of any thread to a socket that may have gone.
@@ -197,10 +234,12 @@ class SocketOutbox : public Outbox {
 };
 
 void SocketConnection::begin() {
-  do_with_session([](SocketConnection& here) {
-    auto outbox = std::make_shared<SocketOutbox>(here.serving_.io, here.weak_from_this());
-    here.session_ = std::make_unique<StudioSession>(here.serving_.host, std::move(outbox));
-  });
+  do_with_session(
+      [](SocketConnection& here) {
+        auto outbox = std::make_shared<SocketOutbox>(here.serving_.io, here.weak_from_this());
+        here.session_ = std::make_unique<StudioSession>(here.serving_.host, std::move(outbox), here.readings_);
+      },
+      [](SocketConnection&) {});
 }
 
 /// One connection that asks for pages, until it becomes a socket.
@@ -454,6 +493,17 @@ void listen(tcp::acceptor& acceptor, const ServeOptions& options) {
                                  kUsualPort, kUsualPort + kPortsTried - 1));
 }
 
+/// Ends the program after kMaxEnding even if work in hand does not stop by then, or large memory is still being freed.
+/// Files appear whole or not at all, so nothing half-written stays. `folder` has the files of exports, or is empty.
+void end_in_time(const std::string& folder) {
+  std::thread([folder] {
+    std::this_thread::sleep_for(kMaxEnding);
+    std::error_code ignored;
+    if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+    std::_Exit(EXIT_SUCCESS);
+  }).detach();
+}
+
 }  // namespace
 
 void serve(Host& host, const ServeOptions& options, const std::function<void(const std::string& address)>& ready) {
@@ -467,6 +517,7 @@ void serve(Host& host, const ServeOptions& options, const std::function<void(con
   asio::steady_timer farewell(serving.io);
   signals.async_wait([&](beast::error_code error, int) {
     if (error) return;
+    end_in_time(host.downloads.made_folder());
     beast::error_code ignored;
     acceptor.close(ignored);
     const std::set<SocketConnection*> open = serving.sockets;
@@ -478,7 +529,8 @@ void serve(Host& host, const ServeOptions& options, const std::function<void(con
   ready(fmt::format("http://127.0.0.1:{}/{}/", serving.port, serving.token));
   serving.io.run();
   // Nothing may speak to the sockets any more when they go.
-  serving.messages.stop();
+  for (SocketConnection* socket : serving.sockets) socket->stop_reading();
+  serving.sessions.join();
   for (SocketConnection* socket : serving.sockets) socket->drop_session();
   host.growth.stop();
   host.exports.stop();

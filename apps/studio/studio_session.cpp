@@ -64,9 +64,9 @@ bool is_model(const Host& host, const std::string& name) {
 }
 
 /// The tree of a text; null where it is no JSON.
-Value tree_of(const std::string& text) {
+Value tree_of(const std::string& text, const Progress* progress = nullptr) {
   try {
-    return parse_json(text);
+    return parse_json(text, {}, progress);
   } catch (const InputError&) {
     return {};
   }
@@ -127,8 +127,11 @@ void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& job
 
 }  // namespace
 
-StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
-    : host_(host), outbox_(std::move(outbox)), grower_(std::make_shared<Grower>(host, outbox_)) {
+StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox, std::shared_ptr<Readings> readings)
+    : host_(host),
+      outbox_(std::move(outbox)),
+      grower_(std::make_shared<Grower>(host, outbox_)),
+      readings_(readings != nullptr ? std::move(readings) : std::make_shared<Readings>()) {
   outbox_->send_text(write_json_line(Value::Object{{"is", "hello"},
                                                    {"protocol", kProtocol},
                                                    {"version", std::string(version())},
@@ -148,6 +151,7 @@ StudioSession::~StudioSession() {
 
 void StudioSession::receive(std::string_view message) {
   std::optional<double> id;
+  readings_->begin_next();
   try {
     if (message.size() > host_.limits.message_bytes) {
       throw limit_refusal(fmt::format("the message has {} bytes; at most {} are allowed (message_bytes)",
@@ -163,6 +167,8 @@ void StudioSession::receive(std::string_view message) {
     if (std::exchange(is_opened_, false)) grower_->open({.document = document_, .hash = hash_});
     watch_file();
     return;
+  } catch (const Cancelled&) {
+    refuse(id, "cancelled", {{"cancelled", true}});
   } catch (const Refusal& refusal) {
     refuse(id ? id : request_id(message.substr(0, host_.limits.message_bytes)), refusal.what(), refusal.members());
   } catch (const InputError& error) {
@@ -207,17 +213,41 @@ void StudioSession::require_base(const std::string& base) {
   if (base != hash_) throw Refusal("the edit belongs to another text than the server's", {{"stale", true}});
 }
 
-/// Replaces the session by a new one. Takes its arguments by value: they may come from the session that it destroys.
+/// Replaces the session by a new one, whose text is not read yet. Takes its arguments by value: they may come from the
+/// session that it destroys.
 void StudioSession::begin_session(std::string text, std::string file) {
-  session_.emplace(std::move(text), std::move(file), host_.registry,
-                   SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
+  session_ = std::make_unique<Session>(
+      std::move(text), std::move(file), host_.registry,
+      SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0, .reads_at_once = false});
   hash_ = text_hash(session_->text());
+}
+
+/// Reads the text and answers with what it says. If a newer message makes that useless, answers that it was superseded,
+/// and returns false.
+bool StudioSession::read_text(double id, MessageKind kind, Answer& answer) {
+  const std::size_t members = answer.size();
+  try {
+    const Readings::Reading reading(*readings_, id, kind);
+    session().read(&reading.progress());
+    add_reading(answer, session(), path_.value_or(title_), reading.progress());
+    return true;
+  } catch (const Cancelled&) {
+    answer.resize(members);
+    answer.emplace_back("superseded", true);
+    return false;
+  }
+}
+
+/// Reads the text if that was superseded before: the request in hand needs what it says.
+void StudioSession::read_now(double id) {
+  const Readings::Reading reading(*readings_, id, MessageKind::other);
+  session().read(&reading.progress());
 }
 
 /// Has what the text says shown, where it is good.
 void StudioSession::show(bool at_once) {
   if (!session().is_good()) return;
-  document_ = std::make_shared<const Document>(*session().document());
+  document_ = session().shared_document();
   grower_->want({.document = document_, .hash = hash_, .is_dragged = !session().overrides().empty()}, at_once);
 }
 
@@ -229,16 +259,16 @@ void StudioSession::watch_file() {
   if (watch_) watch_->begin();
 }
 
-/// What answers say of a text that was read.
-void StudioSession::add_reading(Answer& answer) {
-  const Session& read = session();
+/// What answers say of a text that was read; `name` is that of its file in messages.
+void StudioSession::add_reading(Answer& answer, const Session& read, const std::string& name,
+                                const Progress& progress) const {
   answer.emplace_back("good", read.is_good());
-  answer.emplace_back("faults", faults_value(read.faults(), read.text(), path_.value_or(title_)));
-  answer.emplace_back("tree", tree_of(read.text()));
+  answer.emplace_back("faults", faults_value(read.faults(), read.text(), name));
+  answer.emplace_back("tree", tree_of(read.text(), &progress));
   answer.emplace_back("variables", read.is_good() ? variables_value(read.document()->variables) : Value::List{});
   answer.emplace_back("implied",
                       read.document() != nullptr ? implied_links_value(read.document()->graph) : Value::List{});
-  answer.emplace_back("notes", notes_value(read.text()));
+  answer.emplace_back("notes", notes_value(read.text(), &progress));
 }
 
 std::string StudioSession::model_text(const std::string& model) const {
@@ -269,8 +299,18 @@ StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
   return opened;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const OpenRequest& request) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const OpenRequest& request) {
   Opened found = opened(request);
+  auto next = std::make_unique<Session>(
+      std::move(found.text), std::move(found.file), host_.registry,
+      SessionOptions{.root = found.root, .models = host_.models_folder, .most_undone = 0, .reads_at_once = false});
+  Answer said;
+  {
+    // If it is cancelled, the document before stays.
+    const Readings::Reading reading(*readings_, id, MessageKind::open);
+    next->read(&reading.progress());
+    add_reading(said, *next, found.path.value_or(found.name), reading.progress());
+  }
   cancel_jobs();
   grower_->leave();
   still_maker_ = std::make_shared<StillMaker>();
@@ -279,8 +319,9 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const OpenReques
   path_ = found.path;
   model_ = request.model;
   title_ = found.name;
-  begin_session(std::move(found.text), std::move(found.file));
-  document_ = session_->is_good() ? std::make_shared<const Document>(*session_->document()) : nullptr;
+  session_ = std::move(next);
+  hash_ = text_hash(session_->text());
+  document_ = session_->is_good() ? session_->shared_document() : nullptr;
   is_opened_ = true;
   Answer answer{{"path", text_or_null(path_)},
                 {"model", text_or_null(model_)},
@@ -288,57 +329,69 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const OpenReques
                 {"text", session_->text()},
                 {"hash", hash_},
                 {"saved", text_or_null(found.saved)}};
-  add_reading(answer);
+  answer.insert(answer.end(), std::make_move_iterator(said.begin()), std::make_move_iterator(said.end()));
   return answer;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const SpliceRequest& request) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const SpliceRequest& request) {
   require_base(request.base);
   try {
-    session().edit_text(in_bytes(session().text(), request.patch));
+    session().change_text(in_bytes(session().text(), request.patch));
   } catch (const std::invalid_argument& error) {
     throw Refusal(error.what(), {{"stale", true}});
   }
   hash_ = text_hash(session().text());
   Answer answer{{"hash", hash_}};
-  add_reading(answer);
-  show(false);
+  if (read_text(id, MessageKind::text, answer)) show(false);
   return answer;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const TextRequest& request) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const TextRequest& request) {
   begin_session(request.text, session().file());
   Answer answer{{"hash", hash_}};
-  add_reading(answer);
-  show(false);
+  if (read_text(id, MessageKind::text, answer)) show(false);
   return answer;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const EditRequest& request) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const EditRequest& request) {
   require_base(request.base);
+  read_now(id);
   const std::string before = session().text();
   const bool was_dragged = !session().overrides().empty();
   const bool was_good = session().is_good();
-  const Change change = session().edit(request.edits);
-  if (request.only_if_good && was_good && !session().is_good()) {
-    Value faults = faults_value(session().faults(), session().text(), path_.value_or(title_));
-    const std::string message = session().faults()[0].message;
-    session().edit_text(change.inverse);
-    throw Refusal(message, {{"faults", std::move(faults)}});
+  const Readings::Reading reading(*readings_, id, MessageKind::edit);
+  const Progress* progress = &reading.progress();
+  const Change change = session().edit(request.edits, progress);
+  Answer answer;
+  try {
+    if (request.only_if_good && was_good && !session().is_good()) {
+      Value faults = faults_value(session().faults(), session().text(), path_.value_or(title_));
+      const std::string message = session().faults()[0].message;
+      session().edit_text(change.inverse, progress);
+      throw Refusal(message, {{"faults", std::move(faults)}});
+    }
+    if (was_dragged) session().set_overrides({}, progress);
+    answer = {{"patch", patch_value(in_units(before, change.patch))},
+              {"inverse", patch_value(in_units(session().text(), change.inverse))},
+              {"hash", text_hash(session().text())}};
+    add_reading(answer, session(), path_.value_or(title_), *progress);
+  } catch (const Cancelled&) {
+    session().change_text(change.inverse);
+    throw;
   }
-  if (was_dragged) session().set_overrides({});
   hash_ = text_hash(session().text());
-  Answer answer{{"patch", patch_value(in_units(before, change.patch))},
-                {"inverse", patch_value(in_units(session().text(), change.inverse))},
-                {"hash", hash_}};
-  add_reading(answer);
   show(was_dragged);
   return answer;
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const DragRequest& request) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const DragRequest& request) {
   const bool was_dragged = !session().overrides().empty();
-  session().set_overrides(request.values);
+  try {
+    const Readings::Reading reading(*readings_, id, MessageKind::drag);
+    session().set_overrides(request.values, &reading.progress());
+  } catch (const Cancelled&) {
+    return Answer{{"faults", Value::List{}}, {"superseded", true}};
+  }
   Answer answer{{"faults", session().is_good() ? Value::List{} : faults_value(session().faults(), {}, "")}};
   if (was_dragged || !request.values.empty()) show(request.values.empty());
   return answer;
@@ -390,7 +443,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const FilesReque
   return Answer{{"folder", request.folder}, {"files", std::move(files)}};
 }
 
-std::optional<StudioSession::Answer> StudioSession::act(double, const SaveRequest& request) {
+std::optional<StudioSession::Answer> StudioSession::act(double id, const SaveRequest& request) {
   const std::string& text = session().text();
   const std::string hash = text_hash(text);
   if (hash != request.hash) {
@@ -406,8 +459,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const SaveReques
   // The files that it names are sought beside its new place.
   root_ = host_.root.path();
   begin_session(text, host_.root.absolute(request.path));
-  add_reading(answer);
-  show(false);
+  if (read_text(id, MessageKind::edit, answer)) show(false);
   return answer;
 }
 
@@ -450,9 +502,15 @@ void StudioSession::refuse_cancelled(const std::vector<double>& requests) {
 }
 
 /// The document of the present text at the time and with the seed that the options ask for. Throws the text's faults.
-std::shared_ptr<const Document> StudioSession::document_for(const ExportOptions& options) {
-  ReadOptions reading{.seed = options.seed, .time = options.time, .root = root_, .models = host_.models_folder};
-  return std::make_shared<const Document>(read_document(session().text(), session().file(), host_.registry, reading));
+std::shared_ptr<const Document> StudioSession::document_for(double id, const ExportOptions& options) {
+  const Readings::Reading reading(*readings_, id, MessageKind::other);
+  const ReadOptions how{.seed = options.seed,
+                        .time = options.time,
+                        .root = root_,
+                        .models = host_.models_folder,
+                        .progress = &reading.progress()};
+  auto document = read_document(session().text(), session().file(), host_.registry, how);
+  return std::make_shared<const Document>(std::move(document));
 }
 
 /// What has grown, if it is what the options ask for: all of its growth, and not a step of it.
@@ -471,7 +529,7 @@ std::string StudioSession::name_for(const ExportOptions& options) {
 std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest& request) {
   const ExportOptions options{.time = grower_->parts().time};
   run_newest(id, {"measure"}, measures_, host_.exports,
-             [source = MeasureSource{document_for(options), grown_for(options), options.time}, request](
+             [source = MeasureSource{document_for(id, options), grown_for(options), options.time}, request](
                  Host&, Progress& progress) -> Value::Member {
                return {"measures", measured(source, request, progress)};
              });
@@ -601,7 +659,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
   check_export(request.options);
   ExportSource source{.document = nullptr, .text = session().text(), .name = name_for(request.options), .grown = {}};
   if (request.options.format != ".json") {  // a faulty one may be taken home, too
-    source.document = document_for(request.options);
+    source.document = document_for(id, request.options);
     source.grown = grown_for(request.options);
   }
   if (has_frames(request.options)) {
@@ -645,10 +703,11 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const GrammarRequest& request) {
   // The text derives, also while a drag shows another step of it.
+  read_now(id);
   const bool is_plain = session().overrides().empty();
   if (is_plain && !session().is_good()) throw Refusal("the document has faults");
   run_newest(id, {"grammar"}, derivations_, host_.stills,
-             [document = is_plain ? std::make_shared<const Document>(*session().document()) : document_for({}), request,
+             [document = is_plain ? session().shared_document() : document_for(id, {}), request,
               time = grower_->parts().time](Host&, Progress& progress) -> Value::Member {
                return {"derivation", derivation(*document, request, time, progress)};
              });

@@ -17,6 +17,7 @@
 #include "measure_job.h"
 #include "meristem/document/edit/session.h"
 #include "open_files.h"
+#include "readings.h"
 #include "request.h"
 #include "still_maker.h"
 
@@ -31,8 +32,9 @@ struct Job {
 /// One call at a time.
 class StudioSession {
  public:
-  /// Says hello. `host` outlives it and what it has begun.
-  StudioSession(Host& host, std::shared_ptr<Outbox> outbox);
+  /// Says hello. `host` outlives it and what it has begun. `readings` knows which messages have arrived that are not
+  /// handled yet; null: messages are handled as they arrive.
+  StudioSession(Host& host, std::shared_ptr<Outbox> outbox, std::shared_ptr<Readings> readings = nullptr);
   ~StudioSession();
   StudioSession(const StudioSession&) = delete;
   StudioSession& operator=(const StudioSession&) = delete;
@@ -93,9 +95,11 @@ class StudioSession {
   Session& session();
   void require_base(const std::string& base);
   void begin_session(std::string text, std::string file);
+  bool read_text(double id, MessageKind kind, Answer& answer);
+  void read_now(double id);
   void show(bool at_once);
   void watch_file();
-  void add_reading(Answer& answer);
+  void add_reading(Answer& answer, const Session& read, const std::string& name, const Progress& progress) const;
   template <class Question>
   void ask_grown(double id, Question question);
   template <class Work>
@@ -104,13 +108,14 @@ class StudioSession {
   void run_newest(double id, const Job& job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker, Work work);
   void cancel_jobs(std::optional<double> request = {});
   void refuse_cancelled(const std::vector<double>& requests);
-  std::shared_ptr<const Document> document_for(const ExportOptions& options);
+  std::shared_ptr<const Document> document_for(double id, const ExportOptions& options);
   std::shared_ptr<const GrownWish> grown_for(const ExportOptions& options) const;
   std::string name_for(const ExportOptions& options);
 
   Host& host_;
   const std::shared_ptr<Outbox> outbox_;
   const std::shared_ptr<Grower> grower_;
+  const std::shared_ptr<Readings> readings_;
   const std::shared_ptr<AskedJobs> jobs_ = std::make_shared<AskedJobs>();
   // A page waits for the newest job of each of these kinds alone.
   const std::shared_ptr<AskedJobs> stills_ = std::make_shared<AskedJobs>();
@@ -121,7 +126,7 @@ class StudioSession {
   std::shared_ptr<SweepMaker> sweep_maker_;  // the same
   std::shared_ptr<OpenFileWatch> watch_;     // of the file; none for models and new texts
   std::optional<std::string> watched_;       // its path
-  std::optional<Session> session_;
+  std::unique_ptr<Session> session_;
   std::string root_;                                            // of the session's files
   std::optional<std::string> path_;                             // below the host's root; none for models and new texts
   std::optional<std::string> model_;                            // the shipped model that was opened

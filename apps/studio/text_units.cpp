@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text_units.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -85,16 +87,29 @@ std::size_t unit_count(std::string_view text) {
   return walk.unit();
 }
 
-std::size_t unit_of(std::string_view text, int line, int column) {
+std::vector<std::size_t> units_of(std::string_view text, const std::vector<LineColumn>& places) {
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // a byte order mark is in no column
   Walk walk(text);
   if (text.substr(0, kMark.size()) == kMark) walk.step();
-  for (int k = 1; k < line && !walk.is_at_end();) {
-    if (walk.character() == "\n") ++k;
-    walk.step();
+  std::vector<std::size_t> units(places.size());
+  LineColumn at{1, 1};
+  for (const std::size_t k : order) {
+    const LineColumn wanted = places[k];
+    while (at.line < wanted.line && !walk.is_at_end()) {
+      const bool ends_line = walk.character() == "\n";
+      walk.step();
+      at = ends_line ? LineColumn{at.line + 1, 1} : LineColumn{at.line, at.column + 1};
+    }
+    while (at.line == wanted.line && at.column < wanted.column && !walk.is_at_end() && walk.character() != "\n") {
+      walk.step();
+      ++at.column;
+    }
+    units[k] = walk.unit();
   }
-  for (int k = 1; k < column && !walk.is_at_end() && walk.character() != "\n"; ++k) walk.step();
-  return walk.unit();
+  return units;
 }
 
 Patch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices) {

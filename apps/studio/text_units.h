@@ -17,8 +17,16 @@ std::string text_hash(std::string_view text);
 /// UTF-16 code units of a text.
 std::size_t unit_count(std::string_view text);
 
-/// The byte at which a line and a column of a diagnostic stand, counted in units; the text's end beyond it.
-std::size_t unit_of(std::string_view text, int line, int column);
+/// Line and column of a diagnostic.
+struct LineColumn {
+  int line = 0;
+  int column = 0;
+  auto operator<=>(const LineColumn&) const = default;
+};
+
+/// Where each line and column stands in the text, counted in units; the text's end for what lies beyond it. Passes over
+/// the text once, however many places there are.
+std::vector<std::size_t> units_of(std::string_view text, const std::vector<LineColumn>& places);
 
 /// One piece of a text and what stands there instead, in units.
 struct UnitSplice {

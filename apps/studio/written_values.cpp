@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "written_values.h"
 
+#include <optional>
 #include <utility>
 
 #include "meristem/base/visible_text.h"
@@ -11,12 +12,13 @@ namespace {
 
 Value count_or_null(int number) { return number > 0 ? Value(number) : Value(); }
 
-Value fault_value(const Diagnostic& found, std::string_view text, const std::string& file) {
+/// `unit` is the place of the fault in the text; unset: not known.
+Value fault_value(const Diagnostic& found, std::optional<std::size_t> unit, const std::string& file) {
   Diagnostic fault = visible(found);
   if (!file.empty() && fault.line > 0) fault.file = file;
   // Not written as `condition ? Value(x) : Value()`: GCC 12 then warns of an uninitialised string at -O1.
   Value offset;
-  if (fault.line > 0 && !text.empty()) offset = static_cast<double>(unit_of(text, fault.line, fault.column));
+  if (unit) offset = static_cast<double>(*unit);
   return Value::Object{{"severity", fault.severity == Severity::error ? "error" : "warning"},
                        {"message", fault.message},
                        {"expected", fault.expected},
@@ -31,8 +33,15 @@ Value fault_value(const Diagnostic& found, std::string_view text, const std::str
 }  // namespace
 
 Value faults_value(const std::vector<Diagnostic>& faults, std::string_view text, const std::string& file) {
+  std::vector<LineColumn> places;
+  for (const Diagnostic& fault : faults) places.push_back({fault.line, fault.column});
+  const bool is_placed = !text.empty();
+  const std::vector<std::size_t> units = is_placed ? units_of(text, places) : std::vector<std::size_t>();
   Value::List list;
-  for (const Diagnostic& fault : faults) list.push_back(fault_value(fault, text, file));
+  for (std::size_t k = 0; k < faults.size(); ++k) {
+    const bool is_known = is_placed && faults[k].line > 0;
+    list.push_back(fault_value(faults[k], is_known ? std::optional(units[k]) : std::nullopt, file));
+  }
   return list;
 }
 

@@ -11,6 +11,7 @@ import io
 import itertools
 import json
 import select
+import signal
 import socket
 import subprocess
 import sys
@@ -343,6 +344,28 @@ mv {notes}/page {notes}/page.html
             for name in file["holds"]:
                 if name.endswith((".png", ".jpg")):
                     self.assertIn(name, materials)
+
+    def large_document(self, components: int) -> str:
+        leaf = '{"type": "leaf", "length": 0.1}'
+        return '{"meristem": 1, "components": {' + ", ".join(f'"c{k}": {leaf}' for k in range(components)) + "}}"
+
+    def test_a_large_text_blocks_no_other_page(self) -> None:
+        with self.studio.page() as large, self.studio.page() as other:
+            large.ask("open", text=self.large_document(1000), path=None)
+            large.send("text", text=self.large_document(300_000))
+            # A newer text makes that reading useless: its answer says so and does not wait for it.
+            newest = large.send("text", text=BUSH)
+            self.assertEqual(other.ask("open", path="bush.json")["is"], "done")
+            answer = large.wait(lambda message: message.get("re") == newest and message["is"] == "done")
+            self.assertTrue(answer["good"])
+
+    def test_ends_on_ctrl_c_while_it_reads(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio:
+            page = studio.page()
+            page.send("open", text=self.large_document(300_000), path=None)
+            studio.process.send_signal(signal.SIGINT)
+            self.assertEqual(studio.process.wait(timeout=10), 0)
+            page.__exit__()
 
     def test_ends_on_ctrl_c_in_the_middle_of_work(self) -> None:
         with Studio(PROGRAM, Path(self.folder.name)) as studio:

@@ -61,8 +61,9 @@ export class DocumentModel {
   }
 
   take_reading(hash: string, reading: Reading): void {
+    // A reading that newer changes have superseded says nothing.
     const { hash: now, tree, variables } = this.state.get();
-    if (hash === now) this.state.merge(reading_of(reading, tree, variables));
+    if (hash === now && !reading.superseded) this.state.merge(reading_of(reading, tree, variables));
   }
 
   /// Has the library change the text, as one step. Edits that set one and the same value while others are on their way

@@ -41,6 +41,7 @@ export interface Reading {
   variables: Variable[];
   implied: ImpliedLink[]; // of the last text without errors
   notes: Record<string, string>; // comments of the document, by component
+  superseded?: boolean; // the text was not read, since a newer one had come: nothing of the above is there
 }
 
 export type Edit =

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/left_over.h"
 
 namespace meristem::studio {
 
@@ -14,8 +15,15 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostKept = 10;
+constexpr const char* kFolderPrefix = "meristem-studio-";
 
 }  // namespace
+
+Downloads::Downloads() {
+  std::error_code error;
+  const fs::path temporary = fs::temp_directory_path(error);
+  if (!error) remove_left_over_folders_once(temporary.string(), kFolderPrefix);
+}
 
 /// The folder of all exports, made for the first of them.
 const std::string& Downloads::folder() {
@@ -23,7 +31,7 @@ const std::string& Downloads::folder() {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
     if (error) throw MachineError("cannot find a folder for exports: " + error.message());
-    folder_.emplace(temporary.string(), "meristem-studio-");
+    folder_.emplace(temporary.string(), kFolderPrefix);
   }
   return folder_->path();
 }

@@ -17,6 +17,8 @@ namespace meristem::studio {
 /// Keeps the files of the last exports in a folder of its own, which goes with it. Calls from any thread.
 class Downloads {
  public:
+  /// Removes the downloads that a killed studio has left.
+  Downloads();
   /// An empty folder for the files of one export while they are made; it goes with its owner.
   using Draft = ScratchFolder;
   /// The downloads outlive their drafts. Throws MachineError.

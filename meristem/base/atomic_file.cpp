@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/left_over.h"
 
 namespace meristem {
 
@@ -44,12 +45,13 @@ std::string without_links(std::string path) {
 
 /// A hidden name in the target's directory that nobody else uses; `.oak.glb.4711-0.part`.
 std::string temporary_beside(const std::string& target) {
-  // A suffix must fit behind a name of the longest length, 255 bytes.
-  constexpr std::size_t kKept = 200;
   static std::atomic<unsigned> count{0};
   const std::size_t name_at = target.rfind('/') + 1;  // 0 where there is no slash
-  return fmt::format("{}.{}.{}-{}.part", target.substr(0, name_at), target.substr(name_at, kKept), ::getpid(), count++);
+  return target.substr(0, name_at) + temporary_name(std::string_view(target).substr(name_at), count++);
 }
+
+/// A set keeps at most this many descriptors open, so that its program can open further files.
+constexpr std::size_t kMostLocksOfSet = 200;
 
 [[noreturn]] void throw_cannot_write(const std::string& path, int reason) {
   const std::string where = path == "-" ? "standard output" : "'" + path + "'";
@@ -93,8 +95,9 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
 }
 
 AtomicFile::~AtomicFile() {
-  close_descriptor();
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  close_descriptor();
+  close_lock();
 }
 
 void AtomicFile::write(const void* data, std::size_t size) {
@@ -136,23 +139,28 @@ bool AtomicFile::holds(std::string_view bytes) {
 void AtomicFile::commit() {
   if (descriptor_ < 0) throw std::invalid_argument("a file can be committed only once");
   flush();
+  if (!temporary_.empty()) lock_ = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   close();
   if (temporary_.empty()) return;
   if (current_set != nullptr) {
-    current_set->waiting_.push_back({temporary_, target_, path_});
+    if (current_set->waiting_.size() >= kMostLocksOfSet) close_lock();
+    current_set->waiting_.push_back({temporary_, target_, path_, std::exchange(lock_, -1)});
   } else if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     fail();
   }
+  close_lock();
   temporary_.clear();
 }
 
 void AtomicFile::open_temporary() {
-  // A name is taken only if a process of the same number was killed here before.
+  remove_left_over_files_once(target_.substr(0, target_.rfind('/') + 1));
+  // A name is taken only if a process of the same number was killed here, on another machine or by another user.
   constexpr int kTries = 100;
   for (int k = 0; k < kTries && descriptor_ < 0; ++k) {
     temporary_ = temporary_beside(target_);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) break;
+    if (descriptor_ >= 0 && !lock_temporary(descriptor_)) close_descriptor();
   }
   if (descriptor_ < 0) fail();
 }
@@ -194,6 +202,11 @@ void AtomicFile::close_descriptor() {
   descriptor_ = -1;
 }
 
+void AtomicFile::close_lock() {
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
+}
+
 /// Throws for the reason in `errno`, and takes no more bytes.
 void AtomicFile::fail() {
   const int reason = errno;
@@ -205,7 +218,14 @@ FileSet::FileSet() : outer_(std::exchange(current_set, this)) {}
 
 FileSet::~FileSet() {
   current_set = outer_;
-  for (const Waiting& file : waiting_) ::unlink(file.temporary.c_str());
+  for (const Waiting& file : waiting_) {
+    ::unlink(file.temporary.c_str());
+    unlock(file);
+  }
+}
+
+void FileSet::unlock(const Waiting& file) {
+  if (file.lock >= 0) ::close(file.lock);
 }
 
 void FileSet::commit() {
@@ -219,6 +239,7 @@ void FileSet::commit() {
     if (std::rename(waiting_.front().temporary.c_str(), waiting_.front().target.c_str()) != 0) {
       throw_cannot_write(waiting_.front().path, errno);
     }
+    unlock(waiting_.front());
     waiting_.pop_front();
   }
 }

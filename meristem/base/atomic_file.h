@@ -11,7 +11,8 @@
 namespace meristem {
 
 /// A file that appears whole or not at all: bytes stream into a temporary file beside the target, and `commit()`
-/// renames it into place. Destroyed without commit (an exception, a cancel), the temporary file is removed and a file
+/// renames it into place. A killed process leaves its temporary file; the next program that writes into the folder
+/// removes it. Destroyed without commit (an exception, a cancel), the temporary file is removed and a file
 /// that stood there before is untouched. A target that is a symbolic link keeps the link; one that exists keeps its
 /// permissions. Path "-" (or "/dev/stdout") streams to standard output instead, and a device or pipe is written
 /// straight through; there nothing can be taken back. Every failure (refused path, full disk) throws MachineError with
@@ -48,12 +49,14 @@ class AtomicFile {
   void close();
   void send(const std::byte* data, std::size_t size);
   void close_descriptor();
+  void close_lock();
   [[noreturn]] void fail();
 
   std::string path_;       // as the user wrote it
   std::string target_;     // path_ with links followed
   std::string temporary_;  // empty where bytes go straight through, and once renamed
   int descriptor_ = -1;
+  int lock_ = -1;  // keeps the lock on the temporary file between closing and renaming
   std::size_t size_ = 0;
   std::vector<std::byte> buffer_;
 };
@@ -79,7 +82,9 @@ class FileSet {
     std::string temporary;
     std::string target;
     std::string path;  // as the user wrote it
+    int lock = -1;     // descriptor that keeps the lock on `temporary`
   };
+  static void unlock(const Waiting& file);
 
   FileSet* outer_;
   std::deque<Waiting> waiting_;

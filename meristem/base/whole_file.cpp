@@ -9,10 +9,13 @@
 #include <sstream>
 #include <system_error>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/left_over.h"
 
 namespace meristem {
 
@@ -42,16 +45,27 @@ void make_folders(const std::string& folder) {
 
 ScratchFolder::ScratchFolder(const std::string& parent, std::string_view prefix) {
   make_folders(parent);
-  std::string name = (std::filesystem::path(parent) / (std::string(prefix) + "XXXXXX")).string();
-  if (::mkdtemp(name.data()) == nullptr) {
+  remove_left_over_folders_once(parent, prefix);
+  constexpr int kTries = 100;  // another process may remove the folder before it is locked
+  for (int k = 0; k < kTries && path_.empty(); ++k) {
+    std::string name = (std::filesystem::path(parent) / fmt::format("{}{}-XXXXXX", prefix, ::getpid())).string();
+    if (::mkdtemp(name.data()) == nullptr) break;
+    lock_ = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ >= 0 && !lock_temporary(lock_)) {
+      ::close(lock_);
+      continue;
+    }
+    path_ = std::move(name);
+  }
+  if (path_.empty()) {
     throw MachineError(fmt::format("cannot make a folder in '{}': {}", parent, std::strerror(errno)));
   }
-  path_ = std::move(name);
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 }  // namespace meristem

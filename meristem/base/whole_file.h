@@ -17,10 +17,11 @@ void write_whole_file(const std::string& path, std::string_view content);
 /// Makes a folder and those above it, where they are not there. Throws MachineError.
 void make_folders(const std::string& folder);
 
-/// A new folder that nobody else reads, which goes with its owner.
+/// A new folder that nobody else reads, which goes with its owner. The folder of a killed process stays until the next
+/// program makes a folder with the same prefix in the same parent.
 class ScratchFolder {
  public:
-  /// In `parent`, which is made, with a name that begins with `prefix`. Throws MachineError.
+  /// In `parent`, which is made, with a name of `prefix`, process id and random letters. Throws MachineError.
   ScratchFolder(const std::string& parent, std::string_view prefix);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
@@ -30,6 +31,7 @@ class ScratchFolder {
 
  private:
   std::string path_;
+  int lock_ = -1;  // descriptor of the folder, see lock_temporary
 };
 
 }  // namespace meristem

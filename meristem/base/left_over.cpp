@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/left_over.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "meristem/base/function_ref.h"
+
+namespace meristem {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kKeptOfName = 200;   // bytes of the target's name, so that a suffix fits into 255
+constexpr std::size_t kRandomLetters = 6;  // of mkdtemp
+constexpr std::string_view kPart = ".part";
+
+/// Removes a number and what follows it from the end of `name`. Returns false if there is none.
+bool take_number_before(std::string_view& name, std::string_view suffix) {
+  if (!name.ends_with(suffix)) return false;
+  name.remove_suffix(suffix.size());
+  const std::size_t before = name.size();
+  while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.remove_suffix(1);
+  return name.size() < before;
+}
+
+/// Returns true if this is the name of a scratch folder with this prefix.
+bool is_scratch_name(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix) || name.size() < prefix.size() + kRandomLetters + 2) return false;
+  name.remove_prefix(prefix.size());
+  name.remove_suffix(kRandomLetters);
+  return take_number_before(name, "-") && name.empty();
+}
+
+/// Returns true for the first call of this process with the key.
+bool is_first_call(const std::string& key) {
+  static std::mutex mutex;
+  static std::set<std::string> known;
+  const std::scoped_lock lock(mutex);
+  return known.insert(key).second;
+}
+
+void remove_left_overs_in(const std::string& folder, FunctionRef<bool(const std::string& name)> is_temporary) {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (is_temporary(entry->path().filename().string())) found.push_back(entry->path().string());
+  }
+  for (const std::string& path : found) remove_left_over(path);
+}
+
+}  // namespace
+
+bool lock_temporary(int descriptor) {
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+  // Another process may have removed it between its making and the lock.
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
+bool remove_left_over(const std::string& path, WithoutLocks without_locks) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) return errno == ENOENT;
+  const bool is_folder = S_ISDIR(status.st_mode);
+  if ((!is_folder && !S_ISREG(status.st_mode)) || status.st_uid != ::geteuid()) return false;
+  // Network file systems lock only what is open for writing, and folders not at all.
+  const int access = is_folder ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_NONBLOCK;
+  const int descriptor = ::open(path.c_str(), access | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return errno == ENOENT;
+  const bool has_lock = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  const bool is_free = has_lock || (errno != EWOULDBLOCK && without_locks == WithoutLocks::remove);
+  std::error_code error;
+  // The lock is held meanwhile, so an owner that has just made it sees that it goes.
+  if (is_free) fs::remove_all(path, error);
+  ::close(descriptor);
+  return is_free && !error;
+}
+
+std::string temporary_name(std::string_view target, unsigned number) {
+  return fmt::format(".{}.{}-{}{}", target.substr(0, kKeptOfName), ::getpid(), number, kPart);
+}
+
+bool is_temporary_name(std::string_view name) {
+  return name.starts_with('.') && take_number_before(name, kPart) && take_number_before(name, "-") && name.size() > 1 &&
+         name.ends_with('.');
+}
+
+void remove_left_over_files_once(const std::string& folder) {
+  if (!is_first_call(folder)) return;
+  remove_left_overs_in(folder, [](const std::string& name) { return is_temporary_name(name); });
+}
+
+void remove_left_over_folders_once(const std::string& parent, std::string_view prefix) {
+  if (!is_first_call(fmt::format("{}/{}", parent, prefix))) return;
+  remove_left_overs_in(parent, [prefix](const std::string& name) { return is_scratch_name(name, prefix); });
+}
+
+}  // namespace meristem

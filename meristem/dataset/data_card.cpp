@@ -113,7 +113,7 @@ std::string bar(std::uint64_t count, std::uint64_t most) {
 }
 
 std::string histogram(const ColumnSummary& column) {
-  std::string text = fmt::format("\n### {}\n\n", column.name);
+  std::string text = fmt::format("\n### {}\n\n", markdown_text(column.name));
   if (column.numbers > 0) {
     text += fmt::format("{} numbers from {:.6g} to {:.6g}, mean {:.6g}\n", column.numbers, column.low, column.high,
                         column.sum / static_cast<double>(column.numbers));
@@ -129,7 +129,7 @@ std::string histogram(const ColumnSummary& column) {
     }
   }
   for (const auto& [value, count] : column.others) {
-    fmt::format_to(std::back_inserter(rows), "| {} | {} | {} |\n", markdown_cell(value), count, "");
+    fmt::format_to(std::back_inserter(rows), "| {} | {} | {} |\n", markdown_text(value), count, "");
   }
   if (column.further > 0) rows += fmt::format("| other values | {} | |\n", column.further);
   if (!rows.empty())
@@ -181,12 +181,12 @@ std::string data_card(const DatasetPlan& plan, const std::string& folder, Progre
     for (ColumnSummary& column : columns) column.add_to_bin(fields.at(column.place));
   });
 
-  std::string card = fmt::format("# {}\n\n", plan.name.empty() ? "Data set of plants" : plan.name);
-  if (!plan.description.empty()) card += plan.description + "\n\n";
+  std::string card = fmt::format("# {}\n\n", plan.name.empty() ? "Data set of plants" : markdown_text(plan.name));
+  if (!plan.description.empty()) card += markdown_text(plan.description) + "\n\n";
   card += fmt::format("| | |\n| --- | --- |\n| Plants | {} |\n| of them failed | {} |\n", plan.count(), failed);
-  card += fmt::format("| Author | {} |\n| Licence | {} |\n", markdown_cell(or_none(plan.author)),
-                      markdown_cell(or_none(plan.licence)));
-  card += fmt::format("| Grown by | Meristem {} |\n", fmt::join(versions, ", "));
+  card += fmt::format("| Author | {} |\n| Licence | {} |\n", markdown_text(or_none(plan.author)),
+                      markdown_text(or_none(plan.licence)));
+  card += fmt::format("| Grown by | Meristem {} |\n", markdown_text(fmt::format("{}", fmt::join(versions, ", "))));
   card += fmt::format("| Plan | `plan.json`, {} |\n", plan.hash);
   card += fmt::format("| Manifest | `manifest/`, {} rows per table |\n", plan.rows);
 
@@ -197,15 +197,16 @@ std::string data_card(const DatasetPlan& plan, const std::string& folder, Progre
       "missing. The same plan and version give the same bytes on every machine of one kind.\n\n";
   card += "| Document | Name | Licence | Plants |\n| --- | --- | --- | ---: |\n";
   for (const PlannedDocument& document : plan.documents) {
-    card += fmt::format("| `documents/{}` | {} | {} | {} |\n", document.name, markdown_cell(or_none(document.title)),
-                        markdown_cell(or_none(document.licence)), plants_of[document.name]);
+    card += fmt::format("| documents/{} | {} | {} | {} |\n", markdown_text(document.name),
+                        markdown_text(or_none(document.title)), markdown_text(or_none(document.licence)),
+                        plants_of[document.name]);
   }
   if (!kinds.empty()) card += "\n## Files\n\n| Ending | Files | Size |\n| --- | ---: | ---: |\n";
   for (const auto& [ending, kind] : kinds) {
     card += fmt::format("| `{}` | {} | {} |\n", ending, kind.files, megabytes(kind.bytes));
   }
   if (failed > 0) card += "\n## Plants that failed\n\n";
-  for (const std::string& failure : failures) card += fmt::format("- {}\n", failure);
+  for (const std::string& failure : failures) card += fmt::format("- {}\n", markdown_text(failure));
   if (failed > failures.size())
     card += fmt::format("- and {} more, in the column `error` of the manifest\n", failed - failures.size());
   if (!columns.empty()) card += "\n## Values and measures\n";

@@ -2,9 +2,12 @@
 // A table of the manifest is written once all of its rows are there, in the order of the plants; until then they lie in
 // files of their own. All of these files, and those of plants, appear by renaming, and each plant's row after its
 // files. So whatever is cut off, rows tell what is there; and tables do not depend on who made which plant, or when.
+// A table is written in this order: hashes of its rows, the table, its hash in dataset.json. The parts with its rows go
+// last, so whatever is cut off, either they or the hashes tell whether the table is right.
 #include "meristem/dataset/dataset_folder.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -19,11 +22,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "meristem/base/left_over.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/whole_file.h"
 #include "meristem/dataset/data_card.h"
 #include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/manifest.h"
+#include "meristem/dataset/table_check.h"
+#include "meristem/dataset/table_hashes.h"
 #include "meristem/dataset/verify_dataset.h"
 
 namespace meristem {
@@ -33,11 +39,26 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kFaultsTold = 100;
-constexpr std::uint64_t kMostInRange = 1000;  // plants
-constexpr double kNewShare = 0.3;             // of the last range in the mean of the times
+constexpr std::size_t kFailuresTold = 10;
+constexpr std::uint64_t kMostInRange = 1000;   // plants
+constexpr double kNewShare = 0.3;              // of the last range in the mean of the times
+constexpr std::uint64_t kTablesPerSaved = 64;  // dataset.json is written once per so many tables that it holds
+
+/// All that a folder of a data set may hold. A folder with other things is not taken for one.
+constexpr std::array<const char*, 3> kBegun{kDocumentsName, kFolderPlanName, "partial"};
+constexpr std::array<const char*, 9> kOwnNames{kDocumentsName, kFolderPlanName, "partial",
+                                               kChecksName,    kDataCardName,   "plants",
+                                               "manifest",     "manifest.npz",  "manifest.parquet"};
 
 InputError refused(std::string message, std::string expected, const std::string& folder) {
   return InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .file = folder});
+}
+
+MachineError not_repaired(const std::string& folder, const std::string& why) {
+  return MachineError(fmt::format(
+      "'{0}' cannot be repaired from the folder alone: {1}; the plan that it was begun with makes it again: "
+      "meristem dataset PLAN -o {0} --repair",
+      folder, why));
 }
 
 /// Keeps other programs out of a folder while it lives, and goes with its process whatever ends it.
@@ -69,8 +90,14 @@ class FolderLock {
 struct FoundInTable {
   std::vector<std::string> faults;
   std::vector<std::uint64_t> plants;  // that are there
+  std::vector<std::string> failures;  // key and error of those that failed
   std::vector<std::string> paths;     // of the files of all rows
+  bool is_whole = false;              // the table is as it was written
 };
+
+std::string failure_of(const TableRow& row) {
+  return fmt::format("{}: {}", row.line.substr(0, row.line.find(',')), row.entry.error);
+}
 
 }  // namespace
 
@@ -79,11 +106,13 @@ struct DatasetFolder::State {
 
   const DatasetPlan& plan;
   const std::string folder;
-  const DatasetInfo info;
+  DatasetInfo info;   // as it is to be
+  DatasetInfo known;  // as it was found: what tables are compared with
   std::unique_ptr<FolderLock> lock;
   std::vector<bool> is_there;                               // of each plant
   std::vector<std::uint32_t> missing;                       // plants of each table
   std::map<std::uint64_t, std::vector<std::string>> parts;  // files with rows of each table that is not whole
+  std::vector<std::uint64_t> pending;                       // tables whose hashes are not yet in dataset.json
   std::uint64_t there = 0;
   std::uint64_t found = 0;
   std::uint64_t given = 0;    // all before it were given or are there
@@ -91,44 +120,67 @@ struct DatasetFolder::State {
   std::uint64_t largest = 0;  // range that was made
   std::vector<std::string> faults;
   std::uint64_t fault_count = 0;
+  std::uint64_t failed = 0;
+  std::vector<std::string> failures;
 
-  void check_same(const DatasetInfo& before) const;
+  TableKnowledge knowledge() const { return {.info = known, .plan = &plan, .folder = folder}; }
+  std::string path(const std::string& below) const { return (fs::path(folder) / below).string(); }
+
+  void check_same(const DatasetInfo& before, bool repairs) const;
+  void check_hashes_are_of_this(bool is_known_otherwise) const;
   /// Whether a document was read from the folder itself.
   bool is_own(const PlannedDocument& document) const {
     const fs::path relative = fs::weakly_canonical(document.file).lexically_relative(fs::weakly_canonical(folder));
     return !relative.empty() && *relative.begin() != "..";
   }
   void begin();
+  void go_on(const std::optional<DatasetInfo>& before, bool repairs);
+  void write_plan(bool tells);
+  void write_own(const std::string& name, const std::string& text, bool tells);
+  void save();
+  void save_some();
   void restore_documents();
+  void check_files();
+  void drop_arrays();
   void remove_strangers(const std::unordered_set<std::string>& known);
   void look(bool reads_all, Progress& progress);
-  void look_at(const std::string& path, std::uint64_t table, bool reads_all, FoundInTable& found_there,
-               Progress& progress) const;
+  void look_at(std::uint64_t table, bool reads_all, FoundInTable& found_there, Progress& progress) const;
+  void take_rows(const TableRows& rows, bool reads_all, FoundInTable& found_there, Progress& progress) const;
   void tell_fault(std::string fault) {
     ++fault_count;
     if (faults.size() < kFaultsTold) faults.push_back(std::move(fault));
   }
-  std::uint64_t end_of(std::uint64_t table) const { return std::min(info.plants, (table + 1) * info.rows); }
-  bool is_in(std::uint64_t plant, std::uint64_t table) const {
-    return plant >= table * info.rows && plant < end_of(table);
+  void tell_failure(std::string failure) {
+    ++failed;
+    if (failures.size() < kFailuresTold) failures.push_back(std::move(failure));
   }
+  std::uint64_t end_of(std::uint64_t table) const { return std::min(info.plants, (table + 1) * info.rows); }
   void merge(std::uint64_t table);
+  void adopt(std::uint64_t table, bool tells);
 };
 
-void DatasetFolder::State::check_same(const DatasetInfo& before) const {
+void DatasetFolder::State::check_same(const DatasetInfo& before, bool repairs) const {
   if (before.plan != info.plan || before.plants != info.plants || before.rows != info.rows) {
+    const bool is_edited = !plan.documents.empty() && is_own(plan.documents.front());
+    if (is_edited && repairs) throw not_repaired(folder, "plan.json and its copy in checks/ have changed");
     throw refused(fmt::format("the folder holds a data set of another plan: {}{} plants",
                               before.name.empty() ? "" : "'" + before.name + "', ", before.plants),
-                  "that plan, which is plan.json in the folder, or another folder", folder);
+                  is_edited ? fmt::format("plan.json as it was, which meristem dataset {} --repair puts back", folder)
+                            : "that plan, which is plan.json in the folder, or another folder",
+                  folder);
   }
   for (std::size_t k = 0; k < info.documents.size() && k < before.documents.size(); ++k) {
-    if (before.documents[k] == info.documents[k]) continue;
-    throw refused(fmt::format("the document '{}' or a file that it names has changed since the data set was begun",
-                              info.documents[k].name),
-                  is_own(plan.documents[k])
-                      ? fmt::format("the plan that it was begun with: meristem dataset PLAN -o {} --repair", folder)
-                      : fmt::format("the document as it was, which lies in {}, or another folder",
-                                    (fs::path(documents_path(folder)) / before.documents[k].name).string()),
+    if (before.documents[k].is_same(info.documents[k])) continue;
+    const std::string what = fmt::format(
+        "the document '{}' or a file that it names has changed since the data set was begun", info.documents[k].name);
+    if (is_own(plan.documents[k])) {
+      if (repairs) throw not_repaired(folder, what);
+      throw refused(what, fmt::format("the plan that it was begun with: meristem dataset PLAN -o {} --repair", folder),
+                    folder);
+    }
+    throw refused(what,
+                  fmt::format("the document as it was, which lies in {}, or another folder",
+                              (fs::path(documents_path(folder)) / before.documents[k].name).string()),
                   folder);
   }
   if (before.documents.size() != info.documents.size()) {
@@ -136,44 +188,152 @@ void DatasetFolder::State::check_same(const DatasetInfo& before) const {
   }
 }
 
+/// Without dataset.json, the hashes of tables tell whether plan and documents are those that the data set was begun
+/// with.
+void DatasetFolder::State::check_hashes_are_of_this(bool is_known_otherwise) const {
+  bool is_known = is_known_otherwise;
+  for (std::uint64_t table = 0; table < info.table_count(); ++table) {
+    const auto hashes = read_table_hashes(folder, table);
+    if (!hashes) continue;
+    bool are_same = hashes->plan == info.plan && hashes->documents.size() == info.documents.size();
+    for (std::size_t k = 0; are_same && k < info.documents.size(); ++k) {
+      are_same = hashes->documents[k] == std::pair(info.documents[k].name, info.documents[k].hash);
+    }
+    if (!are_same) {
+      throw not_repaired(folder, fmt::format("dataset.json has changed, and {} is of another plan or other documents",
+                                             table_hashes_path(folder, table)));
+    }
+    is_known = true;
+  }
+  const bool are_own = !plan.documents.empty() && is_own(plan.documents.front());
+  if (!is_known && are_own) {
+    throw not_repaired(folder, "dataset.json has changed, and no table tells what the plan and the documents were");
+  }
+}
+
 void DatasetFolder::State::begin() {
   // What it is comes last: a folder without it is not yet a data set.
   unpack_documents(plan, documents_path(folder));
-  write_whole_file(folder_plan_path(folder), folder_plan_text(plan));
+  known = info;
+  write_plan(false);
   write_whole_file(dataset_info_path(folder), dataset_info_text(info));
 }
 
-/// The documents and the plan as they were, and nothing besides.
+/// Takes what is known from a data set that was begun.
+void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool repairs) {
+  known = info;
+  known.is_as_written = false;  // so that the hashes of tables count alone
+  if (before) {
+    info.version = before->version;
+    if (before->is_as_written && before->format == kDatasetFormat) {
+      known = *before;
+      info.files = before->files;
+    }
+  }
+  if (repairs && (!before || !before->is_as_written)) {
+    tell_fault(fmt::format("{} had changed", dataset_info_path(folder)));
+  }
+  if (repairs) restore_documents();
+  write_plan(repairs && known.is_as_written);
+  if (repairs) check_files();
+}
+
+/// Writes a file that the program knows, unless it is there. A repair tells when the file had changed.
+void DatasetFolder::State::write_own(const std::string& name, const std::string& text, bool tells) {
+  const auto content = whole_file(path(name));
+  if (content == text) return;
+  if (tells) tell_fault(fmt::format("{} {}", path(name), content ? "had changed" : "was missing"));
+  make_folders(fs::path(path(name)).parent_path().string());
+  write_whole_file(path(name), text);
+}
+
+void DatasetFolder::State::write_plan(bool tells) {
+  const std::string text = folder_plan_text(plan);
+  write_own(kPlanCopyName, text, tells);
+  write_own(kFolderPlanName, text, tells);
+  info.files[kFolderPlanName] = text_hash(text);
+}
+
+void DatasetFolder::State::save() {
+  const std::string text = dataset_info_text(info);
+  if (whole_file(dataset_info_path(folder)) != text) write_whole_file(dataset_info_path(folder), text);
+  std::error_code ignored;
+  for (const std::uint64_t table : pending) {
+    for (const std::string& file : parts[table]) fs::remove(file, ignored);
+    parts.erase(table);
+  }
+  pending.clear();
+}
+
+/// Saves once enough tables are new, so that a set of many tables does not write dataset.json for each of them.
+void DatasetFolder::State::save_some() {
+  const auto hashes = static_cast<std::uint64_t>(
+      std::count_if(info.tables.begin(), info.tables.end(), [](const std::string& hash) { return !hash.empty(); }));
+  if (pending.size() * kTablesPerSaved >= hashes) save();
+}
+
+/// The documents as they were, and nothing besides.
 void DatasetFolder::State::restore_documents() {
   const fs::path documents(documents_path(folder));
-  std::set<std::string> known;
+  std::set<std::string> own_files;
   for (const PlannedDocument& document : plan.documents) {
     for (const auto& [path, content] : document.bundle.files) {
       const fs::path own = (fs::path(document.name) / path).lexically_normal();
-      known.insert(own.generic_string());
+      own_files.insert(own.generic_string());
       if (whole_file((documents / own).string()) == content) continue;
       tell_fault(fmt::format("{} was missing or had changed", (documents / own).string()));
     }
   }
   std::vector<std::string> strangers;
   each_file_below(documents.string(), [&](const std::string& path, bool is_left_over) {
-    if (known.contains(path)) return;
+    if (own_files.contains(path)) return;
     strangers.push_back((documents / path).string());
     if (!is_left_over) tell_fault(fmt::format("{} belonged to no document and was removed", strangers.back()));
   });
   for (const std::string& stranger : strangers) fs::remove(stranger);
   unpack_documents(plan, documents.string());
-  if (whole_file(folder_plan_path(folder)) != folder_plan_text(plan)) {
-    write_whole_file(folder_plan_path(folder), folder_plan_text(plan));
+}
+
+/// Finds changed files of dataset.json beside the plan. The data card is written anew at the end.
+void DatasetFolder::State::check_files() {
+  for (auto file = info.files.begin(); file != info.files.end();) {
+    const auto content = whole_file(path(file->first));
+    if (file->first == kFolderPlanName || (content && text_hash(*content) == file->second)) {
+      ++file;
+      continue;
+    }
+    const bool is_card = file->first == kDataCardName;
+    tell_fault(fmt::format("{} {}{}", path(file->first), content ? "had changed" : "was missing",
+                           is_card ? "" : "; meristem.dataset in Python writes it again from the tables"));
+    std::error_code ignored;
+    fs::remove(path(file->first), ignored);
+    file = info.files.erase(file);
+  }
+  for (const std::string& stranger : strange_tables(info, folder)) {
+    tell_fault(fmt::format("{} belonged to no table and was removed", stranger));
+    fs::remove(stranger);
+  }
+}
+
+/// Removes what Python has made of the tables, because a table has changed.
+void DatasetFolder::State::drop_arrays() {
+  for (auto file = info.files.begin(); file != info.files.end();) {
+    if (file->first == kFolderPlanName || file->first == kDataCardName) {
+      ++file;
+      continue;
+    }
+    std::error_code ignored;
+    fs::remove(path(file->first), ignored);
+    file = info.files.erase(file);
   }
 }
 
 /// Removes the files below plants/ that no row knows.
-void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string>& known) {
+void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string>& known_paths) {
   const fs::path root(folder);
   std::vector<std::string> strangers;
   each_file_below((root / "plants").string(), [&](const std::string& path, bool is_left_over) {
-    if (known.contains("plants/" + path)) return;
+    if (known_paths.contains("plants/" + path)) return;
     strangers.push_back((root / "plants" / path).string());
     if (!is_left_over) tell_fault(fmt::format("{} belonged to no row and was removed", strangers.back()));
   });
@@ -181,69 +341,73 @@ void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string
 }
 
 /// What the rows of a file tell of plants of a table.
-void DatasetFolder::State::look_at(const std::string& path, std::uint64_t table, bool reads_all,
-                                   FoundInTable& found_there, Progress& progress) const {
-  const RowsOfFile rows = read_manifest_rows(path, manifest_header(plan));
+void DatasetFolder::State::take_rows(const TableRows& rows, bool reads_all, FoundInTable& found_there,
+                                     Progress& progress) const {
   found_there.faults.insert(found_there.faults.end(), rows.faults.begin(), rows.faults.end());
-  std::vector<std::optional<std::string>> row_faults = faults_of_rows(rows, folder, reads_all, progress);
+  std::vector<std::optional<std::string>> row_faults = faults_of_rows(rows.rows, folder, reads_all, progress);
   for (std::size_t row = 0; row < rows.rows.size(); ++row) {
-    const ManifestEntry& entry = rows.rows[row].first;
-    if (!is_in(entry.number, table)) {
-      found_there.faults.push_back(fmt::format("{}: the plant {} belongs to another table", path, entry.number));
-      continue;
-    }
+    const ManifestEntry& entry = rows.rows[row].entry;
     if (reads_all) {
       for (const PlantFile& file : entry.files) found_there.paths.push_back(file.path);
     }
     if (row_faults[row]) {
       found_there.faults.push_back(std::move(*row_faults[row]));
-    } else {
+    } else if (rows.rows[row].is_right) {
       found_there.plants.push_back(entry.number);
+      if (!entry.error.empty()) found_there.failures.push_back(failure_of(rows.rows[row]));
     }
+  }
+}
+
+/// The table itself, and parts of it.
+void DatasetFolder::State::look_at(std::uint64_t table, bool reads_all, FoundInTable& found_there,
+                                   Progress& progress) const {
+  std::error_code error;
+  const bool is_table = fs::exists(manifest_path(folder, table), error);
+  if (is_table) {
+    take_rows(check_table_rows(knowledge(), table), reads_all, found_there, progress);
+    found_there.is_whole = found_there.faults.empty();
+  } else if (known.is_as_written && table < known.tables.size() && !known.tables[table].empty()) {
+    found_there.faults.push_back(fmt::format("{} was missing", manifest_path(folder, table)));
+  }
+  const auto own = parts.find(table);
+  if (own == parts.end()) return;
+  for (const std::string& part : own->second) {
+    take_rows(check_part_rows(knowledge(), part, table), reads_all, found_there, progress);
   }
 }
 
 void DatasetFolder::State::look(bool reads_all, Progress& progress) {
   const fs::path root(folder);
-  // Files of plants that were not finished.
+  // Files of plants that were not finished. Another program may still make some that this one had asked for.
   std::error_code ignored;
-  fs::remove_all(root / "partial" / "plants", ignored);
-
-  // The rows of each table: the table itself, and parts of it.
-  for (const fs::directory_entry& part : fs::directory_iterator(root / "partial" / "rows", ignored)) {
-    std::uint64_t begin = 0;
-    std::uint64_t end = 0;
-    const std::string name = part.path().filename().string();
-    if (std::sscanf(name.c_str(), "%10lu-%10lu.csv", &begin, &end) != 2 || begin >= info.plants) continue;
-    parts[begin / info.rows].push_back(part.path().string());
+  for (const fs::directory_entry& left : fs::directory_iterator(root / "partial" / "plants", ignored)) {
+    remove_left_over(left.path().string(), WithoutLocks::remove);
   }
-  for (auto& [table, files] : parts) std::sort(files.begin(), files.end());
+
+  parts = row_parts(info, folder);
   const std::uint64_t tables = info.table_count();
   std::vector<FoundInTable> in_tables(tables);
   progress.begin(reads_all ? "reading what is there" : "looking at what is there", info.plants);
   parallel_for(tables, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t table = begin; table < end; ++table) {
       progress.check();
-      std::vector<std::string> files;
-      std::error_code error;
-      if (const std::string whole = manifest_path(folder, table); fs::exists(whole, error)) files.push_back(whole);
-      if (const auto own = parts.find(table); own != parts.end()) {
-        files.insert(files.end(), own->second.begin(), own->second.end());
-      }
-      for (const std::string& file : files) look_at(file, table, reads_all, in_tables[table], progress);
+      look_at(table, reads_all, in_tables[table], progress);
     }
   });
 
   if (reads_all) {
-    std::unordered_set<std::string> known;
+    std::unordered_set<std::string> known_paths;
     for (FoundInTable& in_table : in_tables) {
-      known.insert(std::make_move_iterator(in_table.paths.begin()), std::make_move_iterator(in_table.paths.end()));
+      known_paths.insert(std::make_move_iterator(in_table.paths.begin()),
+                         std::make_move_iterator(in_table.paths.end()));
     }
-    remove_strangers(known);
+    remove_strangers(known_paths);
   }
   is_there.assign(info.plants, false);
+  std::vector<std::uint64_t> unmerged;
+  std::vector<std::uint64_t> whole;
   for (std::uint64_t table = 0; table < tables; ++table) {
-    const bool has_fault = !in_tables[table].faults.empty();
     for (std::string& fault : in_tables[table].faults) tell_fault(std::move(fault));
     std::uint32_t left = static_cast<std::uint32_t>(end_of(table) - table * info.rows);
     for (const std::uint64_t plant : in_tables[table].plants) {
@@ -254,78 +418,132 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
     }
     missing.push_back(left);
     // All rows of a table were there, but the table was not written yet; or it has rows that are no rows.
-    std::error_code error;
-    const bool is_whole = fs::exists(manifest_path(folder, table), error) && !has_fault;
-    if (left == 0 && !is_whole) merge(table);
+    if (left == 0 && in_tables[table].is_whole) {
+      for (std::string& failure : in_tables[table].failures) tell_failure(std::move(failure));
+      whole.push_back(table);
+    } else if (left == 0) {
+      unmerged.push_back(table);
+    }
   }
+  for (const std::uint64_t table : whole) adopt(table, reads_all);
+  // A table without its hash is known to be under way, whatever is cut off from here on.
+  if (whole.size() < tables) info.files.erase(kDataCardName);
+  save();
+  for (const std::uint64_t table : unmerged) merge(table);
+  save();
   found = there;
 }
 
+/// Takes the hash of a table that is whole, and writes its hashes if they are not there.
+void DatasetFolder::State::adopt(std::uint64_t table, bool tells) {
+  const std::string known_hash = known_table_hash(known, folder, table);
+  const auto hashes = read_table_hashes(folder, table);
+  info.tables[table] = known_hash;
+  if (hashes && hashes->table == known_hash) return;
+  const std::string text = whole_file(manifest_path(folder, table)).value_or("");
+  const TableHashes made = hashes_of_table(info, text);
+  const std::string path = table_hashes_path(folder, table);
+  if (tells && !known_hash.empty()) tell_fault(fmt::format("{} was missing or had changed", path));
+  make_folders(fs::path(path).parent_path().string());
+  write_whole_file(path, table_hashes_text(made));
+  info.tables[table] = made.table;
+}
+
 void DatasetFolder::State::merge(std::uint64_t table) {
-  const std::string header = manifest_header(plan);
-  std::vector<std::string> files = parts[table];
+  std::map<std::uint64_t, TableRow> rows;
+  const Progress progress;
+  const auto take = [&](TableRows read) {
+    for (TableRow& row : read.rows) {
+      if (!row.is_right) continue;
+      const auto [known_row, is_new] = rows.try_emplace(row.entry.number, row);
+      if (is_new || known_row->second.line == row.line) continue;
+      // A plant that was made again has a row of before as well, which does not tell what its files hold now.
+      if (fault_of_files(known_row->second.entry, folder, true, progress)) known_row->second = std::move(row);
+    }
+  };
+  for (const std::string& part : parts[table]) take(check_part_rows(knowledge(), part, table));
   const std::string path = manifest_path(folder, table);
   std::error_code error;
-  if (fs::exists(path, error)) files.push_back(path);
-  std::map<std::uint64_t, std::pair<ManifestEntry, std::string>> lines;
-  const Progress progress;
-  for (const std::string& file : files) {
-    RowsOfFile rows = read_manifest_rows(file, header);
-    for (auto& row : rows.rows) {
-      const std::uint64_t plant = row.first.number;
-      if (!is_in(plant, table)) continue;
-      const auto [known, is_new] = lines.try_emplace(plant, row);
-      if (is_new || known->second.second == row.second) continue;
-      // A plant that was made again has a row of before as well, which does not tell what its files hold now.
-      if (fault_of_files(known->second.first, folder, true, progress)) known->second = std::move(row);
-    }
-  }
-  std::string text = header;
+  if (fs::exists(path, error)) take(check_table_rows(knowledge(), table));
+  std::string text = manifest_header(plan);
   std::uint64_t number = table * info.rows;
-  for (const auto& [key, row] : lines) {
+  for (const auto& [key, row] : rows) {
     if (key != number) break;
-    text += row.second + "\n";
+    text += row.line + "\n";
     ++number;
   }
   if (number != end_of(table)) {
     throw MachineError(
         fmt::format("'{}' cannot be written: the row of the plant {} has gone from the folder", path, number));
   }
+  for (const auto& [key, row] : rows) {
+    if (!row.entry.error.empty()) tell_failure(failure_of(row));
+  }
+  const TableHashes hashes = hashes_of_table(info, text);
+  if (known.is_as_written && table < known.tables.size() && known.tables[table] != hashes.table) drop_arrays();
   make_folders(fs::path(path).parent_path().string());
+  make_folders(fs::path(table_hashes_path(folder, table)).parent_path().string());
+  write_whole_file(table_hashes_path(folder, table), table_hashes_text(hashes));
   write_whole_file(path, text);
-  for (const std::string& file : parts[table]) fs::remove(file, error);
-  parts.erase(table);
+  info.tables[table] = hashes.table;
+  pending.push_back(table);
+  save_some();
 }
 
 DatasetFolder::DatasetFolder(const DatasetPlan& plan, std::string folder, DatasetOpening opening, Progress& progress)
     : state_(std::make_unique<State>(plan, std::move(folder))) {
   State& state = *state_;
   const fs::path root(state.folder);
+  const bool repairs = opening == DatasetOpening::repair;
   std::error_code error;
-  const std::optional<DatasetInfo> before = read_dataset_info(state.folder);
+  std::optional<DatasetInfo> before;
+  bool is_damaged = false;
+  try {
+    before = read_dataset_info(state.folder);
+  } catch (const InputError&) {
+    if (!repairs) throw;
+    is_damaged = true;
+  }
   if (before && opening == DatasetOpening::fresh) {
     throw refused(fmt::format("the folder holds a data set already: {} plants", before->plants),
                   "an empty folder, or to go on with that data set", state.folder);
   }
-  if (before) {
-    state.check_same(*before);
+  if (before && !before->is_as_written && !repairs) {
+    throw refused("dataset.json has changed since it was written",
+                  fmt::format("dataset.json as it was, which meristem dataset {} --repair puts back", state.folder),
+                  state.folder);
+  }
+  if (before && before->is_as_written) {
+    state.check_same(*before, repairs);
+  } else if (before || is_damaged) {
+    bool is_same = before && before->plan == state.info.plan && before->documents.size() == state.info.documents.size();
+    for (std::size_t k = 0; is_same && k < state.info.documents.size(); ++k) {
+      is_same = before->documents[k].is_same(state.info.documents[k]);
+    }
+    state.check_hashes_are_of_this(is_same);
   } else if (fs::exists(root, error)) {
     if (!fs::is_directory(root, error)) throw refused("this is a file", "a folder", state.folder);
-    // A start that was cut off has left nothing but these.
+    // A start that was cut off has left nothing but these. A repair also puts back a dataset.json that is missing.
+    bool has_tables = false;
     for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
       const std::string name = entry.path().filename().string();
-      if (name == kDocumentsName || name == kFolderPlanName || name == "partial") continue;
+      const bool is_begun = std::find(kBegun.begin(), kBegun.end(), name) != kBegun.end() || name == kChecksName;
+      const bool is_own = std::find(kOwnNames.begin(), kOwnNames.end(), name) != kOwnNames.end();
+      has_tables = has_tables || !is_begun;
+      if (is_begun || is_temporary_name(name) || (repairs && is_own)) continue;
       throw refused(fmt::format("the folder holds '{}' and no data set", name), "an empty folder", state.folder);
     }
+    if (has_tables) state.check_hashes_are_of_this(false);
+    is_damaged = has_tables;
   }
   make_folders(state.folder);
   state.lock = std::make_unique<FolderLock>(root);
-  if (!before) {
+  if (!before && !is_damaged) {
     state.begin();
-  } else if (opening == DatasetOpening::repair) {
-    state.restore_documents();
+  } else {
+    state.go_on(before, repairs);
   }
-  state.look(opening == DatasetOpening::repair, progress);
+  state.look(repairs, progress);
 }
 
 DatasetFolder::~DatasetFolder() = default;
@@ -336,6 +554,17 @@ std::uint64_t DatasetFolder::done() const { return state_->there; }
 std::uint64_t DatasetFolder::found() const { return state_->found; }
 const std::vector<std::string>& DatasetFolder::faults() const { return state_->faults; }
 std::uint64_t DatasetFolder::fault_count() const { return state_->fault_count; }
+std::uint64_t DatasetFolder::failed() const { return state_->failed; }
+const std::vector<std::string>& DatasetFolder::failures() const { return state_->failures; }
+
+std::string DatasetFolder::failed_text() const {
+  const State& state = *state_;
+  if (state.failed == 0) return "";
+  std::string text = fmt::format("{} of {} plants written, {} failed: {}", state.info.plants - state.failed,
+                                 state.info.plants, state.failed, state.failures.front());
+  if (state.failed > 1) text += fmt::format("; {} more in the column 'error' of the manifest", state.failed - 1);
+  return text;
+}
 
 std::optional<PlantRange> DatasetFolder::next(double seconds) {
   State& state = *state_;
@@ -372,10 +601,24 @@ void DatasetFolder::add(PlantRange range, double seconds) {
 void DatasetFolder::finish(Progress& progress) {
   State& state = *state_;
   const fs::path root(state.folder);
-  write_whole_file((root / "README.md").string(), data_card(state.plan, state.folder, progress));
+  const std::string card = data_card(state.plan, state.folder, progress);
+  state.write_own(kDataCardName, card, false);
+  state.info.files[kDataCardName] = text_hash(card);
+  state.save();
   std::error_code ignored;
   fs::remove_all(root / "partial" / "rows", ignored);
-  fs::remove_all(root / "partial" / "plants", ignored);
+  for (const fs::directory_entry& left : fs::directory_iterator(root / "partial" / "plants", ignored)) {
+    remove_left_over(left.path().string(), WithoutLocks::remove);
+  }
+  fs::remove(root / "partial" / "plants", ignored);
+}
+
+void DatasetFolder::add_file(const std::string& name) {
+  State& state = *state_;
+  const std::optional<std::string> content = whole_file(state.path(name));
+  if (!content) throw MachineError(fmt::format("cannot read '{}'", state.path(name)));
+  state.info.files[name] = text_hash(*content);
+  state.save();
 }
 
 }  // namespace meristem

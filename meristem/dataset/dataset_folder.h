@@ -18,7 +18,7 @@ namespace meristem {
 /// What a folder is opened for.
 enum class DatasetOpening {
   resume,  ///< go on with what is there, if its files are there with their sizes
-  repair,  ///< go on with what is there, if its files have their hashes
+  repair,  ///< go on with what is there, if all of it has its hashes; put back what belongs to the folder
   fresh,   ///< begin; a folder that holds anything is refused
 };
 
@@ -27,7 +27,8 @@ class DatasetFolder {
  public:
   /// Begins the data set in `folder`, which is made, or goes on with it. Throws InputError where the folder holds
   /// something else, a data set of another plan, or one of a document that has been edited since; MachineError where
-  /// the disk refuses or another program is at work in it. Nothing that is there is changed then. `plan` outlives it.
+  /// the disk refuses, another program is at work in it, or a repair lacks what it needs. Nothing that is there is
+  /// changed then. `plan` outlives it.
   DatasetFolder(const DatasetPlan& plan, std::string folder, DatasetOpening opening, Progress& progress);
   ~DatasetFolder();
   DatasetFolder(const DatasetFolder&) = delete;
@@ -41,6 +42,13 @@ class DatasetFolder {
   const std::vector<std::string>& faults() const;
   std::uint64_t fault_count() const;
 
+  /// Plants that are there with an error and without files.
+  std::uint64_t failed() const;
+  /// Key and error of the first of them, one line each, at most ten.
+  const std::vector<std::string>& failures() const;
+  /// "7 of 12 plants written, 5 failed: 000002: ..."; empty if none has failed.
+  std::string failed_text() const;
+
   /// The next missing plants, about as many as are made in `seconds`; nothing once all were given.
   std::optional<PlantRange> next(double seconds = 0.5);
   /// Tells that a range was made, which make_range or put_range has written, and how many seconds that took. Its table
@@ -49,6 +57,8 @@ class DatasetFolder {
 
   /// Writes the data card and removes what was partial. All plants must be there.
   void finish(Progress& progress);
+  /// Adds the hash of a file of the folder to dataset.json, such as manifest.npz. The file goes when a table changes.
+  void add_file(const std::string& name);
 
  private:
   struct State;

@@ -32,7 +32,7 @@ std::string fault_of(const DatasetPlan& plan, const std::string& path,
 
 std::vector<std::string> verified(const std::string& path) {
   Progress progress;
-  return verify_dataset(path, progress).faults;
+  return verify_dataset(path, builtin_components(), "", progress).faults;
 }
 
 TEST(DatasetFolder, IsTheSameInOneGoAndInPieces) {
@@ -45,7 +45,8 @@ TEST(DatasetFolder, IsTheSameInOneGoAndInPieces) {
   EXPECT_EQ(make_plants(plan, folder / "pieces"), 0U);
   const auto whole = files_below(folder / "whole");
   EXPECT_EQ(files_below(folder / "pieces"), whole);
-  EXPECT_EQ(whole.size(), 25 + 3 + 4U) << "plants, tables, dataset.json, plan.json, document, README.md";
+  EXPECT_EQ(whole.size(), 25 + 2 * 3 + 5U)
+      << "plants, tables and their hashes, dataset.json, two plans, document, card";
   EXPECT_TRUE(verified(folder / "whole").empty());
   EXPECT_FALSE(fs::exists(folder / "whole/partial/rows"));
 }
@@ -128,7 +129,7 @@ TEST(DatasetFolder, FindsStrangeFilesAndChangedDocuments) {
   write_content(folder / "rods/documents/rod/rod.json", "{}");
   const auto faults = verified(folder / "rods");
   ASSERT_EQ(faults.size(), 2U);
-  EXPECT_NE(faults[0].find("documents/rod has changed"), std::string::npos);
+  EXPECT_NE(faults[0].find("documents/rod/rod.json has changed"), std::string::npos);
   EXPECT_NE(faults[1].find("stranger.ply belongs to no row"), std::string::npos);
 }
 
@@ -145,7 +146,7 @@ TEST(DatasetFolder, RepairsDocumentsAndRemovesStrangers) {
   Progress progress;
   {
     const DatasetFolder opened(plan, folder / "rods", DatasetOpening::repair, progress);
-    EXPECT_EQ(opened.fault_count(), 4U);
+    EXPECT_EQ(opened.fault_count(), 5U);
     EXPECT_EQ(opened.found(), 24U);
   }
   make_plants(plan, folder / "rods");
@@ -195,7 +196,7 @@ TEST(DatasetFolder, IsCheckedPlantByPlantAndCanBeStopped) {
       if (repairs) {
         const DatasetFolder opened(plan, folder / "rods", DatasetOpening::repair, progress);
       } else {
-        verify_dataset(folder / "rods", progress);
+        verify_dataset(folder / "rods", builtin_components(), "", progress);
       }
     };
     EXPECT_THROW(check(), Cancelled);
@@ -275,14 +276,18 @@ TEST(DatasetFolder, SizesRangesByTimeWithinATable) {
 
 TEST(DatasetFolder, HasACardWithCountsAndHistograms) {
   const TemporaryFolder folder;
-  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "name": "Rods | long", "licence": "CC0-1.0", "seeds": 5,
+  const DatasetPlan plan = rod_plan(
+      R"({"meristem_dataset": 1, "name": "Rods | <b>long</b>", "description": "# Not a [heading](x)\nand no <script>",
+    "author": "*me*", "licence": "CC0-1.0", "seeds": 5,
     "files": [".ply"], "measures": ["triangles"], "grid": {"limits.triangles": [1000, 2]}})");
   make_plants(plan, folder / "rods");
   const std::string card = file_content(folder / "rods/README.md");
-  EXPECT_TRUE(card.starts_with("# Rods | long\n"));
+  EXPECT_TRUE(
+      card.starts_with("# Rods \\| &lt;b&gt;long&lt;/b&gt;\n\n\\# Not a \\[heading\\](x) and no &lt;script&gt;\n\n"));
   EXPECT_NE(card.find("| Plants | 10 |\n| of them failed | 5 |"), std::string::npos) << card;
   EXPECT_NE(card.find("| `.ply` | 5 | "), std::string::npos);
   EXPECT_NE(card.find("CC0-1.0"), std::string::npos);
+  EXPECT_NE(card.find("| Author | \\*me\\* |"), std::string::npos);
   EXPECT_NE(card.find("### triangles\n\n5 numbers from 12 to 12"), std::string::npos) << card;
   EXPECT_NE(card.find("- 000005: "), std::string::npos);
 }

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/version.h"
+#include "meristem/base/whole_file.h"
+#include "meristem/dataset/table_hashes.h"
 #include "meristem/document/json.h"
 
 namespace meristem {
@@ -15,8 +18,6 @@ namespace meristem {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kDatasetFormat = 1;
 
 const std::string& text_member(const Value& object, const char* name) {
   static const std::string none;
@@ -29,6 +30,42 @@ std::uint64_t count_member(const Value& object, const char* name) {
   const double* const number = member != nullptr ? member->number() : nullptr;
   const bool is_count = number != nullptr && *number >= 0 && *number <= 1e15 && *number == std::floor(*number);
   return is_count ? static_cast<std::uint64_t>(*number) : 0;
+}
+
+Value object_of(const std::map<std::string, std::string>& texts) {
+  return Value(Value::Object(texts.begin(), texts.end()));
+}
+
+std::vector<std::pair<std::string, std::string>> texts_in(const Value* object) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  if (object == nullptr || object->object() == nullptr) return texts;
+  for (const auto& [name, value] : *object->object()) {
+    if (value.text() != nullptr) texts.emplace_back(name, *value.text());
+  }
+  return texts;
+}
+
+/// dataset.json without its last member, which is the hash of this text.
+Value::Object told_by(const DatasetInfo& info) {
+  Value::List documents;
+  for (const DatasetDocument& document : info.documents) {
+    documents.emplace_back(
+        Value::Object{{"name", document.name},
+                      {"document", document.document},
+                      {"hash", document.hash},
+                      {"files", Value(Value::Object(document.files.begin(), document.files.end()))}});
+  }
+  Value::List tables;
+  for (const std::string& hash : info.tables) tables.push_back(hash.empty() ? Value() : Value(hash));
+  return {{"meristem_dataset_folder", info.format},
+          {"version", info.version},
+          {"name", info.name},
+          {"plan", info.plan},
+          {"plants", static_cast<double>(info.plants)},
+          {"rows", static_cast<double>(info.rows)},
+          {"documents", std::move(documents)},
+          {"files", object_of(info.files)},
+          {"tables", std::move(tables)}};
 }
 
 }  // namespace
@@ -45,8 +82,11 @@ DatasetInfo info_of(const DatasetPlan& plan) {
                    .rows = static_cast<std::uint64_t>(plan.rows),
                    .documents = {}};
   for (const PlannedDocument& document : plan.documents) {
-    info.documents.push_back({document.name, document.bundle.document, document.bundle.hash()});
+    DatasetDocument told{document.name, document.bundle.document, document.bundle.hash()};
+    for (const auto& [path, content] : document.bundle.files) told.files.emplace_back(path, text_hash(content));
+    info.documents.push_back(std::move(told));
   }
+  info.tables.resize(info.table_count());
   return info;
 }
 
@@ -59,15 +99,21 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
         Diagnostic{.message = std::move(what), .expected = "the dataset.json of a data set", .file = path});
   };
   Value value;
+  std::string text;
   try {
-    value = parse_json(read_text_file(path));
+    text = read_text_file(path);
+    value = parse_json(text);
   } catch (const InputError& fault) {
-    throw wrong(fault.diagnostics().front().message);
+    Diagnostic told = fault.diagnostics().front();
+    told.file = path;
+    told.expected = "the dataset.json of a data set";
+    throw InputError(std::move(told));
   }
   const std::uint64_t format = count_member(value, "meristem_dataset_folder");
   if (format < 1) throw wrong("this is not what a data set says of itself");
   if (format > kDatasetFormat) throw wrong(fmt::format("its format {} is newer than this program", format));
-  DatasetInfo info{.version = text_member(value, "version"),
+  DatasetInfo info{.format = static_cast<int>(format),
+                   .version = text_member(value, "version"),
                    .name = text_member(value, "name"),
                    .plan = text_member(value, "plan"),
                    .plants = count_member(value, "plants"),
@@ -77,10 +123,17 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
     throw wrong("it says no number of plants and rows");
   if (const Value* documents = value.find("documents"); documents != nullptr && documents->list() != nullptr) {
     for (const Value& document : *documents->list()) {
-      info.documents.push_back(
-          {text_member(document, "name"), text_member(document, "document"), text_member(document, "hash")});
+      info.documents.push_back({text_member(document, "name"), text_member(document, "document"),
+                                text_member(document, "hash"), texts_in(document.find("files"))});
     }
   }
+  if (format == 1) return info;
+  if (const Value* tables = value.find("tables"); tables != nullptr && tables->list() != nullptr) {
+    for (const Value& hash : *tables->list()) info.tables.push_back(hash.text() != nullptr ? *hash.text() : "");
+  }
+  info.tables.resize(info.table_count());
+  for (auto& [file, hash] : texts_in(value.find("files"))) info.files.emplace(file, std::move(hash));
+  info.is_as_written = text == dataset_info_text(info);
   return info;
 }
 
@@ -91,18 +144,23 @@ InputError no_dataset(const std::string& folder) {
 }
 
 std::string dataset_info_text(const DatasetInfo& info) {
-  Value::List documents;
-  for (const DatasetDocument& document : info.documents) {
-    documents.emplace_back(
-        Value::Object{{"name", document.name}, {"document", document.document}, {"hash", document.hash}});
+  Value::Object told = told_by(info);
+  const std::string hash = text_hash(write_json(Value(told)));
+  told.emplace_back("hash", hash);
+  return write_json(Value(std::move(told)));
+}
+
+std::string begun_plan_text(const std::string& folder) {
+  const std::optional<std::string> text = whole_file(folder_plan_path(folder));
+  const std::optional<std::string> copy = whole_file((fs::path(folder) / kPlanCopyName).string());
+  try {
+    const std::optional<DatasetInfo> info = read_dataset_info(folder);
+    const auto known = info ? info->files.find(kFolderPlanName) : std::map<std::string, std::string>::const_iterator();
+    if (info && known != info->files.end() && copy && text_hash(*copy) == known->second) return *copy;
+  } catch (const InputError&) {
+    // dataset.json cannot be read: the copy is as good as the plan.
   }
-  return write_json(Value(Value::Object{{"meristem_dataset_folder", kDatasetFormat},
-                                        {"version", info.version},
-                                        {"name", info.name},
-                                        {"plan", info.plan},
-                                        {"plants", static_cast<double>(info.plants)},
-                                        {"rows", static_cast<double>(info.rows)},
-                                        {"documents", std::move(documents)}}));
+  return text ? *text : copy.value_or("");
 }
 
 std::string folder_plan_text(const DatasetPlan& plan) {

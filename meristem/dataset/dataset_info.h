@@ -3,16 +3,19 @@
 //
 //   documents/NAME/     each document, and the files that it names
 //   plan.json           the plan, with the documents below
-//   dataset.json        what this data set is; a folder without it is none yet
+//   dataset.json        what this data set is, with the hashes of its tables; a folder without it is none yet
 //   plants/0000/        the files of a thousand plants
 //   manifest/00000.csv  a table of the manifest, once all of its plants are made
+//   checks/             a copy of the plan, and hashes of rows and columns of each table
 //   partial/            rows of other tables, and files of plants that are being made
 //   README.md           the data card, once all plants are made
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meristem/dataset/dataset_plan.h"
@@ -22,20 +25,31 @@ namespace meristem {
 /// A document of a data set.
 struct DatasetDocument {
   std::string name;
-  std::string document;  ///< path of its file below documents/NAME
-  std::string hash;      ///< of the file and all that it names
+  std::string document;                                      ///< path of its file below documents/NAME
+  std::string hash;                                          ///< of the file and all that it names
+  std::vector<std::pair<std::string, std::string>> files{};  ///< path below documents/NAME and hash; none in format 1
 
-  bool operator==(const DatasetDocument&) const = default;
+  /// Returns true for the same name and content.
+  bool is_same(const DatasetDocument& other) const {
+    return name == other.name && document == other.document && hash == other.hash;
+  }
 };
+
+/// The format of dataset.json that this program writes. Format 1 has no hashes of tables and files.
+inline constexpr int kDatasetFormat = 2;
 
 /// What dataset.json says.
 struct DatasetInfo {
+  int format = kDatasetFormat;
   std::string version;  ///< of the program that began it
   std::string name;
   std::string plan;  ///< hash of the plan
   std::uint64_t plants = 0;
   std::uint64_t rows = 0;  ///< of a table of the manifest
   std::vector<DatasetDocument> documents;
+  std::vector<std::string> tables{};           ///< hash of each table; empty until all plants of the table are made
+  std::map<std::string, std::string> files{};  ///< hashes of plan, data card and arrays, by path
+  bool is_as_written = true;                   ///< false if somebody has edited the file since
 
   std::uint64_t table_count() const { return (plants + rows - 1) / rows; }
 };
@@ -44,6 +58,9 @@ struct DatasetInfo {
 inline constexpr const char* kDatasetInfoName = "dataset.json";
 inline constexpr const char* kFolderPlanName = "plan.json";
 inline constexpr const char* kDocumentsName = "documents";
+inline constexpr const char* kChecksName = "checks";
+inline constexpr const char* kPlanCopyName = "checks/plan.json";
+inline constexpr const char* kDataCardName = "README.md";
 
 /// Where these lie in a folder.
 std::string dataset_info_path(const std::string& folder);
@@ -61,6 +78,10 @@ InputError no_dataset(const std::string& folder);
 
 /// The text of dataset.json.
 std::string dataset_info_text(const DatasetInfo& info);
+
+/// Returns the text of the plan as the data set was begun with it: plan.json, or its copy in checks/ if plan.json has
+/// changed since. Returns plan.json if nothing tells which one is right.
+std::string begun_plan_text(const std::string& folder);
 
 /// The text of plan.json: a plan that reads as the same data set from the folder, with its own documents.
 std::string folder_plan_text(const DatasetPlan& plan);

@@ -26,8 +26,8 @@ std::string one_line(std::string text) {
 }
 
 /// A value of a plan: texts as they are, all else as JSON.
-std::string value_field(const Value& value) {
-  return csv_field(one_line(value.text() != nullptr ? *value.text() : write_json_line(value)));
+std::string value_text(const Value& value) {
+  return one_line(value.text() != nullptr ? *value.text() : write_json_line(value));
 }
 
 template <class Number>
@@ -88,15 +88,20 @@ std::string manifest_header(const DatasetPlan& plan) {
   return line;
 }
 
-std::string manifest_row(const DatasetPlan& plan, const MadePlant& made) {
-  const PlannedPlant& plant = made.plant;
-  std::string line = fmt::format("{},{},{}", plant.key, csv_field(plan.documents[plant.document].name), plant.seed);
+std::vector<std::string> planned_fields(const DatasetPlan& plan, const PlannedPlant& plant) {
+  std::vector<std::string> fields{plant.key, plan.documents[plant.document].name, std::to_string(plant.seed)};
   for (const std::string& path : plan.columns) {
     const auto value =
         std::find_if(plant.values.begin(), plant.values.end(), [&](const auto& other) { return other.first == path; });
-    line += ',';
-    if (value != plant.values.end()) line += value_field(value->second);
+    fields.push_back(value != plant.values.end() ? value_text(value->second) : "");
   }
+  return fields;
+}
+
+std::string manifest_row(const DatasetPlan& plan, const MadePlant& made) {
+  std::string line;
+  for (const std::string& field : planned_fields(plan, made.plant))
+    line += (line.empty() ? "" : ",") + csv_field(field);
   std::array<std::string, 3> lists;
   for (const PlantFile& file : made.files) {
     const char* const space = &file == &made.files.front() ? "" : " ";
@@ -166,7 +171,7 @@ std::optional<ManifestEntry> ManifestLayout::entry(const std::vector<std::string
   if (fields.size() != count) return std::nullopt;
   const auto number = count_of(fields.front());
   if (!number) return std::nullopt;
-  ManifestEntry found{.number = *number, .files = {}, .has_failed = !fields[error].empty()};
+  ManifestEntry found{.number = *number, .files = {}, .error = fields[error]};
   const auto paths = words_of(fields[files]);
   const auto sizes = words_of(fields[bytes]);
   const auto all_hashes = words_of(fields[hashes]);

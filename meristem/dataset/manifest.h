@@ -37,6 +37,8 @@ struct MadePlant {
 std::vector<std::string> manifest_columns(const DatasetPlan& plan);
 /// The names of the columns as the first line of a table, with its line end.
 std::string manifest_header(const DatasetPlan& plan);
+/// The first fields of the row of a plant, as the plan draws them: key, document, seed and the values that differ.
+std::vector<std::string> planned_fields(const DatasetPlan& plan, const PlannedPlant& plant);
 /// The row of a plant, with its line end; it holds no other one.
 std::string manifest_row(const DatasetPlan& plan, const MadePlant& made);
 
@@ -47,7 +49,7 @@ std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 struct ManifestEntry {
   std::uint64_t number = 0;
   std::vector<PlantFile> files;
-  bool has_failed = false;
+  std::string error;  ///< why there is no plant; empty if there is one
 };
 
 /// Where the columns of a manifest stand.

@@ -27,14 +27,14 @@ TEST(Manifest, RowsReadBack) {
   ASSERT_TRUE(entry);
   EXPECT_EQ(entry->number, 0U);
   EXPECT_EQ(entry->files, made.files);
-  EXPECT_FALSE(entry->has_failed);
+  EXPECT_TRUE(entry->error.empty());
 
   made.error = "a \"line\",\nand more";
   made.files.clear();
   made.measures.clear();
   const std::string failed = manifest_row(plan, made);
   EXPECT_EQ(std::count(failed.begin(), failed.end(), '\n'), 1);
-  EXPECT_TRUE(layout->entry(failed.substr(0, failed.size() - 1))->has_failed);
+  EXPECT_FALSE(layout->entry(failed.substr(0, failed.size() - 1))->error.empty());
 }
 
 TEST(Manifest, RefusesWhatIsNoRow) {

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/dataset/plant_range.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/whole_file.h"
 #include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/table_hashes.h"
 
 namespace meristem {
 
@@ -17,6 +21,20 @@ namespace fs = std::filesystem;
 
 std::string rows_path(const std::string& folder, PlantRange range) {
   return (fs::path(folder) / "partial" / "rows" / fmt::format("{:010}-{:010}.csv", range.begin, range.end)).string();
+}
+
+std::map<std::uint64_t, std::vector<std::string>> row_parts(const DatasetInfo& info, const std::string& folder) {
+  std::map<std::uint64_t, std::vector<std::string>> parts;
+  std::error_code ignored;
+  for (const fs::directory_entry& part : fs::directory_iterator(fs::path(folder) / "partial" / "rows", ignored)) {
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
+    const std::string name = part.path().filename().string();
+    if (std::sscanf(name.c_str(), "%10lu-%10lu.csv", &begin, &end) != 2 || begin >= info.plants) continue;
+    parts[begin / info.rows].push_back(part.path().string());
+  }
+  for (auto& [table, files] : parts) std::sort(files.begin(), files.end());
+  return parts;
 }
 
 bool sees_dataset(const DatasetPlan& plan, const std::string& folder) {
@@ -45,7 +63,7 @@ void make_range(PlantMaker& maker, const DatasetPlan& plan, PlantRange range, co
     rows += manifest_row(plan, made);
   }
   make_folders((root / "partial" / "rows").string());
-  write_whole_file(rows_path(folder, range), rows);
+  write_whole_file(rows_path(folder, range), with_end_line(std::move(rows)));
 }
 
 MadeRange make_range_apart(PlantMaker& maker, const DatasetPlan& plan, PlantRange range, const std::string& scratch,
@@ -75,7 +93,7 @@ void put_range(const MadeRange& made, const DatasetPlan& plan, const std::string
   }
   for (const auto& [path, content] : made.files) write_whole_file((root / path).string(), content);
   make_folders((root / "partial" / "rows").string());
-  write_whole_file(rows_path(folder, made.range), made.rows);
+  write_whole_file(rows_path(folder, made.range), with_end_line(made.rows));
 }
 
 }  // namespace meristem

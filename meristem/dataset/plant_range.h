@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "meristem/base/progress.h"
+#include "meristem/dataset/dataset_info.h"
 #include "meristem/dataset/dataset_plan.h"
 #include "meristem/dataset/plant_maker.h"
 
@@ -46,7 +48,10 @@ MadeRange make_range_apart(PlantMaker& maker, const DatasetPlan& plan, PlantRang
 /// Writes what make_range_apart has made, as make_range would have.
 void put_range(const MadeRange& made, const DatasetPlan& plan, const std::string& folder);
 
-/// The file in `partial/` that holds the rows of a range.
+/// The file in `partial/` that holds the rows of a range. Its last line has the hash of all others.
 std::string rows_path(const std::string& folder, PlantRange range);
+
+/// Returns the files in `partial/` with rows of each table, in order.
+std::map<std::uint64_t, std::vector<std::string>> row_parts(const DatasetInfo& info, const std::string& folder);
 
 }  // namespace meristem

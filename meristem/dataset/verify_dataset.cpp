@@ -3,17 +3,21 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
-#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/base/hash.h"
+#include "meristem/base/in_quotes.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/whole_file.h"
 #include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/dataset_plan.h"
+#include "meristem/dataset/plant_range.h"
+#include "meristem/dataset/table_hashes.h"
+#include "meristem/document/json.h"
 
 namespace meristem {
 
@@ -32,81 +36,283 @@ std::string hash_of_unpacked(const DatasetDocument& document, const std::string&
   return bundle.hash();
 }
 
-/// What one table tells, and its plants' files below `plants/`.
-struct TableCheck {
-  DatasetCheck sums;
-  std::set<std::string> paths;
-};
+/// The first member in which two plans differ, for messages; empty if they say the same.
+std::string difference_of(const std::string& now, const std::string& before) {
+  try {
+    const Value changed = parse_json(now);
+    const Value original = parse_json(before);
+    if (changed.object() == nullptr || original.object() == nullptr) return "";
+    for (const auto& [name, value] : *original.object()) {
+      const Value* const found = changed.find(name);
+      if (found == nullptr) return fmt::format("'{}' is missing", name);
+      if (*found == value) continue;
+      return fmt::format("'{}' is {}, and was {}", name, in_quotes(write_json_line(*found)),
+                         in_quotes(write_json_line(value)));
+    }
+    for (const auto& [name, value] : *changed.object()) {
+      if (original.find(name) == nullptr) return fmt::format("'{}' has been added", name);
+    }
+    return "it says the same in other words";
+  } catch (const InputError& error) {
+    return error.diagnostics().front().text();
+  }
+}
 
-TableCheck check_table(const DatasetInfo& info, const std::string& folder, std::uint64_t table, Progress& progress) {
-  TableCheck check;
-  const std::string path = manifest_path(folder, table);
-  const std::uint64_t begin = table * info.rows;
-  const std::uint64_t end = std::min(info.plants, begin + info.rows);
-  std::error_code error;
-  if (!fs::exists(path, error)) {
-    check.sums.faults.push_back(fmt::format("{} is missing: {} plants", path, end - begin));
-    progress.advance(end - begin);
+/// Checks a whole folder.
+class DatasetVerifier {
+ public:
+  DatasetVerifier(std::string folder, const Registry& registry, std::string models, Progress& progress)
+      : folder_(std::move(folder)), registry_(registry), models_(std::move(models)), progress_(progress) {}
+
+  DatasetCheck run() {
+    std::error_code error;
+    if (!fs::exists(dataset_info_path(folder_), error)) throw no_dataset(folder_);
+    const bool is_readable = read_info();
+    if (is_readable) documents_ = document_faults(info_, folder_);
+    read_plan();
+    if (!is_readable && plan_) recover_info();
+    if (!is_readable && !plan_) return std::move(check_);
+    check_info(is_readable);
+    check_.plants = info_.plants;
+    check_plan();
+    take(documents_);
+    check_tables();
+    check_files();
+    check_strangers();
+    return std::move(check_);
+  }
+
+ private:
+  template <class... Arguments>
+  void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    check_.faults.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+  }
+  void take(const std::vector<std::string>& faults) {
+    check_.faults.insert(check_.faults.end(), faults.begin(), faults.end());
+  }
+  std::string path(const std::string& below) const { return (fs::path(folder_) / below).string(); }
+
+  bool read_info() {
+    try {
+      info_ = *read_dataset_info(folder_);
+      return true;
+    } catch (const InputError& error) {
+      tell("{}", error.diagnostics().front().text());
+      return false;
+    }
+  }
+
+  /// Reads the plan that the data set was begun with. Without it, drawn values cannot be checked.
+  void read_plan() {
+    const std::string file = folder_plan_path(folder_);
+    try {
+      plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_});
+    } catch (const std::exception& error) {
+      // Documents that have changed are told by themselves.
+      const auto* const input = dynamic_cast<const InputError*>(&error);
+      plan_fault_ = input != nullptr ? input->diagnostics().front().text() : error.what();
+      return;
+    }
+    if (info_.plants > 0 && plan_->hash != info_.plan) {
+      plan_fault_ = "it is the plan of another data set";
+      plan_.reset();
+    }
+  }
+
+  void recover_info() {
+    info_ = info_of(*plan_);
+    info_.is_as_written = false;
+    documents_ = document_faults(info_, folder_);
+  }
+
+  void check_info(bool is_readable) {
+    const std::string file = dataset_info_path(folder_);
+    if (info_.format < kDatasetFormat) {
+      check_.warnings.push_back(fmt::format(
+          "{}: an earlier version of the program made this data set, without hashes of its tables. Measures, "
+          "errors and the data card are not checked. 'meristem dataset {}' adds the hashes",
+          file, folder_));
+      return;
+    }
+    if (!is_readable || info_.is_as_written) return;
+    const std::size_t before = check_.faults.size();
+    if (plan_) {
+      const DatasetInfo expected = info_of(*plan_);
+      const auto compare = [&](const char* name, const auto& found, const auto& right) {
+        if (found != right) tell("{}: '{}' is {}; the plan says {}", file, name, found, right);
+      };
+      compare("name", info_.name, expected.name);
+      compare("plants", info_.plants, expected.plants);
+      compare("rows", info_.rows, expected.rows);
+      info_.plants = expected.plants;
+      info_.rows = expected.rows;
+      info_.tables.resize(info_.table_count());
+      for (std::size_t k = 0; k < std::min(info_.documents.size(), expected.documents.size()); ++k) {
+        compare("documents", info_.documents[k].name + " " + info_.documents[k].hash,
+                expected.documents[k].name + " " + expected.documents[k].hash);
+      }
+    }
+    for (std::uint64_t table = 0; table < info_.table_count(); ++table) {
+      const auto hashes = read_table_hashes(folder_, table);
+      if (!hashes || info_.tables[table] == hashes->table) continue;
+      tell("{}: the hash of the table {} is not that of {}", file, table, table_hashes_path(folder_, table));
+    }
+    if (check_.faults.size() == before) tell("{}: the file has changed since it was written", file);
+  }
+
+  void check_plan() {
+    const std::string file = folder_plan_path(folder_);
+    const auto text = whole_file(file);
+    const auto copy = whole_file(path(kPlanCopyName));
+    const auto known = info_.files.find(kFolderPlanName);
+    if (known != info_.files.end() && info_.is_as_written) {
+      if (!text) {
+        tell("{} is missing", file);
+      } else if (text_hash(*text) != known->second) {
+        const std::string what = copy ? difference_of(*text, *copy) : "";
+        tell("{}: the plan has changed since the data set was begun{}{}", file, what.empty() ? "" : ": ", what);
+      }
+      if (!copy || text_hash(*copy) != known->second) {
+        tell("{} {}", path(kPlanCopyName), copy ? "has other bytes than were written" : "is missing");
+      }
+    } else if (!text) {
+      tell("{} is missing", file);
+    }
+    if (!plan_ && documents_.empty()) tell("{}: the drawn values cannot be checked: {}", file, plan_fault_);
+    if (!plan_ && !documents_.empty()) {
+      check_.warnings.push_back(
+          fmt::format("{}: the drawn values are not checked, because a document has changed", file));
+    }
+  }
+
+  // Tables.
+
+  struct TableCheck {
+    DatasetCheck sums;
+    std::set<std::string> paths;
+  };
+
+  TableCheck check_table(std::uint64_t table) {
+    TableCheck check;
+    const std::uint64_t begin = table * info_.rows;
+    const std::uint64_t end = std::min(info_.plants, begin + info_.rows);
+    const std::string file = manifest_path(folder_, table);
+    const TableKnowledge knowledge{.info = info_, .plan = plan_ ? &*plan_ : nullptr, .folder = folder_};
+    std::error_code error;
+    if (!fs::exists(file, error)) {
+      const std::uint64_t rows = check_parts(knowledge, table, check);
+      check.sums.faults.insert(check.sums.faults.begin(),
+                               rows == 0 ? fmt::format("{} is missing: {} plants", file, end - begin)
+                                         : fmt::format("{} is missing: {} plants, {} of them have rows in partial/",
+                                                       file, end - begin, rows));
+      progress_.advance(end - begin);
+      return check;
+    }
+    const TableRows rows = check_table_rows(knowledge, table);
+    check.sums.faults = rows.faults;
+    const std::vector<std::optional<std::string>> faults = faults_of_rows(rows.rows, folder_, true, progress_);
+    for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+      add_row(rows.rows[row].entry, check);
+      if (faults[row]) check.sums.faults.push_back(*faults[row]);
+    }
+    const auto hashes = read_table_hashes(folder_, table);
+    const bool is_known = !info_.tables.empty() && !info_.tables[table].empty();
+    if (is_known && info_.is_as_written && (!hashes || hashes->table != info_.tables[table])) {
+      const std::string checks = table_hashes_path(folder_, table);
+      check.sums.faults.push_back(
+          fmt::format("{} {}", checks, fs::exists(checks, error) ? "has other bytes than were written" : "is missing"));
+    }
+    if (!is_known && !hashes && info_.format == kDatasetFormat) {
+      check.sums.faults.push_back(fmt::format("{}: the table has no hash", file));
+    }
     return check;
   }
-  RowsOfFile rows = read_manifest_rows(path);
-  check.sums.faults = std::move(rows.faults);
-  std::vector<std::optional<std::string>> faults = faults_of_rows(rows, folder, true, progress);
-  std::uint64_t next = begin;
-  for (std::size_t row = 0; row < rows.rows.size(); ++row) {
-    const ManifestEntry& entry = rows.rows[row].first;
-    if (entry.number != next) {
-      check.sums.faults.push_back(
-          fmt::format("{}: the row of the plant {} stands where that of {} should", path, entry.number, next));
-    }
-    next = entry.number + 1;
+
+  static void add_row(const ManifestEntry& entry, TableCheck& check) {
     ++check.sums.rows;
-    check.sums.failed += entry.has_failed ? 1 : 0;
+    check.sums.failed += entry.error.empty() ? 0 : 1;
     for (const PlantFile& file : entry.files) {
       ++check.sums.files;
       check.sums.bytes += file.bytes;
       check.paths.insert(file.path);
     }
-    if (faults[row]) check.sums.faults.push_back(std::move(*faults[row]));
   }
-  if (next != end) check.sums.faults.push_back(fmt::format("{}: rows are missing from {} on", path, next));
-  return check;
-}
+
+  /// Checks the rows of a table that is not whole yet. Returns the number of plants that have one.
+  std::uint64_t check_parts(const TableKnowledge& knowledge, std::uint64_t table, TableCheck& check) {
+    std::set<std::uint64_t> plants;
+    const auto parts = parts_.find(table);
+    if (parts == parts_.end()) return 0;
+    for (const std::string& part : parts->second) {
+      const TableRows rows = check_part_rows(knowledge, part, table);
+      check.sums.faults.insert(check.sums.faults.end(), rows.faults.begin(), rows.faults.end());
+      for (const TableRow& row : rows.rows) {
+        if (!plants.insert(row.entry.number).second) continue;
+        for (const PlantFile& file : row.entry.files) check.paths.insert(file.path);
+      }
+    }
+    return plants.size();
+  }
+
+  void check_tables() {
+    parts_ = row_parts(info_, folder_);
+    std::vector<TableCheck> checks(info_.table_count());
+    progress_.begin("reading all files", info_.plants);
+    parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t table = begin; table < end; ++table) {
+        progress_.check();
+        checks[table] = check_table(table);
+      }
+    });
+    for (TableCheck& check : checks) {
+      check_.rows += check.sums.rows;
+      check_.failed += check.sums.failed;
+      check_.files += check.sums.files;
+      check_.bytes += check.sums.bytes;
+      take(check.sums.faults);
+      paths_.merge(check.paths);
+    }
+  }
+
+  /// The data card, and arrays that Python has written.
+  void check_files() {
+    if (info_.format < kDatasetFormat || !info_.is_as_written) return;
+    for (const auto& [name, hash] : info_.files) {
+      if (name == kFolderPlanName) continue;
+      const auto content = whole_file(path(name));
+      if (content && text_hash(*content) == hash) continue;
+      tell("{} {}", path(name), content ? "has other bytes than were written" : "is missing");
+    }
+    if (!info_.files.contains(kDataCardName) && check_.rows == info_.plants) {
+      tell("{} is not written yet: the data set was stopped at its end", path(kDataCardName));
+    }
+  }
+
+  void check_strangers() {
+    for (const std::string& stranger : strange_tables(info_, folder_)) tell("{} belongs to no table", stranger);
+    std::vector<std::string> strangers;
+    each_file_below(path("plants"), [&](const std::string& below, bool is_left_over) {
+      if (is_left_over || paths_.contains("plants/" + below)) return;
+      strangers.push_back(fmt::format("{} belongs to no row", path("plants/" + below)));
+    });
+    std::sort(strangers.begin(), strangers.end());
+    take(strangers);
+  }
+
+  std::string folder_;
+  const Registry& registry_;
+  std::string models_;
+  Progress& progress_;
+  DatasetInfo info_;
+  std::optional<DatasetPlan> plan_;
+  std::string plan_fault_;
+  std::vector<std::string> documents_;  // faults
+  std::map<std::uint64_t, std::vector<std::string>> parts_;
+  std::set<std::string> paths_;
+  DatasetCheck check_;
+};
 
 }  // namespace
-
-RowsOfFile read_manifest_rows(const std::string& path, const std::string& header) {
-  RowsOfFile all;
-  const auto content = whole_file(path);
-  if (!content) {
-    all.faults.push_back(fmt::format("{} cannot be read", path));
-    return all;
-  }
-  std::string_view rest = *content;
-  const auto next_line = [&rest] {
-    const std::size_t end = rest.find('\n');
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(rest.size(), end == std::string_view::npos ? rest.size() : end + 1));
-    return line;
-  };
-  const std::string_view first = next_line();
-  const auto layout = ManifestLayout::of_header(first);
-  if (!layout || (!header.empty() && std::string(first) + "\n" != header)) {
-    all.faults.push_back(fmt::format("{}: its first line is not that of this manifest", path));
-    return all;
-  }
-  for (std::size_t number = 2; !rest.empty(); ++number) {
-    const bool is_ended = rest.find('\n') != std::string_view::npos;
-    const std::string_view line = next_line();
-    auto entry = layout->entry(line);
-    if (!entry || !is_ended) {
-      all.faults.push_back(fmt::format("{}:{}: this is no row", path, number));
-      continue;
-    }
-    all.rows.emplace_back(std::move(*entry), line);
-  }
-  return all;
-}
 
 std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
                                           const Progress& progress) {
@@ -120,19 +326,18 @@ std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std:
     if (!reads_all) continue;
     const auto content = whole_file(path.string());
     if (!content) return fmt::format("{} cannot be read", path.string());
-    const auto bytes = std::as_bytes(std::span(content->data(), content->size()));
-    if (hash128_hex(bytes) != file.hash) return fmt::format("{} has other bytes than were written", path.string());
+    if (text_hash(*content) != file.hash) return fmt::format("{} has other bytes than were written", path.string());
   }
   return std::nullopt;
 }
 
-std::vector<std::optional<std::string>> faults_of_rows(const RowsOfFile& rows, const std::string& folder,
+std::vector<std::optional<std::string>> faults_of_rows(const std::vector<TableRow>& rows, const std::string& folder,
                                                        bool reads_all, Progress& progress) {
   constexpr std::size_t kRowsAtOnce = 8;
-  std::vector<std::optional<std::string>> faults(rows.rows.size());
-  parallel_for(rows.rows.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::optional<std::string>> faults(rows.size());
+  parallel_for(rows.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      faults[row] = fault_of_files(rows.rows[row].first, folder, reads_all, progress);
+      faults[row] = fault_of_files(rows[row].entry, folder, reads_all, progress);
       progress.advance();
     }
   });
@@ -148,44 +353,57 @@ void each_file_below(const std::string& folder, FunctionRef<void(const std::stri
   }
 }
 
-DatasetCheck verify_dataset(const std::string& folder, Progress& progress) {
-  const std::optional<DatasetInfo> info = read_dataset_info(folder);
-  if (!info) throw no_dataset(folder);
-  const std::uint64_t tables = info->table_count();
-  std::vector<TableCheck> checks(tables);
-  progress.begin("reading all files", info->plants);
-  parallel_for(tables, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t table = begin; table < end; ++table) {
-      progress.check();
-      checks[table] = check_table(*info, folder, table, progress);
-    }
-  });
-
-  DatasetCheck all{.plants = info->plants, .faults = {}};
-  const fs::path root(folder);
-  for (const DatasetDocument& document : info->documents) {
-    if (hash_of_unpacked(document, (fs::path(documents_path(folder)) / document.name).string()) == document.hash)
+std::vector<std::string> document_faults(const DatasetInfo& info, const std::string& folder) {
+  std::vector<std::string> faults;
+  for (const DatasetDocument& document : info.documents) {
+    const fs::path root = fs::path(documents_path(folder)) / document.name;
+    if (document.files.empty()) {
+      if (hash_of_unpacked(document, root.string()) != document.hash) {
+        faults.push_back(fmt::format("{} has changed", root.string()));
+      }
       continue;
-    all.faults.push_back(fmt::format("{} has changed", (fs::path(documents_path(folder)) / document.name).string()));
+    }
+    std::set<std::string> known;
+    for (const auto& [path, hash] : document.files) {
+      known.insert(path);
+      const auto content = whole_file((root / path).string());
+      if (content && text_hash(*content) == hash) continue;
+      faults.push_back(fmt::format("{} {}", (root / path).string(),
+                                   content ? "has changed since the data set was begun" : "is missing"));
+    }
+    std::vector<std::string> strangers;
+    each_file_below(root.string(), [&](const std::string& path, bool is_left_over) {
+      if (!is_left_over && !known.contains(path)) strangers.push_back(path);
+    });
+    std::sort(strangers.begin(), strangers.end());
+    for (const std::string& path : strangers) {
+      faults.push_back(fmt::format("{} belongs to no document", (root / path).string()));
+    }
   }
-  std::set<std::string> paths;
-  for (TableCheck& check : checks) {
-    all.rows += check.sums.rows;
-    all.failed += check.sums.failed;
-    all.files += check.sums.files;
-    all.bytes += check.sums.bytes;
-    for (std::string& fault : check.sums.faults) all.faults.push_back(std::move(fault));
-    paths.merge(check.paths);
+  return faults;
+}
+
+std::vector<std::string> strange_tables(const DatasetInfo& info, const std::string& folder) {
+  std::set<std::string> known{(fs::path(folder) / kPlanCopyName).string()};
+  for (std::uint64_t table = 0; table < info.table_count(); ++table) {
+    known.insert(manifest_path(folder, table));
+    known.insert(table_hashes_path(folder, table));
   }
   std::vector<std::string> strangers;
-  const std::string plants = (root / "plants").string();
-  each_file_below(plants, [&](const std::string& path, bool is_left_over) {
-    if (is_left_over || paths.contains("plants/" + path)) return;
-    strangers.push_back(fmt::format("{} belongs to no row", (fs::path(plants) / path).string()));
-  });
+  for (const char* const name : {"manifest", kChecksName}) {
+    const fs::path root = fs::path(folder) / name;
+    each_file_below(root.string(), [&](const std::string& path, bool is_left_over) {
+      const std::string file = (root / path).string();
+      if (!is_left_over && !known.contains(file)) strangers.push_back(file);
+    });
+  }
   std::sort(strangers.begin(), strangers.end());
-  all.faults.insert(all.faults.end(), strangers.begin(), strangers.end());
-  return all;
+  return strangers;
+}
+
+DatasetCheck verify_dataset(const std::string& folder, const Registry& registry, const std::string& models,
+                            Progress& progress) {
+  return DatasetVerifier(folder, registry, models, progress).run();
 }
 
 }  // namespace meristem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 #include <CLI/App.hpp>
 
@@ -9,6 +10,12 @@ namespace meristem::cli {
 
 // Each adds its subcommand to `app`; when the subcommand was chosen, `run` holds what is to be done.
 using Run = std::function<void()>;
+
+/// Says that a command has done its work, but not for all parts: exit code 3. The message is the last line.
+class PartlyDone : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 void add_grow(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);

@@ -56,8 +56,9 @@ void verify(const DatasetCommand& command) {
   DatasetCheck check;
   {
     TerminalProgress terminal(command.quiet);
-    check = verify_dataset(folder, terminal.progress());
+    check = verify_dataset(folder, components(), models_folder(), terminal.progress());
   }
+  for (const std::string& warning : check.warnings) print_status("warning: " + warning);
   for (std::size_t k = 0; k < check.faults.size() && k < kFaultsPrinted; ++k) print_status(check.faults[k]);
   if (check.faults.size() > kFaultsPrinted) {
     print_status(fmt::format("and {} more", check.faults.size() - kFaultsPrinted));
@@ -65,7 +66,9 @@ void verify(const DatasetCommand& command) {
   if (!command.quiet) {
     print_status(fmt::format("{}: {} of {} plants, {} failed, {}, {:.1f} MB, {}", folder, check.rows, check.plants,
                              check.failed, counted(check.files, "file"), static_cast<double>(check.bytes) / 1e6,
-                             check.faults.empty() ? "all as written" : counted(check.faults.size(), "fault")));
+                             !check.faults.empty()     ? counted(check.faults.size(), "fault")
+                             : !check.warnings.empty() ? "as written as far as it was checked"
+                                                       : "all as written"));
   }
   if (!check.faults.empty()) {
     throw MachineError(fmt::format(
@@ -77,10 +80,24 @@ void verify(const DatasetCommand& command) {
 /// The plan of a file, or of a data set that was begun.
 DatasetPlan plan_of(const DatasetCommand& command) {
   if (command.plan != "-") require_within(command.root, command.plan);
-  const std::string file = is_dataset(command.plan) ? folder_plan_path(command.plan) : command.plan;
+  const bool is_begun = is_dataset(command.plan);
+  const std::string file = is_begun ? folder_plan_path(command.plan) : command.plan;
   std::error_code error;
   if (file != "-") require_within(command.root, file);
   if (fs::is_directory(file, error)) throw no_dataset(file);
+  if (is_begun && command.repair) {
+    try {
+      return read_dataset_plan(begun_plan_text(command.plan), file, components(),
+                               {.models = models_folder(), .root = command.root});
+    } catch (const InputError& fault) {
+      print_diagnostics(fault.diagnostics());
+      throw MachineError(
+          fmt::format("'{0}' cannot be repaired from the folder alone: its plan or a document cannot be read any more; "
+                      "the plan that "
+                      "it was begun with makes it again: meristem dataset PLAN -o {0} --repair",
+                      command.plan));
+    }
+  }
   if (file != "-" && !fs::exists(file, error)) read_file(file, Limits().file_bytes);  // tells the nearest name
   return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder(), .root = command.root});
 }
@@ -120,6 +137,15 @@ void make_all(DatasetFolder& folder, const DatasetPlan& plan, TerminalProgress& 
   });
 }
 
+void tell_made(const std::string& path, std::uint64_t plants, std::uint64_t found,
+               const std::vector<std::string>& faults, std::uint64_t fault_count) {
+  for (const std::string& fault : faults) print_status(fault);
+  if (fault_count > faults.size()) print_status(fmt::format("and {} more", fault_count - faults.size()));
+  if (fault_count > 0) print_status(fmt::format("{}: what was not right was made again", path));
+  print_status(fmt::format("{}: {}{}", path, counted(plants, "plant"),
+                           found > 0 ? fmt::format(", {} of them were there", found) : ""));
+}
+
 void make(const DatasetCommand& command) {
   const DatasetPlan plan = plan_of(command);
   if (!command.quiet) print_diagnostics(plan.warnings);
@@ -131,6 +157,7 @@ void make(const DatasetCommand& command) {
   std::vector<std::string> faults;
   std::uint64_t fault_count = 0;
   std::uint64_t found = 0;
+  std::string failed;
   {
     TerminalProgress terminal(command.quiet);
     const DatasetOpening opening = command.fresh    ? DatasetOpening::fresh
@@ -142,13 +169,10 @@ void make(const DatasetCommand& command) {
     found = folder.found();
     make_all(folder, plan, terminal);
     folder.finish(terminal.progress());
+    if (folder.failed() > 0) failed = fmt::format("{}: {}", path, folder.failed_text());
   }
-  if (command.quiet) return;
-  for (const std::string& fault : faults) print_status(fault);
-  if (fault_count > faults.size()) print_status(fmt::format("and {} more", fault_count - faults.size()));
-  if (fault_count > 0) print_status(fmt::format("{}: what was not right was made again", path));
-  print_status(fmt::format("{}: {}{}", path, counted(plan.count(), "plant"),
-                           found > 0 ? fmt::format(", {} of them were there", found) : ""));
+  if (!command.quiet) tell_made(path, plan.count(), found, faults, fault_count);
+  if (!failed.empty()) throw PartlyDone(failed);
 }
 
 }  // namespace
@@ -168,10 +192,12 @@ void add_dataset(CLI::App& app, Run& run) {
                                                "Refuse a folder that holds a data set, instead of going on with it");
   CLI::Option* const repair = command->add_flag(
       "--repair", options->repair,
-      "Read all files that are there, make again the plants whose files have changed, put back documents, and remove "
-      "files that belong to nothing");
+      "Read all that is there, make again the plants whose rows or files have changed, put back plan, documents and "
+      "hashes, and remove files that belong to nothing");
   CLI::Option* const verify_flag =
-      command->add_flag("--verify", options->verify, "Make nothing; read all files and compare them with the manifest");
+      command->add_flag("--verify", options->verify,
+                        "Make nothing; compare all files with the manifest, and the manifest with its hashes and "
+                        "with the values that the plan draws");
   fresh->excludes(repair)->excludes(verify_flag);
   repair->excludes(verify_flag);
   add_plugin_option(*command);
@@ -179,7 +205,8 @@ void add_dataset(CLI::App& app, Run& run) {
   add_run_options(*command, options->threads, options->quiet);
   command->footer(
       "Example: meristem dataset oaks.json -o oaks\n"
-      "         meristem dataset oaks --verify");
+      "         meristem dataset oaks --verify\n"
+      "Exit codes: 0 done, 1 failed or not as written, 2 wrong plan, 3 some plants have failed");
   command->callback([options, &run] { run = [options] { options->verify ? verify(*options) : make(*options); }; });
 }
 

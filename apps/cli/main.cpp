@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line. Exit codes: 0 done, 1 could not do it, 2 the command line or the document is wrong. A signal ends
-// the program as signals do, after what was begun is undone.
+// The command line. Exit codes: 0 done, 1 could not do it, 2 the command line or the document is wrong, 3 some plants
+// of a data set have failed. A signal ends the program as signals do, after what was begun is undone.
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -28,6 +28,7 @@ using namespace meristem;
 constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kWrongInput = 2;
+constexpr int kPartlyDone = 3;
 
 /// The valid word nearest to one that the command line did not expect.
 std::string nearest_word(const CLI::App& app, const std::string& word) {
@@ -75,6 +76,9 @@ int run_and_report(const cli::Run& run) {
     return kWrongInput;
   } catch (const Cancelled&) {
     return end_by_signal();
+  } catch (const cli::PartlyDone& error) {
+    cli::print_status(error.what());
+    return kPartlyDone;
   } catch (const std::system_error& error) {
     // Whoever read the output has seen enough, as `head` has; no word about that.
     if (error.code() != std::errc::broken_pipe) cli::print_status(fmt::format("meristem: {}", error.what()));

@@ -297,8 +297,10 @@ std::string man_page(const CLI::App& app) {
     if (!command.footer.empty()) text += fmt::format(".PP\n.nf\n{}\n.fi\n", man_text(command.footer));
   }
   return text +
-         ".SH EXIT STATUS\n0 if all is done, 1 if a file, the disk or the memory failed, 2 if the command line or the "
-         "document is wrong.\n";
+         ".SH EXIT STATUS\n0 if all is done, 1 if a file, the disk or the memory failed, or if a data set is not as it "
+         "was written, 2 if the command line or the document is wrong, 3 if a data set is complete but some of its "
+         "plants "
+         "have failed.\n";
 }
 
 }  // namespace meristem::cli

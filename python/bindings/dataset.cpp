@@ -230,8 +230,9 @@ void require_finished(const py::object& path, std::uint64_t rows) {
 
 py::dict check_of(const py::object& path, int threads, const py::object& progress) {
   const std::string folder = path_of(path);
-  const DatasetCheck check =
-      run_call(progress, threads, [&](Progress& inner) { return verify_dataset(folder, inner); });
+  const DatasetCheck check = run_call(progress, threads, [&](Progress& inner) {
+    return verify_dataset(folder, component_types(), models_folder(), inner);
+  });
   py::dict made;
   made["plants"] = check.plants;
   made["rows"] = check.rows;
@@ -239,6 +240,7 @@ py::dict check_of(const py::object& path, int threads, const py::object& progres
   made["files"] = check.files;
   made["bytes"] = check.bytes;
   made["faults"] = check.faults;
+  made["warnings"] = check.warnings;
   return made;
 }
 
@@ -293,6 +295,9 @@ else, MachineError where the disk refuses or another program is at work in it.)"
             });
           },
           py::kw_only(), py::arg("progress") = py::none(), "Writes the data card, once all plants are there.")
+      .def(
+          "add_file", [](const FolderPointer& folder, const std::string& name) { folder->folder.add_file(name); },
+          py::arg("name"), "Adds the hash of a file of the folder to dataset.json, so that verify_dataset checks it.")
       .def("__len__", [](const FolderPointer& folder) { return folder->folder.total(); })
       .def_property_readonly(
           "path", [](const FolderPointer& folder) { return folder->folder.path(); }, "Where it lies.")
@@ -302,9 +307,36 @@ else, MachineError where the disk refuses or another program is at work in it.)"
           "found", [](const FolderPointer& folder) { return folder->folder.found(); },
           "How many plants were there when it was opened.")
       .def_property_readonly(
+          "failed", [](const FolderPointer& folder) { return folder->folder.failed(); },
+          "How many plants are there with an error and without files.")
+      .def_property_readonly(
+          "failures", [](const FolderPointer& folder) { return folder->folder.failures(); },
+          "Key and error of the plants that failed: one line each, the first ten.")
+      .def_property_readonly(
+          "failed_text", [](const FolderPointer& folder) { return folder->folder.failed_text(); },
+          "How many plants were written and how many failed, with the first error; empty if none failed.")
+      .def_property_readonly(
           "faults", [](const FolderPointer& folder) { return folder->folder.faults(); },
           "What was there and not right, and is made again: one line each, the first hundred.");
 
+  py::class_<ScratchFolder, std::shared_ptr<ScratchFolder>>(
+      module, "ScratchFolder",
+      R"(A new folder for temporary files, which goes with this object.
+
+The folder of a killed process goes when the next one makes a folder with the same prefix in the same parent.)")
+      .def(py::init([](const py::object& parent, const std::string& prefix) {
+             return std::make_shared<ScratchFolder>(path_of(parent), prefix);
+           }),
+           py::arg("parent"), py::arg("prefix"))
+      .def_property_readonly(
+          "path", [](const ScratchFolder& folder) { return folder.path(); }, "Where it lies.");
+  module.def(
+      "write_whole_file",
+      [](const py::object& path, const std::string& text) { write_whole_file(path_of(path), text); }, py::arg("path"),
+      py::arg("text"), "Writes a text file: whole, or not at all. Raises MachineError.");
+  module.def(
+      "begun_plan_text", [](const py::object& folder) { return begun_plan_text(path_of(folder)); }, py::arg("folder"),
+      "The text of the plan that a data set was begun with: plan.json, or its copy if plan.json has changed.");
   module.def(
       "unpack_files",
       [](const py::list& files, const py::object& folder) {
@@ -313,11 +345,13 @@ else, MachineError where the disk refuses or another program is at work in it.)"
       py::arg("files"), py::arg("folder"), "Writes the files of Document.bundle() below a folder, which is made.");
   module.def("require_finished", &require_finished, py::arg("folder"), py::arg("rows"),
              "Raises InputError unless the data set in a folder has this number of plants.");
-  module.def("verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("threads") = 0,
-             py::arg("progress") = py::none(),
-             R"(Reads every file of the data set in a folder and compares it with the manifest.
+  module.def(
+      "verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
+      R"(Compares all files of the data set in a folder with the manifest, and the manifest with its hashes and the plan.
 
-Gives a dict of plants, rows, failed, files, bytes, and faults: a list of lines, empty where all is as it was written.
+Gives a dict of plants, rows, failed, files, bytes, faults and warnings. faults is a list of lines, empty where all is as
+it was written. warnings tells what could not be checked.
 Raises InputError where the folder holds no data set.)");
 }
 

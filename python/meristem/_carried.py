@@ -10,7 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ._core import Document, unpack_files
+from ._core import Document, ScratchFolder, unpack_files
+
+_kept: list[ScratchFolder] = []  #: until this process ends
 
 
 class Carried:
@@ -35,8 +37,10 @@ def _read(text: str, file: str, overrides: dict[str, Any], seed: int | None, roo
 def _unpacked(
     name: str, files: list[tuple[str, bytes]], overrides: dict[str, Any], seed: int | None, root: str
 ) -> Document:
-    folder = Path(tempfile.mkdtemp(prefix="meristem-"))
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    scratch = ScratchFolder(tempfile.gettempdir(), "meristem-")
+    atexit.register(shutil.rmtree, scratch.path, ignore_errors=True)
+    _kept.append(scratch)
+    folder = Path(scratch.path)
     unpack_files(files, folder)
     text = (folder / name).read_text(encoding="utf-8")
     return _read(text, str(folder / name), overrides, seed, str(folder) if root else "")

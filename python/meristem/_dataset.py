@@ -7,6 +7,7 @@ import csv
 import importlib
 import os
 import pickle
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ from ._job import add_note
 from ._pool import refuse_unguarded_program
 from ._progress import ProgressCallback, teller
 from ._runner import Runner
+from ._whole_file import whole_file
 
 #: A Document or the name of one, several of them, or a dict of them by the names that the manifest has.
 Documents = Union[None, str, Document, Iterable[Union[str, Document]], Mapping[str, Union[str, Document]]]
@@ -64,6 +66,8 @@ class Dataset:
     plants: int  #: all, those that failed among them
     found: int  #: of them, plants that were there before
     faults: tuple[str, ...]  #: what was there and not right, and was made again: one line each, the first hundred
+    failed: int = 0  #: plants that have an error in place of files and measures
+    failures: tuple[str, ...] = ()  #: key and error of those plants: one line each, the first ten
 
     def rows(self) -> Iterator[dict[str, str]]:
         """The rows of the manifest, in the order of the plants, texts by the names of the columns."""
@@ -80,28 +84,23 @@ class Dataset:
     def save_npz(self, path: str | os.PathLike[str]) -> None:
         """Writes the columns of table() as arrays of an .npz file, whole or not at all."""
         table = self.table()
-        target = Path(path)
-        partial = target.with_name(target.name + ".partial")
-        try:
-            with partial.open("wb") as file:
-                np.savez_compressed(file, **{name: table[name] for name in table.dtype.names or ()})
-            partial.replace(target)
-        finally:
-            partial.unlink(missing_ok=True)
+        with whole_file(Path(path)) as partial, partial.open("wb") as file:
+            np.savez_compressed(file, **{name: table[name] for name in table.dtype.names or ()})
 
     def save_parquet(self, path: str | os.PathLike[str]) -> None:
         """Writes the manifest with all columns as a Parquet file. Raises ImportError without pyarrow."""
-        target = Path(path)
-        partial = target.with_name(target.name + ".partial")
-        try:
+        with whole_file(Path(path)) as partial:
             _write_parquet(self, partial)
-            partial.replace(target)
-        finally:
-            partial.unlink(missing_ok=True)
 
     def verify(self, *, threads: int = 0) -> list[str]:
-        """Reads every file and compares it with the manifest. Gives what is wrong, one line each."""
-        faults: list[str] = verify_dataset(self.folder, threads=threads)["faults"]
+        """Compares all files with the manifest, and the manifest with its hashes and the plan.
+
+        Gives what is wrong, one line each. Warns of what cannot be checked, such as tables without a hash.
+        """
+        check = verify_dataset(self.folder, threads=threads)
+        for warning in check["warnings"]:
+            warnings.warn(warning, stacklevel=2)
+        faults: list[str] = check["faults"]
         return faults
 
 
@@ -128,7 +127,8 @@ def dataset(
     are the same. `progress` is called with the number of plants done and that of all; True tells them on standard
     error, with the time left.
 
-    A plant that its values do not allow is a row with its error. Raises InputError with what is wrong with the plan or
+    A plant that its values do not allow is a row with its error. A warning tells how many plants have failed, as do
+    `failed` and `failures` of the result. Raises InputError with what is wrong with the plan or
     where the folder holds something else, MachineError where the disk or a worker fails. Nothing that was made is lost
     then: the same call goes on.
     """
@@ -141,13 +141,19 @@ def dataset(
     if target.done < len(target):
         _make(target, read_plan, count, executor, tell)
     target.finish()
-    made = Dataset(Path(folder), len(target), target.found, tuple(target.faults))
+    made = Dataset(
+        Path(folder), len(target), target.found, tuple(target.faults), target.failed, tuple(target.failures)
+    )
     if target.found < len(target) or not (made.folder / "manifest.npz").exists():
         made.save_npz(made.folder / "manifest.npz")
+        target.add_file("manifest.npz")
         try:
             made.save_parquet(made.folder / "manifest.parquet")
+            target.add_file("manifest.parquet")
         except ImportError:
             pass  # there is no library for it
+    if target.failed:
+        warnings.warn(f"{made.folder}: {target.failed_text}", stacklevel=2)
     return made
 
 
@@ -156,9 +162,16 @@ def open_dataset(folder: str | os.PathLike[str]) -> Dataset:
 
     Raises InputError where there is none, or where plants are still missing: then dataset() goes on with it.
     """
-    plants = sum(1 for _ in _rows_of(Path(folder)))
+    plants = 0
+    failed = 0
+    failures: list[str] = []
+    for row in _rows_of(Path(folder)):
+        plants += 1
+        if row["error"]:
+            failed += 1
+            failures += [f"{row['key']}: {row['error']}"] if failed <= 10 else []
     require_finished(folder, plants)
-    return Dataset(Path(folder), plants, plants, ())
+    return Dataset(Path(folder), plants, plants, (), failed, tuple(failures))
 
 
 def _make(

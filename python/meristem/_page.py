@@ -12,11 +12,10 @@ import gzip
 import html
 import os
 import re
-import tempfile
 from pathlib import Path
 from typing import Any
 
-from ._core import Plant
+from ._core import Plant, write_whole_file
 from ._errors import MachineError
 
 TRIANGLES = 1_000_000  #: in a page if not said otherwise: what browsers turn smoothly
@@ -75,7 +74,7 @@ def save_html(
     target = Path(path)
     if not is_page(target):
         raise ValueError(f"'{target.name}' is not a page; expected a name that ends in .html")
-    _write_whole(target, to_html(self, triangles=triangles, view=view, threads=threads, progress=progress))
+    write_whole_file(target, to_html(self, triangles=triangles, view=view, threads=threads, progress=progress))
 
 
 class PageInNotebook:
@@ -110,25 +109,3 @@ def _template() -> str:
             f"cannot read '{_TEMPLATE}': the module was built without the view of pages, which needs node; "
             "see the manual's page on Python"
         ) from error
-
-
-def _write_whole(path: Path, text: str) -> None:
-    """Writes beside the path and renames, so that a stop in the middle leaves no half page under the name."""
-    part = None
-    try:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".part", delete=False) as file:
-            part = Path(file.name)
-            file.write(text)
-        part.chmod(0o666 & ~_umask())
-        part.replace(path)
-    except OSError as error:
-        raise MachineError(f"cannot write '{path}': {error.strerror}") from error
-    finally:
-        if part is not None:
-            part.unlink(missing_ok=True)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

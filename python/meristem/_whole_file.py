@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that appear whole or not at all, as those that the library writes."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ._core import ScratchFolder
+
+
+@contextmanager
+def whole_file(target: Path) -> Iterator[Path]:
+    """Gives a path to write to, and renames the file to `target` unless an exception comes.
+
+    The file lies in a hidden folder beside the target. That of a killed program goes when the next file is written there.
+    """
+    target.parent.stat()  # the folder is not made
+    scratch = ScratchFolder(os.path.abspath(target.parent), ".meristem-")
+    partial = Path(scratch.path) / target.name
+    try:
+        yield partial
+        partial.replace(target)
+    finally:
+        shutil.rmtree(scratch.path, ignore_errors=True)

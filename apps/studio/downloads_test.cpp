@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "downloads.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/support/temporary_folder.h"
 
 namespace meristem::studio::downloads_test {
 
@@ -39,6 +44,25 @@ TEST(Downloads, ADraftThatIsNotKeptLeavesNothing) {
   }
   EXPECT_FALSE(fs::exists(path));
   EXPECT_TRUE(fs::is_empty(path.parent_path()));
+}
+
+TEST(Downloads, ThoseOfAKilledStudioGoAtTheNextStart) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::setenv("TMPDIR", folder.path().c_str(), 1), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto* const downloads = new Downloads;
+    const auto draft = downloads->begin();
+    write(*draft);
+    downloads->keep(*draft);
+    ::_exit(0);  // as a killed one: no destructors
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_FALSE(fs::is_empty(folder.path()));
+  const Downloads downloads;
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  ::unsetenv("TMPDIR");
 }
 
 }  // namespace meristem::studio::downloads_test

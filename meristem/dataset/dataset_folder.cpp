@@ -40,11 +40,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kFaultsTold = 100;
 constexpr std::size_t kFailuresTold = 10;
-constexpr std::uint64_t kMostInRange = 1000;   // plants
-constexpr double kNewShare = 0.3;              // of the last range in the mean of the times
-constexpr std::uint64_t kTablesPerSaved = 64;  // dataset.json is written once per so many tables that it holds
+constexpr std::uint64_t kMostInRange = 1000;  // plants
+constexpr double kNewShare = 0.3;             // of the last range in the mean of the times
+constexpr std::uint64_t kTablesPerSave = 64;  // dataset.json is written after one new table for each 64 in it
 
-/// All that a folder of a data set may hold. A folder with other things is not taken for one.
+/// The names in a folder in which a data set was begun, and in the folder of a whole one.
 constexpr std::array<const char*, 3> kBegun{kDocumentsName, kFolderPlanName, "partial"};
 constexpr std::array<const char*, 9> kOwnNames{kDocumentsName, kFolderPlanName, "partial",
                                                kChecksName,    kDataCardName,   "plants",
@@ -90,7 +90,7 @@ class FolderLock {
 struct FoundInTable {
   std::vector<std::string> faults;
   std::vector<std::uint64_t> plants;  // that are there
-  std::vector<std::string> failures;  // key and error of those that failed
+  std::vector<std::string> failures;  // key and error of each plant that failed
   std::vector<std::string> paths;     // of the files of all rows
   bool is_whole = false;              // the table is as it was written
 };
@@ -106,8 +106,8 @@ struct DatasetFolder::State {
 
   const DatasetPlan& plan;
   const std::string folder;
-  DatasetInfo info;   // as it is to be
-  DatasetInfo known;  // as it was found: what tables are compared with
+  DatasetInfo info;   // what dataset.json will say
+  DatasetInfo known;  // what dataset.json said: tables are compared with it
   std::unique_ptr<FolderLock> lock;
   std::vector<bool> is_there;                               // of each plant
   std::vector<std::uint32_t> missing;                       // plants of each table
@@ -188,8 +188,7 @@ void DatasetFolder::State::check_same(const DatasetInfo& before, bool repairs) c
   }
 }
 
-/// Without dataset.json, the hashes of tables tell whether plan and documents are those that the data set was begun
-/// with.
+/// Compares plan and documents with the hashes in checks/, because dataset.json has changed.
 void DatasetFolder::State::check_hashes_are_of_this(bool is_known_otherwise) const {
   bool is_known = is_known_otherwise;
   for (std::uint64_t table = 0; table < info.table_count(); ++table) {
@@ -269,7 +268,7 @@ void DatasetFolder::State::save() {
 void DatasetFolder::State::save_some() {
   const auto hashes = static_cast<std::uint64_t>(
       std::count_if(info.tables.begin(), info.tables.end(), [](const std::string& hash) { return !hash.empty(); }));
-  if (pending.size() * kTablesPerSaved >= hashes) save();
+  if (pending.size() * kTablesPerSave >= hashes) save();
 }
 
 /// The documents as they were, and nothing besides.

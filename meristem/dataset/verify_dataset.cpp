@@ -108,7 +108,7 @@ class DatasetVerifier {
     try {
       plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_});
     } catch (const std::exception& error) {
-      // Documents that have changed are told by themselves.
+      // check_plan reports this, unless a document has changed.
       const auto* const input = dynamic_cast<const InputError*>(&error);
       plan_fault_ = input != nullptr ? input->diagnostics().front().text() : error.what();
       return;

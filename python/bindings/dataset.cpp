@@ -335,9 +335,6 @@ The folder of a killed process goes when the next one makes a folder with the sa
       [](const py::object& path, const std::string& text) { write_whole_file(path_of(path), text); }, py::arg("path"),
       py::arg("text"), "Writes a text file: whole, or not at all. Raises MachineError.");
   module.def(
-      "begun_plan_text", [](const py::object& folder) { return begun_plan_text(path_of(folder)); }, py::arg("folder"),
-      "The text of the plan that a data set was begun with: plan.json, or its copy if plan.json has changed.");
-  module.def(
       "unpack_files",
       [](const py::list& files, const py::object& folder) {
         unpack({.document = {}, .files = files_of(files)}, path_of(folder));

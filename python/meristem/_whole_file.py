@@ -16,7 +16,8 @@ from ._core import ScratchFolder
 def whole_file(target: Path) -> Iterator[Path]:
     """Gives a path to write to, and renames the file to `target` unless an exception comes.
 
-    The file lies in a hidden folder beside the target. That of a killed program goes when the next file is written there.
+    The file lies in a hidden folder beside the target. The next file that is written there removes the folder of a
+    killed program.
     """
     target.parent.stat()  # the folder is not made
     scratch = ScratchFolder(os.path.abspath(target.parent), ".meristem-")

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import pickle
+import shutil
 import sys
 import types
 from pathlib import Path
@@ -14,7 +16,7 @@ import meristem
 import numpy as np
 import pytest
 
-from datasets import digest, plan, rod
+from datasets import digest, plan, python, rod
 
 
 def test_a_plan_makes_files_rows_and_a_card(tmp_path: Path) -> None:
@@ -92,6 +94,58 @@ def test_goes_on_with_what_is_there_and_right(tmp_path: Path) -> None:
         meristem.dataset(rod(), plan(20), tmp_path / "rods", resume=False)
 
 
+def test_verify_finds_each_changed_value_and_repair_puts_it_back(tmp_path: Path) -> None:
+    rods = tmp_path / "rods"
+    meristem.dataset(rod(), plan(20), rods, processes=1)
+    before = digest(rods)
+    table = rods / "manifest/00000.csv"
+    row = next(csv.DictReader(table.open()))
+    npz = (rods / "manifest.npz").read_bytes()
+    damages: list[tuple[Path, bytes, str]] = [
+        (table, table.read_bytes().replace(row["height"].encode(), b"1.5", 1), ":2: row 000000, column 'height' ('1.5')"),
+        (table, table.read_bytes().replace(row["tall"].encode(), b"1.5", 1), "column 'tall': '1.5' has changed"),
+        (rods / "manifest.npz", npz[:-1] + b"x", "has other bytes than were written"),
+    ]
+    for path, damaged, message in damages:
+        path.write_bytes(damaged)
+        faults = meristem.open_dataset(rods).verify()
+        assert len(faults) == 1 and faults[0].startswith(str(path)) and message in faults[0]
+        made = meristem.dataset(rod(), plan(20), rods, processes=1, repair=True)
+        assert made.faults and made.verify() == []
+        assert digest(rods) == before
+
+
+def test_tables_without_hashes_are_warned_of(tmp_path: Path) -> None:
+    made = meristem.dataset(rod(), plan(3), tmp_path / "rods", processes=1)
+    info = json.loads((made.folder / "dataset.json").read_text())
+    for name in ("files", "tables", "hash"):
+        del info[name]
+    del info["documents"][0]["files"]
+    info["meristem_dataset_folder"] = 1
+    (made.folder / "dataset.json").write_text(json.dumps(info))
+    shutil.rmtree(made.folder / "checks")
+    with pytest.warns(UserWarning, match="without hashes of its tables"):
+        assert made.verify() == []
+    made = meristem.dataset(rod(), plan(3), tmp_path / "rods", processes=1)
+    assert made.found == 3 and made.verify() == []
+
+
+def test_a_killed_program_leaves_no_temporary_files(tmp_path: Path) -> None:
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    program = (
+        "import os, sys, tempfile; tempfile.tempdir = sys.argv[1]\n"
+        "import meristem; from meristem._core import ScratchFolder\n"
+        "kept = ScratchFolder(sys.argv[1], 'meristem-'); print(kept.path, flush=True)\n"
+        "if len(sys.argv) > 2: os._exit(0)\n"
+    )
+    killed = python("-c", program, str(scratch), "killed", folder=tmp_path)
+    path, _ = killed.communicate(timeout=60)
+    assert Path(path.strip()).is_dir()
+    python("-c", program, str(scratch), folder=tmp_path).communicate(timeout=60)
+    assert list(scratch.iterdir()) == []
+
+
 def test_refuses_another_plan_and_an_edited_document(tmp_path: Path) -> None:
     meristem.dataset(rod(), plan(3), tmp_path / "rods", processes=1)
     before = digest(tmp_path / "rods")
@@ -104,7 +158,11 @@ def test_refuses_another_plan_and_an_edited_document(tmp_path: Path) -> None:
 
 
 def test_failed_plants_are_rows_with_their_error(tmp_path: Path) -> None:
-    made = meristem.dataset(rod(), plan(2, grid={"limits.nodes": [100, 2]}), tmp_path / "rods", processes=1)
+    with pytest.warns(UserWarning, match="rods: 2 of 4 plants written, 2 failed: 000002: .*nodes"):
+        made = meristem.dataset(rod(), plan(2, grid={"limits.nodes": [100, 2]}), tmp_path / "rods", processes=1)
+    assert made.failed == 2 and [line[:8] for line in made.failures] == ["000002: ", "000003: "]
+    again = meristem.open_dataset(tmp_path / "rods")
+    assert (again.failed, again.failures) == (made.failed, made.failures)
     errors = [row["error"] for row in made.rows()]
     assert errors[:2] == ["", ""] and all("nodes" in error for error in errors[2:])
     table = made.table()

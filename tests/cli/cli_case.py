@@ -13,7 +13,7 @@ import unittest
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 
-DONE, FAILED, WRONG_INPUT = 0, 1, 2
+DONE, FAILED, WRONG_INPUT, PARTLY_DONE = 0, 1, 2, 3
 
 TREE = """{
   "meristem": 1,

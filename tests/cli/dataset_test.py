@@ -14,7 +14,7 @@ import unittest
 import zlib
 
 import cli_case
-from cli_case import DONE, FAILED, WRONG_INPUT
+from cli_case import DONE, FAILED, PARTLY_DONE, WRONG_INPUT
 
 ROD = json.dumps({
     "meristem": 1,
@@ -72,9 +72,10 @@ class DataSets(cli_case.Case):
     def test_same_bytes_on_any_number_of_threads(self):
         done = self.assert_ends(DONE, "dataset", "plan.json", "-o", "one", "--threads", "1")
         self.assertIn("one: 60 plants", done)
-        self.assert_ends(DONE, "dataset", "plan.json", "-o", "three", "--threads", "3", "-q")
         one = self.content("one")
-        self.assertEqual(self.content("three"), one)
+        for threads in ("3", "8"):
+            self.assert_ends(DONE, "dataset", "plan.json", "-o", threads, "--threads", threads, "-q")
+            self.assertEqual(self.content(threads), one)
         rows = list(csv.DictReader(io.StringIO("".join(
             one[f"manifest/{table:05}.csv"].decode().partition("\n")[2] if table else one["manifest/00000.csv"].decode()
             for table in range(3)))))
@@ -114,9 +115,109 @@ class DataSets(cli_case.Case):
         process.send_signal(signal.SIGKILL)
         process.communicate(timeout=60)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "killed/README.md")))
+        told = self.assert_ends(FAILED, "dataset", "killed", "--verify")
+        self.assertRegex(told, r"killed/manifest/0000\d.csv is missing: 500 plants")
+        self.assertNotIn("changed", told)
         self.assert_ends(DONE, "dataset", "killed", "-q")
         self.assert_ends(DONE, "dataset", "many.json", "-o", "whole", "-q")
         self.assertEqual(self.content("killed"), self.content("whole"))
+
+    def test_killed_at_any_moment_it_goes_on(self):
+        many = dict(PLAN, seeds=300, rows=20)
+        self.write("many.json", json.dumps(many))
+        self.assert_ends(DONE, "dataset", "many.json", "-o", "whole", "-q")
+        rows = pathlib.Path(self.folder, "killed")
+        for tables in (0, 1, 3, 6, 10):
+            process = self.start("dataset", "many.json", "-o", "killed", "-q", "--threads", "2")
+            deadline = time.monotonic() + 60
+            while (process.poll() is None and time.monotonic() < deadline
+                   and len(list(rows.glob("manifest/*.csv"))) < tables):
+                time.sleep(0.001)
+            process.send_signal(signal.SIGKILL)
+            process.communicate(timeout=60)
+        self.assert_ends(DONE, "dataset", "many.json", "-o", "killed", "-q")
+        self.assert_ends(DONE, "dataset", "killed", "--verify")
+        self.assertEqual(self.content("killed"), self.content("whole"))
+        left = [path for path in rows.rglob("*") if path.name.endswith(".part") or path.name.startswith("plant-")]
+        self.assertEqual(left, [])
+
+    def damages(self, whole):
+        """Ways to damage a data set: file, bytes, and what is said of it."""
+        table = "manifest/00001.csv"
+        lines = whole[table].splitlines(keepends=True)
+        columns = lines[0].decode().rstrip().split(",")
+
+        def changed(*changes):
+            rows = [line.decode().rstrip("\n").split(",") for line in lines]
+            for row, column, field in changes:
+                rows[row][columns.index(column)] = field
+            return "".join(",".join(row) + "\n" for row in rows).encode()
+
+        def field(row, column):
+            return lines[row].decode().rstrip().split(",")[columns.index(column)]
+
+        height = field(3, "height")
+        yield table, changed((3, "height", height[:-1] + ("1" if height[-1] != "1" else "2"))), \
+            [f"{table}:4: row 000027, column 'height' ('"]
+        yield table, changed((3, "height", field(9, "height")), (9, "height", field(3, "height"))), \
+            [f"{table}:4: row 000027, column 'height'", f"{table}:10: row 000033, column 'height'"]
+        yield table, changed((3, "tall", field(9, "tall")), (9, "tall", field(3, "tall"))), \
+            [f"{table}:4: row 000027, column 'tall': '{field(9, 'tall')}' has changed; the plan draws '{field(3, 'tall')}'",
+             f"{table}:10: row 000033, column 'tall'"]
+        yield table, b"".join([*lines[:4], lines[5], lines[4], *lines[6:]]), [f"{table}:5: the row 000029 follows"]
+        yield table, b"".join([*lines[:4], lines[3], *lines[4:]]), [f"{table}:5: the row 000027 stands twice"]
+        yield "plan.json", whole["plan.json"].replace(b"60", b"61"), \
+            ["plan.json: the plan has changed since the data set was begun: 'seeds' is '61', and was '60'"]
+        yield "README.md", whole["README.md"] + b"more", ["README.md has other bytes than were written"]
+        yield "dataset.json", whole["dataset.json"].replace(b'"plants": 60', b'"plants": 59'), \
+            ["dataset.json: 'plants' is 59; the plan says 60"]
+        yield "plants/0000/000031.mtg", whole["plants/0000/000031.mtg"].replace(b"A1", b"A2", 1), \
+            ["plants/0000/000031.mtg has other bytes than were written"]
+
+    def test_each_damage_is_told_and_repaired(self):
+        self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "-q")
+        whole = self.content("rods")
+        self.assertIn("all as written", self.assert_ends(DONE, "dataset", "rods", "--verify"))
+        for name, damaged, messages in self.damages(whole):
+            with self.subTest(messages[0]):
+                self.write("rods/" + name, damaged)
+                told = self.assert_ends(FAILED, "dataset", "rods", "--verify")
+                for message in messages:
+                    self.assertIn("rods/" + message, told)
+                self.assertIn("was not right was made again", self.assert_ends(DONE, "dataset", "rods", "--repair"))
+                self.assertIn("all as written", self.assert_ends(DONE, "dataset", "rods", "--verify"))
+                self.assertEqual(self.content("rods"), whole)
+
+    def test_a_repair_says_what_it_cannot_repair(self):
+        self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "-q")
+        whole = self.content("rods")
+        for damaged in (ROD + " ", "{", ROD.replace("0.02", "0.03")):
+            self.write("rods/documents/rod/rod.json", damaged)
+            told = self.assert_ends(FAILED, "dataset", "rods", "--verify")
+            self.assertIn("rods/documents/rod/rod.json has changed since the data set was begun", told)
+            told = self.assert_ends(FAILED, "dataset", "rods", "--repair")
+            self.assertIn("'rods' cannot be repaired from the folder alone", told)
+            self.assertIn("meristem dataset PLAN -o rods --repair", told)
+            self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "--repair")
+            self.assertEqual(self.content("rods"), whole)
+
+    def test_says_how_many_plants_have_failed(self):
+        self.write("some.json", """{"meristem": 1, "variables": {"q": {"value": 10}}, "limits": {"nodes": 33},
+          "components": {"p": {"type": "lsystem", "steps": 6,
+                               "grammar": ["A", "A : 1 -> F[+A][-A]", "A : 1 -> FA"]}}}""")
+        self.write("some_plan.json", json.dumps({"meristem_dataset": 1, "documents": ["some.json"], "seeds": 12,
+                                                 "measures": ["nodes"], "files": [".glb"]}))
+        for arguments in (["some_plan.json", "-o", "some"], ["some"], ["some", "-q"], ["some", "--repair"]):
+            done = self.run_program("dataset", *arguments)
+            last = done.stderr.decode().splitlines()[-1]
+            self.assertEqual(done.returncode, PARTLY_DONE, last)
+            self.assertRegex(last, r"^some: \d+ of 12 plants written, \d+ failed: 0000\d\d: .*nodes.*"
+                                   r"; \d+ more in the column 'error' of the manifest$")
+        rows = list(csv.DictReader(io.StringIO(self.read("some/manifest/00000.csv").decode())))
+        failed = sum(row["error"] != "" for row in rows)
+        self.assertIn(f"{12 - failed} of 12 plants written, {failed} failed", last)
+        told = self.assert_ends(DONE, "dataset", "some", "--verify")
+        self.assertIn(f"12 of 12 plants, {failed} failed", told)
 
     def test_refuses_what_is_not_its_own(self):
         self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "-q")

@@ -31,7 +31,7 @@ void check_plan(const DatasetPlan& plan) {
     // Columns may be called as those of the manifest are; then their values have other names there.
     require(layout.has_value());
     const auto entry = layout->entry(std::string_view(row).substr(0, row.size() - 1));
-    require(entry && entry->number == number && entry->has_failed);
+    require(entry && entry->number == number && !entry->error.empty());
   }
 }
 

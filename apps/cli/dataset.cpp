@@ -52,11 +52,12 @@ bool is_dataset(const std::string& path) {
 
 void verify(const DatasetCommand& command) {
   const std::string& folder = command.output.empty() ? command.plan : command.output;
+  require_within(command.root, folder);
   const ThreadLimit threads = limited_threads(command.threads, command.quiet);
   DatasetCheck check;
   {
     TerminalProgress terminal(command.quiet);
-    check = verify_dataset(folder, components(), models_folder(), terminal.progress());
+    check = verify_dataset(folder, components(), models_folder(), terminal.progress(), command.root);
   }
   for (const std::string& warning : check.warnings) print_status("warning: " + warning);
   for (std::size_t k = 0; k < check.faults.size() && k < kFaultsPrinted; ++k) print_status(check.faults[k]);

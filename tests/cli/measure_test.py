@@ -57,7 +57,7 @@ class Measuring(cli_case.Case):
 
     def test_skeleton_measures_make_no_meshes_and_heed_no_limit_on_them(self):
         limited = json.loads(TREE)
-        limited["limits"] = {"triangles": 1, "mesh_bytes": 1}
+        limited["limits"] = {"triangles": 1}
         self.write("limited.json", json.dumps(limited))
         self.assertIn("triangles", self.assert_ends(WRONG_INPUT, "measure", "limited.json"))
         whole, each = self.measured("tree.json"), self.measured("limited.json", "--each")

@@ -10,10 +10,13 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/random.h"
 #include "meristem/base/vec.h"
 #include "meristem/shape/mesh/even_order.h"
@@ -31,8 +34,11 @@ constexpr double kLeastCosine = 0.2;   // cosine of the angle that a triangle ma
 constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and its vertices
 constexpr double kFlat = 0.5;          // of its area, that a piece which is no tube shows from one side
 
+constexpr std::size_t kFewestClustered = 24;  // triangles of a quick mesh that cells of a grid make
+constexpr int kMostGrids = 8;                 // that are tried for a quick mesh
+constexpr float kNextGrid = 1.35F;            // times the cells of the one before
+
 using Triangle = std::array<std::uint32_t, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Twice the area, along the normal.
 DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
@@ -44,14 +50,19 @@ bool has(const Triangle& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
 }
 
+struct PositionHash {
+  std::size_t operator()(const Vec3& p) const {
+    return Fingerprint().add(p.x + 0.0F).add(p.y + 0.0F).add(p.z + 0.0F).hash();  // -0 is 0
+  }
+};
+
 /// The first vertex at the position of each: vertices of a seam share a point.
 std::vector<std::uint32_t> points_of(const Mesh& mesh) {
-  std::map<std::tuple<float, float, float>, std::uint32_t> first;
+  std::unordered_map<Vec3, std::uint32_t, PositionHash> first;
+  first.reserve(mesh.vertex_count());
   std::vector<std::uint32_t> point(mesh.vertex_count());
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Vec3 p = mesh.positions[v];
-    point[v] = first.try_emplace({p.x, p.y, p.z}, v).first->second;
-  }
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    point[v] = first.try_emplace(mesh.positions[v], v).first->second;
   return point;
 }
 
@@ -68,13 +79,14 @@ class HalfEdgeCollapse {
     add_planes();
     left_ = mesh.triangle_count();
     gone_.resize(left_, false);
+    best_.resize(mesh.vertex_count());
+    for (std::uint32_t point = 0; point < mesh.vertex_count(); ++point) update(point);
   }
 
   void run(std::size_t triangles) {
-    while (left_ > triangles) {
-      const auto [cost, from, to] = cheapest();
-      if (!std::isfinite(cost)) break;
-      collapse(from, to);
+    while (left_ > triangles && !queue_.empty()) {
+      const std::uint32_t from = queue_.begin()->second;
+      collapse(from, best_[from].to);
     }
     std::size_t kept = 0;
     for (std::size_t t = 0; t < gone_.size(); ++t) {
@@ -127,22 +139,33 @@ class HalfEdgeCollapse {
     return found;
   }
 
-  /// The cheapest collapse of all: its cost, infinite if there is none, and the points from and to. Ties: the first.
-  std::tuple<double, std::uint32_t, std::uint32_t> cheapest() const {
-    std::tuple<double, std::uint32_t, std::uint32_t> best(std::numeric_limits<double>::infinity(), 0, 0);
-    for (std::uint32_t from = 0; from < mesh_.vertex_count(); ++from) {
-      if (around_[from].empty()) continue;
-      const std::vector<std::uint32_t> near = neighbours(from);
-      const bool is_border =
-          std::any_of(near.begin(), near.end(), [&](std::uint32_t other) { return triangles_at(from, other) == 1; });
-      for (const std::uint32_t to : near) {
-        Quadric sum = quadrics_[from];
-        sum += quadrics_[to];
-        const double cost = sum.at(DVec3(mesh_.positions[to]));
-        if (cost < std::get<0>(best) && may_collapse(from, to, near, is_border)) best = {cost, from, to};
-      }
+  /// Where a point would collapse to.
+  struct Collapse {
+    double cost = std::numeric_limits<double>::infinity();
+    std::uint32_t to = 0;
+  };
+
+  /// Returns the cheapest collapse of the point. The cost is infinite if it has none. Ties go to the lowest target.
+  Collapse cheapest(std::uint32_t from) const {
+    Collapse best;
+    if (around_[from].empty()) return best;
+    const std::vector<std::uint32_t> near = neighbours(from);
+    const bool is_border =
+        std::any_of(near.begin(), near.end(), [&](std::uint32_t other) { return triangles_at(from, other) == 1; });
+    for (const std::uint32_t to : near) {
+      Quadric sum = quadrics_[from];
+      sum += quadrics_[to];
+      const double cost = sum.at(DVec3(mesh_.positions[to]));
+      if (cost < best.cost && may_collapse(from, to, near, is_border)) best = {cost, to};
     }
     return best;
+  }
+
+  /// Finds the cheapest collapse of the point anew.
+  void update(std::uint32_t point) {
+    if (std::isfinite(best_[point].cost)) queue_.erase({best_[point].cost, point});
+    best_[point] = cheapest(point);
+    if (std::isfinite(best_[point].cost)) queue_.emplace(best_[point].cost, point);
   }
 
   /// Which vertex of `to` takes the place of each vertex of `from`: the one beside it in a triangle that goes.
@@ -195,6 +218,7 @@ class HalfEdgeCollapse {
   }
 
   void collapse(std::uint32_t from, std::uint32_t to) {
+    std::vector<std::uint32_t> changed = neighbours(from);
     const std::map<std::uint32_t, std::uint32_t> beside = replacements(from, to);
     for (const std::uint32_t t : around_[from]) {
       Triangle& triangle = mesh_.triangles[t];
@@ -213,6 +237,16 @@ class HalfEdgeCollapse {
     }
     around_[from].clear();
     quadrics_[to] += quadrics_[from];
+    // A collapse depends on the triangles around both of its ends.
+    const std::size_t ring = changed.size();
+    for (std::size_t k = 0; k < ring; ++k) {
+      const std::vector<std::uint32_t> near = neighbours(changed[k]);
+      changed.insert(changed.end(), near.begin(), near.end());
+    }
+    changed.push_back(from);
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const std::uint32_t point : changed) update(point);
   }
 
   Mesh& mesh_;
@@ -220,7 +254,9 @@ class HalfEdgeCollapse {
   std::vector<Triangle> corners_;                   // the points of each triangle
   std::vector<std::vector<std::uint32_t>> around_;  // triangles of each point
   std::vector<Quadric> quadrics_;
-  std::vector<bool> gone_;  // triangles
+  std::vector<Collapse> best_;                        // of each point
+  std::set<std::pair<double, std::uint32_t>> queue_;  // the points that can collapse, by cost
+  std::vector<bool> gone_;                            // triangles
   std::size_t left_ = 0;
 };
 
@@ -248,12 +284,13 @@ std::vector<Piece> pieces_of(const Mesh& mesh) {
     root[std::max(first, other)] = std::min(first, other);
   };
   const std::vector<std::uint32_t> point = points_of(mesh);
-  std::map<Edge, std::uint32_t> beside;
+  std::unordered_map<std::uint64_t, std::uint32_t> beside;  // by edge
+  beside.reserve(2 * mesh.triangle_count());
   for (const Triangle& triangle : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       join(triangle[0], triangle[k]);
-      const Edge edge = std::minmax(point[triangle[k]], point[triangle[(k + 1) % 3]]);
-      join(beside.try_emplace(edge, triangle[0]).first->second, triangle[0]);
+      const auto [low, high] = std::minmax(point[triangle[k]], point[triangle[(k + 1) % 3]]);
+      join(beside.try_emplace(std::uint64_t{low} << 32U | high, triangle[0]).first->second, triangle[0]);
     }
   }
   std::map<std::uint32_t, Piece> pieces;
@@ -378,7 +415,103 @@ Mesh without_loose_vertices(const Mesh& mesh) {
   return left;
 }
 
+/// Cells of a grid over a mesh's box: as cubic as can be, at least two along its two longest sides.
+struct ClusterGrid {
+  Vec3 low{0};
+  std::array<float, 3> per_metre{};
+  std::array<std::uint32_t, 3> count{};
+
+  ClusterGrid(const Box& box, float cell) : low(box.low) {
+    const Vec3 size = box.size();
+    const int thinnest = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      const float cells = std::min(size[k] / cell, 1000.0F);
+      count[axis] = std::max(k == thinnest ? 1U : 2U, static_cast<std::uint32_t>(cells));
+      per_metre[axis] = size[k] > 0 ? static_cast<float>(count[axis]) / size[k] : 0;
+    }
+  }
+
+  std::uint64_t cell(Vec3 position) const {
+    std::uint64_t number = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      const auto place = static_cast<std::uint32_t>((position[k] - low[k]) * per_metre[axis]);
+      number = number * 1024 + std::min(place, count[axis] - 1);
+    }
+    return number;
+  }
+};
+
+/// The triangles between the vertices of the cells: in each cell all become the one farthest from the middle.
+std::vector<Triangle> joined_in_cells(const Mesh& mesh, const Box& box, const ClusterGrid& grid) {
+  const Vec3 middle = box.centre();
+  const auto distance = [&](std::uint32_t v) { return glm::distance(mesh.positions[v], middle); };
+  std::vector<std::uint64_t> cells(mesh.vertex_count());
+  std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    cells[v] = grid.cell(mesh.positions[v]);
+    const auto [known, is_new] = vertex_of.try_emplace(cells[v], v);
+    if (!is_new && distance(v) > distance(known->second)) known->second = v;
+  }
+  std::set<Triangle> known;
+  std::vector<Triangle> triangles;
+  for (const Triangle& triangle : mesh.triangles) {
+    Triangle moved{vertex_of[cells[triangle[0]]], vertex_of[cells[triangle[1]]], vertex_of[cells[triangle[2]]]};
+    if (moved[0] == moved[1] || moved[1] == moved[2] || moved[2] == moved[0]) continue;
+    std::rotate(moved.begin(), std::min_element(moved.begin(), moved.end()), moved.end());
+    if (known.insert(moved).second) triangles.push_back(moved);
+  }
+  return triangles;
+}
+
+/// Few large cells, then more, until the next would have more triangles than wanted; none if two are too many.
+void cluster(Mesh& mesh, std::size_t triangles) {
+  Box box;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) box.add(mesh.positions[vertex]);
+  }
+  const Vec3 size = box.size();
+  const float sides = size.x * size.y + size.y * size.z + size.z * size.x;
+  if (!(sides > 0)) return;
+  float cell = std::sqrt(2 * sides / static_cast<float>(triangles));
+  std::vector<Triangle> made;
+  for (int k = 0; k < kMostGrids; ++k) {
+    made = joined_in_cells(mesh, box, ClusterGrid(box, cell));
+    if (made.size() <= triangles) break;
+    cell *= kNextGrid;
+  }
+  if (!made.empty()) mesh.triangles = std::move(made);
+}
+
 }  // namespace
+
+Mesh quickly_coarsened(const Mesh& mesh, std::size_t triangles) {
+  triangles = std::max<std::size_t>(triangles, 2);
+  if (mesh.triangle_count() <= triangles) return mesh;
+  if (is_flat(mesh)) {
+    const Mesh whole = joined(mesh);
+    Progress progress;
+    if (whole.vertex_count() < mesh.vertex_count()) return flat_shaded(quickly_coarsened(whole, triangles), progress);
+  }
+  Mesh coarse = mesh;
+  coarse.tangents.clear();
+  std::vector<Piece> pieces = pieces_of(mesh);
+  const double area = area_of(pieces);
+  pieces = without_small(std::move(pieces));
+  if (pieces.size() >= kManyPieces) {
+    pieces = chosen(std::move(pieces), triangles);
+    take_triangles(coarse, pieces);
+    const double factor = std::clamp(area / std::max(area_of(pieces), 1e-30), 1.0, kMostWidening);
+    for (const Piece& piece : pieces) widen(coarse, piece, factor);
+  } else {
+    take_triangles(coarse, pieces);
+    // Of so few triangles a grid makes no outline.
+    cluster(coarse, std::max(triangles, kFewestClustered));
+    if (triangles < kFewestClustered) HalfEdgeCollapse(coarse).run(triangles);
+  }
+  return without_loose_vertices(coarse);
+}
 
 Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
   if (mesh.triangle_count() <= std::max<std::size_t>(triangles, 2) || mesh.triangle_count() > kMostTriangles)

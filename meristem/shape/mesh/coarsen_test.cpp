@@ -127,4 +127,32 @@ TEST(EvenOrder, HasAllOfAnyCount) {
   }
 }
 
+TEST(QuicklyCoarsened, ABladeHasTheTrianglesThatItMayAndMostOfItsArea) {
+  const Mesh blade = make_leaf_blade({.curl = 0.5, .rows = 40, .across = 20});
+  for (const std::size_t triangles : {200, 20, 6}) {
+    const Mesh coarse = quickly_coarsened(blade, triangles);
+    EXPECT_LE(coarse.triangle_count(), triangles);
+    EXPECT_GE(coarse.triangle_count(), 2U);
+    EXPECT_GE(surface_area(coarse), 0.5 * surface_area(blade)) << triangles;
+    for (std::size_t k = 0; k < coarse.vertex_count(); ++k) {
+      EXPECT_TRUE(is_vertex_of(blade, coarse.positions[k], coarse.uvs[k]));
+    }
+  }
+}
+
+TEST(QuicklyCoarsened, MeshesOfAnySizeBecomeCoarser) {
+  const Mesh ball = make_sphere(1, 100);
+  ASSERT_GT(ball.triangle_count(), 9000U);
+  const Mesh coarse = quickly_coarsened(ball, 100);
+  EXPECT_LE(coarse.triangle_count(), 100U);
+  EXPECT_GE(surface_area(coarse), 0.5 * surface_area(ball));
+}
+
+TEST(QuicklyCoarsened, FewerNeedlesAreWider) {
+  const Mesh shoot = make_needles({.count = 80});
+  const Mesh coarse = quickly_coarsened(shoot, 80);
+  EXPECT_LE(coarse.triangle_count(), 80U);
+  EXPECT_NEAR(surface_area(coarse), surface_area(shoot), 0.1 * surface_area(shoot));
+}
+
 }  // namespace meristem::coarsen_test

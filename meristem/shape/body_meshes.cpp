@@ -2,6 +2,7 @@
 #include "meristem/shape/body_meshes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,7 +25,11 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kToldOneByOne = 8;       // bodies that each tell their stages; more are meshed at once
+constexpr std::size_t kToldOneByOne = 8;  // bodies that each tell their stages; more are meshed at once
+constexpr std::size_t kFewestQuickTriangles = 60;
+constexpr int kFewestQuickCells = 24;          // along a body's longest side; with fewer, branches were clubs
+constexpr double kTrianglesPerSquare = 4;      // of a tree, for each square of its longest side in cells; about
+constexpr double kQuickOversampling = 2;       // triangles made for each one that stays
 constexpr std::size_t kFewestTriangles = 200;  // of a body in any level; with a quarter of that crowns were boulders
 
 /// One body to mesh: of all parts of a stem that one component has made of one material and one deformation deforms,
@@ -38,6 +43,7 @@ struct BodyTask {
   const StemPart& first() const { return *parts[0]; }
   const Surface& surface() const { return first().surface; }
   int resolution() const { return is_crown ? surface().crown->resolution : surface().resolution; }
+  std::optional<int> wanted_triangles() const { return is_crown ? surface().crown->triangles : surface().triangles; }
   /// From where the body's mesh counts: floats are finer near it.
   Vec3 origin() const { return stem->skeleton.position[0]; }
   /// From where it counts until it is deformed.
@@ -93,9 +99,11 @@ std::vector<BodyTask> tasks_of(const Plant& plant) {
   return tasks;
 }
 
-ImplicitBody body_of(const BodyTask& task) {
+/// The body of a task whose longest side has `resolution` cells.
+ImplicitBody body_of(const BodyTask& task, int resolution) {
   const Skeleton& skeleton = task.stem->skeleton_of_surface();
-  const Surface& surface = task.surface();
+  Surface surface = task.surface();
+  surface.resolution = resolution;
   const Vec3 origin = task.undeformed_origin();
   if (!task.is_crown) {
     const std::vector<AxisIndex> axes = task.axes();
@@ -115,18 +123,38 @@ ImplicitBody body_of(const BodyTask& task) {
 std::size_t triangles_of(std::size_t made, const std::optional<int>& wanted, const Detail& detail) {
   const std::size_t whole = wanted ? std::min(made, static_cast<std::size_t>(*wanted)) : made;
   const auto wanted_at_level = static_cast<std::size_t>(detail.kept() * static_cast<double>(whole));
-  return std::max(wanted_at_level, std::min(whole, kFewestTriangles));
+  return std::max(wanted_at_level, std::min(whole, detail.is_quick ? kFewestQuickTriangles : kFewestTriangles));
+}
+
+/// About how many triangles a body has that the document wants with at most `wanted`.
+double about_triangles(int resolution, const std::optional<int>& wanted) {
+  const double made = kTrianglesPerSquare * resolution * resolution;
+  return wanted ? std::min(made, static_cast<double>(*wanted)) : made;
+}
+
+/// Cells along the longest side of a body. A quick level has as many as its triangles need.
+int resolution_of(const BodyTask& task, const std::optional<int>& wanted, const Detail& detail) {
+  const int whole = task.resolution();
+  if (!detail.is_quick || detail.level == 0) return whole;
+  const double triangles =
+      std::max(detail.kept() * about_triangles(whole, wanted), static_cast<double>(kFewestQuickTriangles));
+  const double cells = std::sqrt(kQuickOversampling * triangles / kTrianglesPerSquare);
+  return std::min(whole, std::max(kFewestQuickCells, static_cast<int>(std::ceil(cells))));
 }
 
 Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, Progress& progress) {
   const Surface& surface = task.surface();
-  const std::optional<int> triangles = task.is_crown ? surface.crown->triangles : surface.triangles;
+  const std::optional<int> triangles = task.wanted_triangles();
   const bool is_flat = surface.shading == Surface::Shading::flat;
   IsosurfaceOptions options;
-  options.resolution = task.resolution();
+  options.resolution = resolution_of(task, triangles, detail);
   options.normals = !is_flat;
-  Mesh mesh = extract_isosurface(body_of(task), options, limits, task.path(), progress);
-  const std::size_t target = triangles_of(mesh.triangle_count(), triangles, detail);
+  Mesh mesh = extract_isosurface(body_of(task, options.resolution), options, limits, task.path(), progress);
+  if (detail.work != nullptr) detail.work->triangles += mesh.triangle_count();
+  // A body that was made of larger cells has the share of the triangles already.
+  const double cells = static_cast<double>(options.resolution) / task.resolution();
+  const auto whole = static_cast<std::size_t>(static_cast<double>(mesh.triangle_count()) / (cells * cells));
+  const std::size_t target = triangles_of(whole, triangles, detail);
   if (target < mesh.triangle_count()) {
     progress.begin("simplifying bodies", mesh.triangle_count() - target);
     mesh = simplify(mesh, {.triangles = target}, progress);
@@ -192,6 +220,12 @@ Material material_of(const BodyTask& task, const Material& stems) {
 
 }  // namespace
 
+double about_body_triangles(const Plant& plant) {
+  double triangles = 0;
+  for (const BodyTask& task : tasks_of(plant)) triangles += about_triangles(task.resolution(), task.wanted_triangles());
+  return triangles;
+}
+
 Thickening find_thickening(const Plant& plant) {
   Thickening whole;
   for (const BodyTask& task : tasks_of(plant)) {
@@ -210,7 +244,7 @@ std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progr
   std::vector<BodyCells> found;
   for (const BodyTask& task : tasks_of(plant)) {
     progress.check();
-    const ImplicitBody body = body_of(task);
+    const ImplicitBody body = body_of(task, task.resolution());
     if (body.is_empty()) continue;
     const DVec3 origin(task.undeformed_origin());
     found.push_back({{Vec3(origin + body.low()), Vec3(origin + body.high())}, cell_size(body, task.resolution())});

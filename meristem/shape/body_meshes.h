@@ -17,6 +17,10 @@ namespace meristem {
 /// All 0 without such bodies.
 Thickening find_thickening(const Plant& plant);
 
+/// About how many triangles the blended bodies and crowns of a plant have. A guess by their resolution, unless the
+/// document says how many. Linear in nodes.
+double about_body_triangles(const Plant& plant);
+
 /// The box about a body's solids, and one side of the cells in which its surface is sought, in metres.
 struct BodyCells {
   Box box;
@@ -27,7 +31,8 @@ std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progr
 
 /// The blended bodies and crown bodies of all stems, in their order; a body's material has no texture, as bodies have
 /// no uvs, and a crown's is its component's with the crown's colour: those that are new are appended to `materials`.
-/// Beyond level 0 of `detail` they are simplified to its share of their triangles, but to no fewer than 200. Begins
+/// Beyond level 0 of `detail` they are simplified to its share of their triangles, but to no fewer than 200. A quick
+/// detail makes them of larger cells first, and of no fewer than 60 triangles. Begins
 /// stages of `progress` where there are any. Bodies that are among the `results` are not made anew. Throws as
 /// extract_isosurface does, at the component's surface.
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,

@@ -56,7 +56,7 @@ void add_surface(const Surface& surface, Fingerprint& to) {
   add_optional(triangles, to);
 }
 
-void add_detail(const Detail& detail, Fingerprint& to) { to.add(detail.level).add(detail.share); }
+void add_detail(const Detail& detail, Fingerprint& to) { to.add(detail.level).add(detail.share).add(detail.is_quick); }
 
 std::uint64_t StemTubes::bytes() const {
   std::uint64_t sum = 0;

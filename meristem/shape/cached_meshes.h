@@ -43,6 +43,7 @@ struct TangentMesh {
 /// The meshes of a plant that stands in several places.
 struct VariantMeshes {
   MeshScene scene;
+  bool is_whole = true;  ///< false: a coarser level
 
   std::uint64_t bytes() const;
 };

@@ -5,9 +5,17 @@
 #include "meristem/shape/detail_budget.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace meristem {
 namespace {
+
+double triangle_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Vec3 corner = mesh.positions[a];
+  return 0.5 * glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner));
+}
 
 /// Parts of a plant that keep one share of their triangles.
 struct Part {
@@ -18,23 +26,33 @@ struct Part {
   double triangles_per_area() const { return triangles / std::max(area, 1e-30); }
 };
 
-/// About what all tubes have; a tube of n sides has 2 n triangles per node.
+/// About what all tubes have.
 Part tubes_of(const Plant& plant) {
   Part tubes;
   for (const Stem& stem : plant.stems) {
     const Skeleton& skeleton = stem.skeleton;
     for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-      const NodeIndex parent = skeleton.parent[node];
-      if (parent == kNoNode) continue;
-      const Surface& surface =
-          stem.parts[stem.part_of_axis.empty() ? 0 : stem.part_of_axis[skeleton.axis[node]]].surface;
-      if (surface.style == Surface::Style::blend) continue;
-      const double length = glm::length(skeleton.position[node] - skeleton.position[parent]);
-      tubes.triangles += 2.0 * surface.sides;
+      const double triangles = about_tube_triangles(stem, node);
+      if (triangles == 0) continue;
+      const double length = glm::length(skeleton.position[node] - skeleton.position[skeleton.parent[node]]);
+      tubes.triangles += triangles;
       tubes.area += 2 * kPi * length * skeleton.radius[node];
     }
   }
   return tubes;
+}
+
+constexpr std::size_t kSampledTriangles = 64;  // of a mesh whose area is estimated
+
+/// About the area of a mesh, in bounded time: of a large mesh, evenly chosen triangles stand for all.
+double about_area_of(const Mesh& mesh) {
+  const std::size_t count = mesh.triangle_count();
+  if (count <= kSampledTriangles) return area_of(mesh);
+  double area = 0;
+  for (std::size_t k = 0; k < kSampledTriangles; ++k) {
+    area += triangle_area(mesh, mesh.triangles[k * count / kSampledTriangles]);
+  }
+  return area * static_cast<double>(count) / kSampledTriangles;
 }
 
 /// Sets what each part keeps, so that all together have `wanted` triangles: as many per area, and none more than it
@@ -60,11 +78,14 @@ void divide(std::vector<Part>& parts, double wanted, int level) {
 
 double area_of(const Mesh& mesh) {
   double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 corner = mesh.positions[a];
-    area += 0.5 * glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner));
-  }
+  for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) area += triangle_area(mesh, triangle);
   return area;
+}
+
+double about_tube_triangles(const Stem& stem, NodeIndex node) {
+  if (stem.skeleton.parent[node] == kNoNode) return 0;
+  const Surface& surface = stem.part(stem.skeleton.axis[node]).surface;
+  return surface.style == Surface::Style::blend ? 0 : 2.0 * surface.sides;
 }
 
 DetailBudget::DetailBudget(const Plant& plant, const Detail& detail) {
@@ -85,7 +106,7 @@ DetailBudget::DetailBudget(const Plant& plant, const Detail& detail) {
     const Mesh& mesh = *plant.prototypes[k].mesh;
     Part& part = of_components[plant.prototypes[k].component];
     part.triangles += of_prototypes[k].triangles * static_cast<double>(mesh.triangle_count());
-    part.area += of_prototypes[k].area * area_of(mesh);
+    part.area += of_prototypes[k].area * (detail.is_quick ? about_area_of(mesh) : area_of(mesh));
   }
   std::vector<Part> parts;
   parts.push_back(tubes_of(plant));

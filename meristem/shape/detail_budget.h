@@ -14,12 +14,17 @@ namespace meristem {
 /// The area of all triangles, square metres.
 double area_of(const Mesh& mesh);
 
+/// About how many triangles of the stem's tubes a node stands for: 2 n, for a tube of n sides. Returns 0 for a root and
+/// for nodes of blended bodies. Tubes have fewer triangles where they are thin or straight.
+double about_tube_triangles(const Stem& stem, NodeIndex node);
+
 /// The shares of their triangles that the tubes and each component of organs keep at the levels 0 to `detail.level`.
 /// Triangles go first where they are smallest: all parts end with triangles of about one size, and a part whose
 /// triangles are larger keeps them all. Together the parts keep `detail.kept(level)`. Shares fall from level to level.
 class DetailBudget {
  public:
-  /// Linear in nodes and organs. The plant outlives it.
+  /// Linear in nodes and organs. A quick detail estimates areas from some triangles of each organ mesh. The plant
+  /// outlives it.
   DetailBudget(const Plant& plant, const Detail& detail);
 
   double of_tubes(int level) const { return tubes_[static_cast<std::size_t>(level)]; }

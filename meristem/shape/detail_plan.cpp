@@ -19,9 +19,12 @@
 namespace meristem {
 namespace {
 
-constexpr float kLeastError = 0.03F;    // radii; from here on errors are doubled
-constexpr float kMostError = 0.5F;      // radii; beyond, bends would be lost that are longer than the branch is thick
+constexpr float kLeastError = 0.03F;  // radii; from here on errors are doubled
+constexpr float kMostError = 0.5F;    // radii; beyond, bends would be lost that are longer than the branch is thick
+constexpr std::uint32_t kLongestQuickRun = 100;  // nodes that one ring of a quick detail may stand for
+constexpr float kMostQuickError = 4;             // radii
 constexpr std::size_t kFewOrgans = 16;  // organs of a component that are always shown: they may be a tree's fruits
+constexpr double kTrianglesOfFew = 8;   // of the kept ones for each of these in a quick detail
 constexpr float kMostEnlarged = 3;      // raised, crowns stay full farther, of leaves that are plainly too large
 constexpr float kLargest = 0.15F;       // of the plant's size: no leaf is enlarged beyond it, as it would be a sheet
 
@@ -44,27 +47,79 @@ std::vector<float> thinnest_below(const Skeleton& skeleton, std::size_t axes) {
   return radius;
 }
 
-/// The plan without its thinnest axes, with no more than `triangles` triangles unless a single axis has more.
-TubePlan without_thin_axes(const Skeleton& skeleton, const TubePlan& plan, std::vector<TubeWear> wears,
-                           std::vector<std::uint32_t> wear_of_axis, const std::vector<std::uint32_t>& mesh_of_axis,
-                           std::span<const Vec3> deformed, std::uint64_t triangles) {
-  const std::vector<float> radius = thinnest_below(skeleton, plan.axis_count());
-  std::vector<AxisIndex> order(plan.axis_count());
+/// What the axes of a skeleton wear.
+struct AxisWears {
+  std::vector<TubeWear> wears;
+  std::vector<std::uint32_t> of_axis;
+};
+
+/// Leaves out the thinnest axes, so that no more than `triangles` triangles are left unless a single axis has more.
+/// `triangles_of` returns the triangles of an axis.
+template <class TrianglesOf>
+AxisWears without_thin_axes(const Skeleton& skeleton, std::size_t axes, AxisWears worn, double triangles,
+                            const TrianglesOf& triangles_of) {
+  const std::vector<float> radius = thinnest_below(skeleton, axes);
+  std::vector<AxisIndex> order(axes);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](AxisIndex a, AxisIndex b) { return radius[a] > radius[b]; });
   // Each wear has one beside it that is not to be seen.
-  const auto seen = static_cast<std::uint32_t>(wears.size());
-  for (std::uint32_t k = 0; k < seen; ++k) wears.push_back({wears[k].surface, wears[k].mesh, true});
-  wear_of_axis.resize(plan.axis_count(), 0);
-  std::uint64_t count = 0;
+  const auto seen = static_cast<std::uint32_t>(worn.wears.size());
+  for (std::uint32_t k = 0; k < seen; ++k) {
+    TubeWear& hidden = worn.wears.emplace_back(worn.wears[k]);
+    hidden.left_out = true;
+  }
+  worn.of_axis.resize(axes, 0);
+  double count = 0;
   bool is_first = true;
   for (const AxisIndex axis : order) {
-    if (plan[axis].triangles() == 0) continue;
-    count += plan[axis].triangles();
-    if (count > triangles && !is_first) wear_of_axis[axis] += seen;
+    const auto of_axis = static_cast<double>(triangles_of(axis));
+    if (of_axis == 0) continue;
+    count += of_axis;
+    if (count > triangles && !is_first) worn.of_axis[axis] += seen;
     is_first = false;
   }
-  return {skeleton, std::move(wears), std::move(wear_of_axis), mesh_of_axis, deformed};
+  return worn;
+}
+
+/// The fewest triangles that the tube of each axis can have.
+std::vector<std::uint32_t> fewest_triangles(const Skeleton& skeleton, const AxisWears& worn) {
+  std::vector<std::uint32_t> nodes;
+  for (const AxisIndex axis : skeleton.axis) {
+    if (axis >= nodes.size()) nodes.resize(axis + 1, 0);
+    ++nodes[axis];
+  }
+  for (AxisIndex axis = 0; axis < nodes.size(); ++axis) {
+    const TubeWear& wear = worn.wears[worn.of_axis.empty() ? 0 : worn.of_axis[axis]];
+    const bool is_tube = wear.surface.style == Surface::Style::tubes && !wear.left_out;
+    nodes[axis] = is_tube ? 6 * (2 + nodes[axis] / kLongestQuickRun) : 0;  // three sides
+  }
+  return nodes;
+}
+
+/// How many triangles coarse tubes may have.
+struct CoarseTubes {
+  double share = 1;               // of the triangles of all
+  std::uint64_t wanted = 0;       // triangles
+  float most_error = kMostError;  // radii
+};
+
+/// Fewer sides, then fewer rings, then fewer axes, until a plan of `worn` has the wanted triangles.
+TubePlan plan_coarse_tubes(const Skeleton& skeleton, AxisWears worn, const CoarseTubes& coarse,
+                           const std::vector<std::uint32_t>& mesh_of_axis, std::span<const Vec3> deformed) {
+  const auto& [share, wanted, most_error] = coarse;
+  for (TubeWear& wear : worn.wears) {
+    const double sides = wear.surface.sides * std::sqrt(share);
+    wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
+  }
+  TubePlan plan(skeleton, worn.wears, worn.of_axis, mesh_of_axis, deformed);
+  for (float error = 2 * kLeastError; triangle_count(plan) > wanted && error <= most_error; error *= 2) {
+    for (TubeWear& wear : worn.wears) wear.surface.error = std::max(wear.surface.error, error);
+    plan = TubePlan(skeleton, worn.wears, worn.of_axis, mesh_of_axis, deformed);
+  }
+  if (triangle_count(plan) <= wanted) return plan;
+  worn = without_thin_axes(skeleton, plan.axis_count(), std::move(worn), static_cast<double>(wanted),
+                           [&](AxisIndex axis) { return plan[axis].triangles(); });
+  return {skeleton, std::move(worn.wears), std::move(worn.of_axis), mesh_of_axis, deformed};
 }
 
 /// The numbers of each component's organs, in their order.
@@ -116,15 +171,19 @@ Box box_of(const Plant& plant) {
   return box;
 }
 
-/// The size of the largest organ of each prototype, metres.
-std::vector<float> largest_organs(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes) {
+/// The size of the largest organ of each prototype, metres; among those that are `shown`, if it is not empty.
+std::vector<float> largest_organs(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                                  const std::vector<std::uint8_t>& shown = {}) {
   std::vector<float> size(meshes.size());
   std::vector<float> factor(meshes.size());
-  for (const Organ& organ : plant.organs) {
+  for (std::size_t i = 0; i < plant.organs.size(); ++i) {
+    if (!shown.empty() && shown[i] == 0) continue;
+    const Organ& organ = plant.organs[i];
     float& largest = factor[organ.prototype];
     for (int k = 0; k < 3; ++k) largest = std::max(largest, glm::length(organ.frame.axes[k]));
   }
   for (std::size_t k = 0; k < meshes.size(); ++k) {
+    if (!shown.empty() && factor[k] == 0) continue;
     Box box;
     for (const Vec3 position : meshes[k]->positions) box.add(position);
     size[k] = std::max(factor[k] * glm::length(box.size()), 1e-9F);
@@ -146,6 +205,111 @@ void coarsen_all(const Plant& plant, const DetailBudget& budget, int level,
   });
 }
 
+/// The organs of one component in a quick detail.
+struct OrganChoice {
+  const std::vector<std::uint32_t>* members = nullptr;
+  std::vector<std::uint32_t> order{};  // of members, the first ones are shown; empty: all are
+  double share = 1;                    // of their triangles
+  double kept = 0;                     // triangles
+  std::size_t few = 1;                 // organs that are shown whatever they cost
+  std::size_t shown = 0;
+
+  std::uint32_t organ(std::size_t k) const { return (*members)[order.empty() ? k : order[k]]; }
+};
+
+/// Chooses as many organs as have the kept triangles if each mesh can be made as coarse as it should be.
+OrganChoice choose_organs(const Plant& plant, std::string_view component, const std::vector<std::uint32_t>& members,
+                          double share) {
+  OrganChoice choice{.members = &members, .share = share, .shown = members.size()};
+  double before = 0;
+  double coarse = 0;
+  for (const std::uint32_t organ : members) {
+    const auto triangles = static_cast<double>(plant.prototypes[plant.organs[organ].prototype].mesh->triangle_count());
+    before += triangles;
+    coarse += std::min(triangles, std::max(2.0, share * triangles));
+  }
+  choice.kept = share * before;
+  if (share >= 1) return choice;
+  const auto all = static_cast<double>(members.size());
+  choice.few = static_cast<std::size_t>(std::clamp(choice.kept / kTrianglesOfFew, 1.0, double{kFewOrgans}));
+  const auto wanted = static_cast<std::size_t>(all * std::min(1.0, choice.kept / std::max(1.0, coarse)));
+  choice.shown = std::min(members.size(), std::max(wanted, choice.few));
+  choice.order = even_order(members.size(), RandomKey().child("detail").child(component));
+  return choice;
+}
+
+/// Makes the meshes of the chosen organs coarser.
+void coarsen_chosen(const Plant& plant, const std::vector<OrganChoice>& choices, const Detail& detail,
+                    std::vector<std::shared_ptr<const Mesh>>& meshes) {
+  std::vector<double> share(meshes.size(), 1);
+  for (const OrganChoice& choice : choices) {
+    for (std::size_t k = 0; k < choice.shown; ++k) share[plant.organs[choice.organ(k)].prototype] = choice.share;
+  }
+  parallel_for(meshes.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (share[k] >= 1) continue;
+      const std::size_t triangles = meshes[k]->triangle_count();
+      if (detail.work != nullptr) detail.work->triangles += triangles;
+      const auto wanted = static_cast<std::size_t>(share[k] * static_cast<double>(triangles) + 0.5);
+      meshes[k] = std::make_shared<const Mesh>(quickly_coarsened(*meshes[k], wanted));
+    }
+  });
+}
+
+/// Shows fewer organs if their meshes have more triangles than they should.
+void keep_to_budget(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes, OrganChoice& choice) {
+  if (choice.share >= 1) return;
+  double triangles = 0;
+  for (std::size_t k = 0; k < choice.shown; ++k) {
+    triangles += static_cast<double>(meshes[plant.organs[choice.organ(k)].prototype]->triangle_count());
+    if (triangles > choice.kept && k >= choice.few) choice.shown = k;
+  }
+}
+
+/// How much longer the shown organs must be so that their area is that of all.
+float enlargement(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                  const OrganChoice& choice) {
+  std::map<std::uint32_t, double> counts;
+  for (std::size_t k = 0; k < choice.shown; ++k) ++counts[plant.organs[choice.organ(k)].prototype];
+  double before = 0;
+  double area = 0;
+  for (const auto& [prototype, count] : counts) {
+    before += count * area_of(*plant.prototypes[prototype].mesh);
+    area += count * area_of(*meshes[prototype]);
+  }
+  if (!(area > 0)) return 1;
+  const double lost = before / area * static_cast<double>(choice.members->size()) / static_cast<double>(choice.shown);
+  return std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMostEnlarged);
+}
+
+OrganDetail plan_organs_quickly(const Plant& plant, const Detail& detail, const DetailBudget& budget) {
+  OrganDetail organs;
+  for (const OrganPrototype& prototype : plant.prototypes) organs.meshes.push_back(prototype.mesh);
+  organs.shown.resize(plant.organs.size(), 0);
+  organs.scale.resize(plant.prototypes.size(), 1);
+  const auto groups = organs_by_component(plant);
+  std::vector<OrganChoice> choices;
+  for (const auto& [component, members] : groups) {
+    choices.push_back(choose_organs(plant, component, members, budget.of_organs(component, detail.level)));
+  }
+  coarsen_chosen(plant, choices, detail, organs.meshes);
+  for (OrganChoice& choice : choices) {
+    keep_to_budget(plant, organs.meshes, choice);
+    for (std::size_t k = 0; k < choice.shown; ++k) organs.shown[choice.organ(k)] = 1;
+  }
+  const float size = glm::length(box_of(plant).size());
+  const std::vector<float> largest = largest_organs(plant, organs.meshes, organs.shown);
+  for (const OrganChoice& choice : choices) {
+    if (choice.share >= 1) continue;
+    const float scale = enlargement(plant, organs.meshes, choice);
+    for (std::size_t k = 0; k < choice.shown; ++k) {
+      const std::uint32_t prototype = plant.organs[choice.organ(k)].prototype;
+      organs.scale[prototype] = std::min(scale, std::max(1.0F, kLargest * size / largest[prototype]));
+    }
+  }
+  return organs;
+}
+
 }  // namespace
 
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
@@ -154,24 +318,27 @@ TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears
   TubePlan plan(skeleton, wears, wear_of_axis, mesh_of_axis, deformed);
   if (share >= 1) return plan;
   const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(triangle_count(plan)));
-  std::vector<TubeWear> coarse = wears;
-  for (TubeWear& wear : coarse) {
-    const double sides = wear.surface.sides * std::sqrt(share);
-    wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
-  }
-  plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis, deformed);
-  for (float error = 2 * kLeastError; triangle_count(plan) > wanted && error <= kMostError; error *= 2) {
-    for (TubeWear& wear : coarse) wear.surface.error = std::max(wear.surface.error, error);
-    plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis, deformed);
-  }
-  if (triangle_count(plan) <= wanted) return plan;
-  return without_thin_axes(skeleton, plan, coarse, wear_of_axis, mesh_of_axis, deformed, wanted);
+  return plan_coarse_tubes(skeleton, {wears, wear_of_axis}, {share, wanted}, mesh_of_axis, deformed);
+}
+
+TubePlan plan_quick_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
+                          const std::vector<std::uint32_t>& wear_of_axis, double triangles, double all,
+                          const std::vector<std::uint32_t>& mesh_of_axis, std::span<const Vec3> deformed) {
+  if (triangles >= all) return TubePlan(skeleton, wears, wear_of_axis, mesh_of_axis, deformed);
+  AxisWears worn{wears, wear_of_axis};
+  for (TubeWear& wear : worn.wears) wear.longest_run = kLongestQuickRun;
+  const std::vector<std::uint32_t> fewest = fewest_triangles(skeleton, worn);
+  worn = without_thin_axes(skeleton, fewest.size(), std::move(worn), triangles,
+                           [&](AxisIndex axis) { return fewest[axis]; });
+  const CoarseTubes coarse{triangles / all, static_cast<std::uint64_t>(triangles), kMostQuickError};
+  return plan_coarse_tubes(skeleton, std::move(worn), coarse, mesh_of_axis, deformed);
 }
 
 OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget) {
   OrganDetail organs;
   for (const OrganPrototype& prototype : plant.prototypes) organs.meshes.push_back(prototype.mesh);
   if (detail.level == 0) return organs;
+  if (detail.is_quick) return plan_organs_quickly(plant, detail, budget);
   organs.shown.resize(plant.organs.size(), 1);
   organs.scale.resize(plant.prototypes.size(), 1);
   const auto groups = organs_by_component(plant);

@@ -23,6 +23,13 @@ TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears
                     const std::vector<std::uint32_t>& wear_of_axis, double share,
                     const std::vector<std::uint32_t>& mesh_of_axis = {}, std::span<const Vec3> deformed = {});
 
+/// Like plan_tubes, with about `triangles` triangles where all tubes have about `all`. Axes that are too thin to be
+/// among these triangles are left out before rings are planned, so the cost beyond a pass over the nodes grows with
+/// `triangles`.
+TubePlan plan_quick_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
+                          const std::vector<std::uint32_t>& wear_of_axis, double triangles, double all,
+                          const std::vector<std::uint32_t>& mesh_of_axis = {}, std::span<const Vec3> deformed = {});
+
 /// What is shown of a plant's organs.
 struct OrganDetail {
   std::vector<std::shared_ptr<const Mesh>> meshes;  ///< of each prototype
@@ -35,7 +42,7 @@ struct OrganDetail {
 /// Beyond level 0 organs have coarser meshes (coarsen.h), down to those of two triangles. Where that does not suffice,
 /// of each component with many organs an even choice is shown, larger, so that their area in all stays unless they
 /// would have to be more than three times as long. A level shows no organ that one before does not. `budget` is that
-/// of the plant at this level.
+/// of the plant at this level. A quick detail chooses organs first, and makes the meshes of the chosen ones coarser.
 OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget);
 
 }  // namespace meristem

@@ -12,8 +12,9 @@
 
 namespace meristem {
 
-/// The plan of a stem's tubes with the `share` of their triangles that a level of detail has. The stem outlives it.
-TubePlan plan_stem(const Stem& stem, const StemLooks& looks, double share);
+/// The plan of a stem's tubes with the `share` of their triangles that a level of detail has; `is_quick` as in Detail.
+/// The stem outlives it.
+TubePlan plan_stem(const Stem& stem, const StemLooks& looks, double share, bool is_quick = false);
 
 /// The meshes of the plan, deformed as the stem's parts are, without tangents. Throws as Deformation::map does.
 std::vector<Mesh> make_stem_tubes(const TubePlan& plan, const StemLooks& looks, Progress& progress);

@@ -18,7 +18,6 @@ constexpr float kBarkReach = 6;            // of the parent's radius along its a
 constexpr float kFlareHeight = 4;          // of a root's radius
 constexpr float kLeastCollar = 0.3F;       // of a branch's radius that must exceed what roundness allows
 constexpr std::uint32_t kRoundCollar = 6;  // sides: coarser tubes show no collar, which would double a twig's triangles
-constexpr std::size_t kLongestRun = 12;    // nodes that one ring may stand for
 constexpr std::size_t kPlannedAxesPerBlock = 64;
 
 }  // namespace
@@ -59,6 +58,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
   base_radius_.resize(axes_.count());
   parallel_for(plans_.size(), kPlannedAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
+      if (wears_[wear(axis)].left_out) continue;
       smooth_radii(static_cast<AxisIndex>(axis));
       choose_rings(static_cast<AxisIndex>(axis));
       const std::span<const NodeIndex> nodes = axes_.of(static_cast<AxisIndex>(axis));
@@ -201,6 +201,7 @@ void TubePlan::choose_rings(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const std::span<NodeIndex> kept = std::span(kept_).subspan(axes_.first[axis], nodes.size());
   const float error = surface(axis).error;
+  const std::size_t longest = wears_[wear(axis)].longest_run;
   const auto are_straight = [&](std::size_t from, std::size_t to) {
     return is_straight(skeleton_->position, nodes, from, to, error) &&
            (deformed_.empty() || is_straight(deformed_, nodes, from, to, error));
@@ -210,7 +211,7 @@ void TubePlan::choose_rings(AxisIndex axis) {
     kept[count++] = nodes[i];
     std::size_t next = i + 1;
     // Only a few at a time, so that the cost stays linear.
-    const std::size_t last = std::min(nodes.size() - 1, i + kLongestRun);
+    const std::size_t last = std::min(nodes.size() - 1, i + longest);
     while (error > 0 && i > 0 && next < last && are_straight(i, next + 1)) ++next;
     i = next;
   }

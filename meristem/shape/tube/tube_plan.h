@@ -52,7 +52,8 @@ float flare_factor(const Surface& surface, float base_radius, float metres);
 struct TubeWear {
   Surface surface;
   std::uint32_t mesh = 0;
-  bool left_out = false;  ///< they get no tubes; what stands on them is left out, too
+  bool left_out = false;         ///< they get no tubes; what stands on them is left out, too
+  std::size_t longest_run = 12;  ///< nodes that one ring may stand for; the cost of an axis grows with it
 };
 
 /// All axes of a skeleton with their positions in meshes.

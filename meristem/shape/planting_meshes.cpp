@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/planting_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <string>
+#include <typeinfo>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+#include "meristem/shape/mesh/even_order.h"
+#include "meristem/shape/own_meshes.h"
+
+namespace meristem {
+namespace {
+
+constexpr std::size_t kFewPlaces = 16;  // of a planting, that are always shown
+
+/// The meshes of plantings, each variant's made once.
+class PlantingClothier {
+ public:
+  PlantingClothier(const PlantingRecipe& recipe, const Limits& limits, Progress& progress, Cache* cache)
+      : recipe_(recipe), limits_(limits), progress_(progress), results_(cache, {typeid(VariantMeshes)}) {}
+
+  bool add_to(MeshScene& scene, const Plant& plant) {
+    find_variants(plant);
+    clothe_variants();
+    for (std::uint32_t k = 0; k < plant.plantings.size(); ++k) add(plant.plantings[k], k, scene);
+    check_limits(scene, plant);
+    scene.meshes = grouped(std::move(scene.meshes));
+    results_.end();
+    return is_whole_;
+  }
+
+ private:
+  void find_variants(const Plant& plant) {
+    for (const Planting& planting : plant.plantings) {
+      const auto [known, is_new] = number_.try_emplace(planting.variant.get(), variants_.size());
+      if (is_new) variants_.push_back(planting.variant);
+      uses_.resize(variants_.size());
+      ++uses_[known->second];
+    }
+  }
+
+  /// Side by side; which of several faults is thrown does not depend on threads.
+  void clothe_variants() {
+    meshes_.resize(variants_.size());
+    const auto key_of_variant = [&](std::size_t k) {
+      return results_.key([&] {
+        Fingerprint key;
+        recipe_.add_key(*variants_[k], key.add(variants_[k]->key));
+        return key.hash();
+      });
+    };
+    for (std::size_t k = 0; k < variants_.size(); ++k) {
+      if (variants_[k]->key != 0) meshes_[k] = results_.find<const VariantMeshes>(key_of_variant(k));
+      results_.count<VariantMeshes>(meshes_[k] != nullptr);
+    }
+    std::vector<std::exception_ptr> faults(variants_.size());
+    std::mutex storing;
+    progress_.begin("meshing plants", variants_.size());
+    parallel_for(variants_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (meshes_[k] == nullptr) {
+          Progress part(&progress_);
+          try {
+            auto made = std::make_shared<VariantMeshes>(recipe_.make(*variants_[k], part));
+            meshes_[k] = made;
+            const std::lock_guard lock(storing);
+            if (variants_[k]->key != 0) results_.store(key_of_variant(k), std::move(made));
+          } catch (const InputError&) {
+            faults[k] = std::current_exception();
+          }
+        }
+        progress_.advance();
+      }
+    });
+    for (const std::exception_ptr& fault : faults) {
+      if (fault) std::rethrow_exception(fault);
+    }
+  }
+
+  void add(const Planting& planting, std::uint32_t number, MeshScene& scene) {
+    const std::size_t variant = number_.at(planting.variant.get());
+    MeshScene& own = std::const_pointer_cast<VariantMeshes>(meshes_[variant])->scene;
+    // Its last planting takes the frames of the variant without a copy, unless a cache keeps them.
+    const bool is_last = --uses_[variant] == 0 && meshes_[variant].use_count() == 1;
+    auto places = std::make_shared<std::vector<Frame>>();
+    for (const std::size_t place : shown_places(planting, own)) places->push_back(planting.places[place].frame);
+    const bool shows_all = places->size() == planting.places.size();
+    is_whole_ = is_whole_ && shows_all && meshes_[variant]->is_whole;
+    const std::vector<std::uint32_t>& materials = materials_of(variant, planting.component, scene);
+    std::map<const std::vector<Frame>*, std::shared_ptr<const std::vector<Frame>>> multiplied;
+    for (MeshInstances& part : own.meshes) {
+      MeshInstances& placed = scene.meshes.emplace_back(is_last ? std::move(part) : part);
+      const auto inner_places = std::exchange(placed.places, places);
+      placed.component = planting.component + "." + placed.component;
+      placed.material = materials[placed.material];
+      std::vector<std::uint32_t>().swap(placed.individuals);  // each instance is a plant
+      // Where some places are not shown, frames are no longer the places in their order.
+      if (!shows_all) placed.origin = nullptr;
+      if (placed.origin != nullptr) {
+        placed.origin = std::make_shared<const MeshOrigin>(MeshOrigin{.planting = number, .inner = placed.origin});
+      }
+      if (inner_places == nullptr) continue;
+      // A plant within this one stands on each of its sites at each site of this one.
+      std::shared_ptr<const std::vector<Frame>>& all = multiplied[inner_places.get()];
+      if (all == nullptr) all = product(*places, *inner_places);
+      placed.places = all;
+    }
+  }
+
+  /// An even choice of a planting's places, in their order.
+  std::vector<std::size_t> shown_places(const Planting& planting, const MeshScene& made) const {
+    std::vector<std::size_t> shown(planting.places.size());
+    std::iota(shown.begin(), shown.end(), 0);
+    if (!recipe_.shown_places || shown.size() < kFewPlaces) return shown;
+    const double share = recipe_.shown_places(*planting.variant, made.triangle_count());
+    if (share >= 1) return shown;
+    const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(shown.size())));
+    const std::vector<std::uint32_t> order =
+        even_order(shown.size(), RandomKey().child("places").child(planting.component));
+    shown.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(wanted, 1)));
+    std::sort(shown.begin(), shown.end());
+    return shown;
+  }
+
+  static std::shared_ptr<const std::vector<Frame>> product(const std::vector<Frame>& outer,
+                                                           const std::vector<Frame>& inner) {
+    auto all = std::make_shared<std::vector<Frame>>();
+    all->reserve(outer.size() * inner.size());
+    for (const Frame& frame : outer) {
+      for (const Frame& place : inner) all->push_back(frame * place);
+    }
+    return all;
+  }
+
+  /// The numbers of a variant's materials in the scene. A component's variants share those that are equal.
+  const std::vector<std::uint32_t>& materials_of(std::size_t variant, const std::string& component, MeshScene& scene) {
+    const auto [known, is_new] = materials_.try_emplace({variant, component});
+    if (!is_new) return known->second;
+    const std::vector<Material>& pictured = variants_[variant]->materials();
+    const std::vector<Material>& all = meshes_[variant]->scene.materials;
+    for (std::size_t m = 0; m < all.size(); ++m) {
+      Material material = all[m];
+      if (m < pictured.size()) material.texture = pictured[m].texture;  // the plant's own come first
+      material.name = component + "." + material.name;
+      std::vector<std::uint32_t>& namesakes = namesakes_[material.name];
+      const auto is_it = [&](std::uint32_t known_one) { return look_alike(scene.materials[known_one], material); };
+      const auto found = std::ranges::find_if(namesakes, is_it);
+      if (found != namesakes.end()) {
+        known->second.push_back(*found);
+        continue;
+      }
+      namesakes.push_back(static_cast<std::uint32_t>(scene.materials.size()));
+      known->second.push_back(namesakes.back());
+      scene.materials.push_back(std::move(material));
+    }
+    return known->second;
+  }
+
+  /// Textures are equal where they are made of the same.
+  static bool look_alike(const Material& a, Material b) {
+    if (a.texture != nullptr && b.texture != nullptr && a.texture->fingerprint == b.texture->fingerprint) {
+      b.texture = a.texture;
+    }
+    return a == b;
+  }
+
+  /// Each variant counts once: no memory is spent on its copies.
+  void check_limits(const MeshScene& scene, const Plant& plant) const {
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0;
+    std::set<const Mesh*> known;
+    for (const MeshInstances& instances : scene.meshes) {
+      triangles += instances.mesh->triangle_count() * instances.frames.size();
+      if (known.insert(instances.mesh.get()).second) bytes += instances.mesh->bytes();
+      bytes += instances.frames.size() * sizeof(Frame) + instances.place_count() * sizeof(Frame);
+    }
+    const std::string path = "components." + plant.plantings.front().component;
+    if (triangles > limits_.triangles) {
+      throw_limit("triangles", static_cast<double>(triangles), limits_.triangles, "triangles", path);
+    }
+    if (bytes > limits_.mesh_bytes) {
+      throw_limit("bytes of geometry", static_cast<double>(bytes), limits_.mesh_bytes, "mesh_bytes", path);
+    }
+  }
+
+  const PlantingRecipe& recipe_;
+  const Limits& limits_;
+  Progress& progress_;
+  CacheRun results_;
+  bool is_whole_ = true;
+  std::vector<std::shared_ptr<const PlantVariant>> variants_;
+  std::unordered_map<const PlantVariant*, std::size_t> number_;
+  std::vector<std::size_t> uses_;  // of each variant: the plantings that are not yet in the scene
+  std::vector<std::shared_ptr<const VariantMeshes>> meshes_;
+  std::map<std::pair<std::size_t, std::string>, std::vector<std::uint32_t>> materials_;
+  std::unordered_map<std::string, std::vector<std::uint32_t>> namesakes_;  // of materials, by name
+};
+
+}  // namespace
+
+bool add_plantings(MeshScene& scene, const Plant& plant, const PlantingRecipe& recipe, const Limits& limits,
+                   Progress& progress, Cache* cache) {
+  return PlantingClothier(recipe, limits, progress, cache).add_to(scene, plant);
+}
+
+}  // namespace meristem

@@ -130,4 +130,10 @@ MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& 
   return placing_faults(document, [&] { return make_ray_meshes(plant, document.graph.limits, progress); });
 }
 
+ViewMeshes view_meshes(const Document& document, const Plant& plant, const ViewMeshOptions& options, Progress& progress,
+                       GrowthCache* cache) {
+  return placing_faults(document,
+                        [&] { return make_view_meshes(plant, document.graph.limits, options, progress, cache); });
+}
+
 }  // namespace meristem

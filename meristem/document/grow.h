@@ -9,6 +9,7 @@
 #include "meristem/graph/growth_traces.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/view_meshes.h"
 
 namespace meristem {
 
@@ -73,5 +74,10 @@ MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail
 /// Returns the meshes that a plant which has grown from the document has for rays alone (ray_meshes.h), at level 0.
 /// Textures with holes must be painted (paint_plant). Throws what grow_document throws.
 MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress);
+
+/// The meshes of a plant that has grown from the document, for a view that draws a limited number of triangles
+/// (view_meshes.h), with the plant's textures. Throws what grow_document throws.
+ViewMeshes view_meshes(const Document& document, const Plant& plant, const ViewMeshOptions& options, Progress& progress,
+                       GrowthCache* cache = nullptr);
 
 }  // namespace meristem

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <map>
+#include <mutex>
 #include <set>
 #include <tuple>
 #include <unordered_map>
@@ -148,13 +149,19 @@ class PlantingGrower {
     std::vector<std::exception_ptr> faults(wanted_.size());
     std::atomic<std::uint64_t> plants{0}, nodes{0}, organs{0};
     std::atomic<std::size_t> first_fault{wanted_.size()};
+    std::mutex storing;
     for (Wanted& wanted : wanted_) find(wanted);
     parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         if (k > first_fault) return;
         if (plants > kMostPlants || nodes > graph_.limits.nodes || organs > graph_.limits.instances) return;
         try {
-          if (wanted_[k].grown == nullptr) grow(wanted_[k]);
+          if (wanted_[k].grown == nullptr) {
+            grow(wanted_[k]);
+            // At once: if the growth is cancelled, the next one finds the plant.
+            const std::lock_guard lock(storing);
+            store(wanted_[k]);
+          }
           const Held held = held_by(*wanted_[k].grown->plant);
           plants += held.plants;
           nodes += held.nodes;
@@ -173,10 +180,11 @@ class PlantingGrower {
     require_at_most(plants, "plants in them", kMostPlants, "");
     require_at_most(nodes, "nodes", graph_.limits.nodes, " (limits.nodes)");
     require_at_most(organs, "leaves and other organs", graph_.limits.instances, " (limits.instances)");
-    for (Wanted& wanted : wanted_) {
-      if (wanted.growth != nullptr) results_.store(wanted.growth_key, wanted.growth);
-      results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
-    }
+  }
+
+  void store(const Wanted& wanted) {
+    if (wanted.growth != nullptr) results_.store(wanted.growth_key, wanted.growth);
+    results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
   }
 
   /// What there is of a plant from the run before. Where its growth is kept, that gives the plant at any step.

@@ -31,6 +31,7 @@ struct StudioOptions {
   std::string document;
   std::string root;
   int port = -1;
+  double job_seconds = studio::StudioLimits().job_seconds;
   bool no_browser = false;
 };
 
@@ -81,6 +82,7 @@ void run_studio(const StudioOptions& options) {
   studio::Host host{
       .registry = components(), .root = studio::RootFolder(served_folder(options, file)), .models_folder = models};
   host.has_picture = &studio::has_model_picture;
+  host.limits.job_seconds = options.job_seconds;
   if (const std::uint64_t memory = studio::memory_of_machine(); memory > 0) {
     host.limits.memory_bytes = std::min(host.limits.memory_bytes, memory / 4 * 3);
   }
@@ -132,6 +134,12 @@ void add_studio(CLI::App& app, Run& run) {
           "--root", options->root,
           "Folder below which all files are read and written; by default, the document's folder, or the current one")
       ->type_name("DIR");
+  command
+      ->add_option("--job-seconds", options->job_seconds,
+                   fmt::format("Seconds after which one growth, export or measurement is stopped; by default, {}",
+                               options->job_seconds))
+      ->type_name("S")
+      ->check(CLI::Range(0.001, 1e6));
   add_plugin_option(*command);
   command->footer("Example: meristem studio oak\nCtrl-C ends it.");
   command->callback([options, &run] { run = [options] { run_studio(*options); }; });

@@ -21,21 +21,9 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr int kMostTries = 10;        // to meet a budget of triangles
-constexpr double kAboutBudget = 1.1;  // of the budget, that is near enough
-constexpr double kWellBelow = 0.45;   // of the budget, that is less than need be
-constexpr double kStep = 0.70710678;  // from one share of triangles to the next; few steps, so that caches are of use
-
-double share_of_step(int step) { return std::pow(kStep, step); }
+constexpr double kLarge = 20;  // times the triangles of a draft: from here on a document shows a draft first
 
 Value number_value(std::uint64_t number) { return static_cast<double>(number); }
-
-double organ_triangles(const Plant& plant) {
-  double triangles = 0;
-  for (const Organ& organ : plant.organs)
-    triangles += static_cast<double>(plant.prototypes[organ.prototype].mesh->triangle_count());
-  return triangles;
-}
 
 bool have_same_shape(const Stem& a, const Stem& b) {
   const auto is_alike = [](const StemPart& one, const StemPart& other) {
@@ -102,6 +90,18 @@ Value component_counts(const MeshScene& scene) {
   return object;
 }
 
+/// Whether a plant has so many triangles that a draft comes first.
+bool is_large(const GrownWish& grown, const ShownParts& parts) {
+  return parts.surface &&
+         parts.drag_triangles<parts.rest_triangles&& static_cast<double>(grown.about_triangles)> kLarge *
+             static_cast<double>(parts.drag_triangles);
+}
+
+/// The share of `all` triangles that a budget is; below 1.
+double share_of(std::uint64_t budget, std::uint64_t all) {
+  return std::min(0.99, static_cast<double>(budget) / static_cast<double>(std::max<std::uint64_t>(all, 1)));
+}
+
 }  // namespace
 
 GrowthView ShownParts::view() const {
@@ -112,6 +112,7 @@ GrowthView ShownParts::view() const {
 void Grower::leave() {
   const std::lock_guard lock(mutex_);
   if (running_ != nullptr) running_->cancel();
+  stopped_ = Stopped::nothing;
   is_other_ = true;
   grown_ = nullptr;
   done_ = wished_;
@@ -178,6 +179,15 @@ void Grower::cancel() {
   done_ = wished_;
 }
 
+void Grower::go_on() {
+  const std::lock_guard lock(mutex_);
+  const Stopped stopped = std::exchange(stopped_, Stopped::nothing);
+  if (stopped == Stopped::nothing) return;
+  if (stopped == Stopped::growth) ++wished_;
+  if (stopped == Stopped::meshing) shown_ = {};
+  schedule();
+}
+
 void Grower::pause(bool is_paused) {
   const std::lock_guard lock(mutex_);
   is_paused_ = is_paused;
@@ -199,7 +209,7 @@ void Grower::ask(std::function<void(const LastGrown* last)> question) {
   host_.growth.post([self = shared_from_this(), question = std::move(question)] {
     const std::shared_ptr<const GrownWish> grown = self->grown();
     if (grown == nullptr) return question(nullptr);
-    const LastGrown last{*grown, self->full_of_ == grown ? self->full_.get() : nullptr, self->cache_};
+    const LastGrown last{*grown, self->whole_meshes(*grown), self->cache_};
     question(&last);
   });
 }
@@ -222,18 +232,28 @@ void Grower::work() {
 
 /// Does a part of the work and tells of it; faults and limits become news.
 template <class Work>
-void Grower::run(const std::string& hash, Work&& work) {
+void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
   JobNews news(outbox_, "grow");
   JobWatch watch(news.progress(), host_.limits);
   const std::uint64_t number = [&] {
     const std::lock_guard lock(mutex_);
     running_ = &news.progress();
+    stopped_ = Stopped::nothing;
     return wished_;
   }();
   try {
     work(news);
   } catch (const Cancelled&) {
-    if (const std::optional<Refusal> limit = watch.reached()) send_failure(hash, limit->what(), limit->members());
+    if (const std::optional<Refusal> limit = watch.reached()) {
+      Value::Object members = limit->members();
+      const bool can_go_on = watch.has_reached_time();
+      members.emplace_back("continues", can_go_on);
+      if (can_go_on) {
+        const std::lock_guard lock(mutex_);
+        if (wished_ == number && !is_other_) stopped_ = if_stopped;
+      }
+      send_failure(hash, limit->what(), std::move(members));
+    }
   } catch (const InputError& error) {
     send_failure(hash, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}});
   } catch (const std::bad_alloc&) {
@@ -272,14 +292,13 @@ void Grower::grow() {
     done_ = number;  // whatever becomes of it
     is_first = std::exchange(is_other_, false);
     if (is_first) {
-      for (GrowthCache* cache : {&cache_, &full_cache_, &coarse_caches_[0], &coarse_caches_[1]}) cache->clear();
-      coarser_ = {};
-      full_ = nullptr;
-      full_of_ = nullptr;
+      for (GrowthCache* cache : {&cache_, &mesh_caches_[0], &mesh_caches_[1]}) cache->clear();
+      meshes_ = nullptr;
+      meshes_of_ = nullptr;
     }
   }
   if (is_first) give_back_memory();
-  run(wish.hash, [&](JobNews& news) {
+  run(wish.hash, Stopped::growth, [&](JobNews& news) {
     const std::shared_ptr<const Document> document = standing_at(wish.document, time);
     GrownDocument grown = grow_document(*document, news.progress(),
                                         {.time = time, .up_to = GrownPart::plant, .cache = &cache_, .view = view});
@@ -292,6 +311,7 @@ void Grower::grow() {
                                                       .view = view,
                                                       .plant = std::move(grown.plant),
                                                       .traces = std::move(grown.traces)});
+    made->about_triangles = static_cast<std::uint64_t>(about_triangles(made->plant));
     stages_ = news.stages();
     grown_reuse_ = reuse_of(cache_);
     if (!wish.is_dragged && document->scene.fingerprint) {
@@ -319,7 +339,9 @@ void Grower::show() {
     const bool moves = grown_->wish.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
                                                     have_same_shape(shown_.grown->plant, grown_->plant));
     sight = {.grown = grown_, .parts = parts_, .is_draft = moves && Clock::now() < still};
-    if (sight.is_draft) {
+    const bool waits = sight.is_draft;
+    if (forgets_ && is_large(*grown_, parts_)) sight.is_draft = true;
+    if (waits) {
       host_.growth.post_at(still, [self = shared_from_this()] {
         const std::lock_guard later(self->mutex_);
         self->schedule();
@@ -335,21 +357,22 @@ void Grower::show() {
     pictures_.clear();
   }
   bool is_sent = false;
-  run(sight.grown->wish.hash, [&](JobNews& news) {
+  run(sight.grown->wish.hash, Stopped::meshing, [&](JobNews& news) {
     const ShownParts& parts = sight.parts;
-    const std::uint64_t budget = sight.is_draft ? parts.drag_triangles : parts.rest_triangles;
     double share = 1;
     std::shared_ptr<const MeshScene> meshes;
+    std::uint64_t all = sight.grown->about_triangles;
     if (parts.surface) {
-      meshes = meshes_within(sight.grown, sight.is_draft, budget, share, news.progress());
-      meshes = with_shown_pictures(*sight.grown, std::move(meshes));
+      make_meshes(sight, news.progress());
+      all = meshes_->triangles;
+      if (!meshes_->is_whole) share = share_of(sight.budget(), all);
+      meshes = with_shown_pictures(*sight.grown);
     }
-    const std::uint64_t all = full_of_ == sight.grown ? full_->triangle_count() : triangles_of(*sight.grown);
     const PlantTotals totals = totals_of(sight.grown->plant);
     std::string packet =
         packets_.next({.meshes = meshes.get(),
                        .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
-                       .most_segments = static_cast<std::size_t>(budget),
+                       .most_segments = static_cast<std::size_t>(sight.budget()),
                        .obstacles = parts.surface ? &obstacles_of(*sight.grown, news.progress()) : nullptr,
                        .scene = &sight.grown->document->scene},
                       {.hash = sight.grown->wish.hash,
@@ -381,15 +404,15 @@ void Grower::show() {
 Value::Object Grower::counts_value(const GrownWish& grown) const {
   const PlantTotals totals = totals_of(grown.plant);
   Value::Object counts{{"nodes", number_value(totals.nodes)}};
-  const bool is_known = full_of_.get() == &grown;
-  counts.emplace_back("instances", number_value(is_known ? full_->instance_count() : totals.organs));
-  counts.emplace_back("triangles", is_known ? number_value(full_->triangle_count()) : Value());
+  const MeshScene* const whole = whole_meshes(grown);
+  counts.emplace_back("instances", number_value(whole != nullptr ? whole->instance_count() : totals.organs));
+  counts.emplace_back("triangles", whole != nullptr ? number_value(whole->triangle_count()) : Value());
   Value::Object placed;
   for (std::size_t k = 0; k < grown.placed.size(); ++k) {
     placed.emplace_back(grown.document->graph.components[k].id, number_value(grown.placed[k]));
   }
   counts.emplace_back("placed", grown.placed.empty() ? Value() : Value(std::move(placed)));
-  counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
+  counts.emplace_back("components", whole != nullptr ? component_counts(*whole) : Value());
   counts.emplace_back("step", grown.traces.shown_step());
   counts.emplace_back("steps", grown.view.wish.any() ? Value(grown.traces.last_step) : Value());
   Value::Object growing;
@@ -408,62 +431,27 @@ const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress
   return obstacle_meshes_;
 }
 
-/// The triangles that everything there is would have, about.
-std::uint64_t Grower::triangles_of(const GrownWish& grown) const {
-  const double stems = triangles_per_node_ * static_cast<double>(grown.plant.node_count());
-  return static_cast<std::uint64_t>(stems + organ_triangles(grown.plant));
+/// The meshes that were made last, if they are all there is of a plant; else null.
+const MeshScene* Grower::whole_meshes(const GrownWish& grown) const {
+  return meshes_of_.get() == &grown && meshes_->is_whole ? &meshes_->scene : nullptr;
 }
 
-MeshScene Grower::clothed(const GrownWish& grown, const Detail& detail, Progress& progress, GrowthCache& cache) {
-  MeshScene meshes = mesh_detail(*grown.document, grown.plant, detail, progress, &cache);
+/// Makes the meshes for a sight, unless the last ones are whole already.
+void Grower::make_meshes(const Sight& sight, Progress& progress) {
+  if (whole_meshes(*sight.grown) != nullptr && meshes_->triangles <= sight.budget()) return;
+  GrowthCache& cache = mesh_caches_[sight.is_draft ? 1 : 0];
+  meshes_ = std::make_shared<const ViewMeshes>(
+      view_meshes(*sight.grown->document, sight.grown->plant, {.triangles = sight.budget()}, progress, &cache));
+  meshes_of_ = sight.grown;
   clothed_reuse_ = reuse_of(cache);
-  return meshes;
 }
 
-/// The meshes with pictures that the page has, where these look alike.
-std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownWish& grown,
-                                                             std::shared_ptr<const MeshScene> meshes) {
-  std::vector<Material> materials = meshes->materials;
-  if (!pictures_.keep(grown.document->graph, materials)) return meshes;
-  return std::make_shared<const MeshScene>(MeshScene{std::move(materials), meshes->meshes});
-}
-
-std::shared_ptr<const MeshScene> Grower::full_meshes(const std::shared_ptr<const GrownWish>& grown,
-                                                     Progress& progress) {
-  if (full_of_ == grown) return full_;
-  const Plant& plant = grown->plant;
-  full_ = std::make_shared<const MeshScene>(clothed(*grown, {}, progress, full_cache_));
-  full_of_ = grown;
-  const auto nodes = static_cast<double>(std::max<std::uint64_t>(plant.node_count(), 1));
-  triangles_per_node_ = std::max(0.1, (static_cast<double>(full_->triangle_count()) - organ_triangles(plant)) / nodes);
-  return full_;
-}
-
-std::shared_ptr<const MeshScene> Grower::meshes_within(const std::shared_ptr<const GrownWish>& grown, bool is_draft,
-                                                       std::uint64_t budget, double& share, Progress& progress) {
-  // At rest all is made first: it tells how much there is. A draft goes by what there was before.
-  const bool is_made = !is_draft || full_of_ == grown || triangles_of(*grown) <= budget;
-  std::uint64_t all = triangles_of(*grown);
-  if (is_made) {
-    std::shared_ptr<const MeshScene> full = full_meshes(grown, progress);
-    all = full->triangle_count();
-    if (all <= budget) return full;
-  }
-  const std::size_t which = is_draft ? 0 : 1;
-  const double wanted = static_cast<double>(budget) / static_cast<double>(std::max<std::uint64_t>(all, 1));
-  const int first = std::max(1, static_cast<int>(std::ceil(std::log(wanted) / std::log(kStep) - 1e-9)));
-  std::shared_ptr<const MeshScene> made;
-  for (int k = 0; k < kMostTries; ++k) {
-    const int step = std::max(1, first + coarser_[which]);
-    share = share_of_step(step);
-    made = std::make_shared<const MeshScene>(
-        clothed(*grown, {.level = 1, .share = share}, progress, coarse_caches_[which]));
-    const auto count = static_cast<double>(made->triangle_count());
-    if (count < kWellBelow * static_cast<double>(budget) && step > 1) --coarser_[which];  // the next time
-    if (count <= kAboutBudget * static_cast<double>(budget)) break;
-    ++coarser_[which];
-  }
-  return made;
+/// The last meshes, with the pictures that the page has where these look alike.
+std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownWish& grown) {
+  std::shared_ptr<const MeshScene> scene(meshes_, &meshes_->scene);
+  std::vector<Material> materials = scene->materials;
+  if (!pictures_.keep(grown.document->graph, materials)) return scene;
+  return std::make_shared<const MeshScene>(MeshScene{std::move(materials), scene->meshes});
 }
 
 }  // namespace meristem::studio

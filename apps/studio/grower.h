@@ -3,7 +3,8 @@
 //
 // The newest wish wins without starving: a growth in hand ends, is shown, and then the newest wish is taken. At most
 // one packet is on its way; the next is made, of the newest state alone, once the page says that it shows the one
-// before. While inputs follow each other, packets are drafts, coarser levels of detail of what has grown.
+// before. While inputs follow each other, packets are drafts, coarser levels of detail of what has grown. The first
+// packet of a large document is a draft, too.
 #pragma once
 
 #include <array>
@@ -40,6 +41,7 @@ struct GrownWish {
   GrowthView view{};
   Plant plant{};  ///< painted
   GrowthTraces traces{};
+  std::uint64_t about_triangles = 0;  ///< estimate for all there is
   /// Instances of each component of the document's graph; empty where nobody will ask, as in a drag.
   std::vector<std::uint64_t> placed{};
 };
@@ -87,6 +89,9 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void send_all();
   /// Drops the growth in hand; the next wish grows again.
   void cancel();
+  /// Goes on with the work that reached the time limit, with another such time. Finds what was finished before. Does
+  /// nothing if no work was stopped, or if something else was wanted since.
+  void go_on();
   /// While paused nothing begins to grow.
   void pause(bool is_paused);
   /// Sends nothing any more and drops all. What is in hand may end later.
@@ -104,7 +109,12 @@ class Grower : public std::enable_shared_from_this<Grower> {
     std::shared_ptr<const GrownWish> grown;
     ShownParts parts;
     bool is_draft = false;
+
+    /// Triangles that the page draws.
+    std::uint64_t budget() const { return is_draft ? parts.drag_triangles : parts.rest_triangles; }
   };
+  /// What reached the time limit.
+  enum class Stopped { nothing, growth, meshing };
 
   void schedule();
   void work();
@@ -112,17 +122,14 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void show();
   bool is_shown(const Sight& sight) const;
   template <class Work>
-  void run(const std::string& hash, Work&& work);
+  void run(const std::string& hash, Stopped if_stopped, Work&& work);
   void send_failure(const std::string& hash, const std::string& message, Value::Object members);
 
   // What the worker's thread alone reads and writes.
-  std::shared_ptr<const MeshScene> full_meshes(const std::shared_ptr<const GrownWish>& grown, Progress& progress);
-  std::shared_ptr<const MeshScene> meshes_within(const std::shared_ptr<const GrownWish>& grown, bool is_draft,
-                                                 std::uint64_t budget, double& share, Progress& progress);
-  MeshScene clothed(const GrownWish& grown, const Detail& detail, Progress& progress, GrowthCache& cache);
-  std::shared_ptr<const MeshScene> with_shown_pictures(const GrownWish& grown, std::shared_ptr<const MeshScene> meshes);
+  void make_meshes(const Sight& sight, Progress& progress);
+  std::shared_ptr<const MeshScene> with_shown_pictures(const GrownWish& grown);
   const MeshScene& obstacles_of(const GrownWish& grown, Progress& progress);
-  std::uint64_t triangles_of(const GrownWish& grown) const;
+  const MeshScene* whole_meshes(const GrownWish& grown) const;
   Value::Object counts_value(const GrownWish& grown) const;
 
   Host& host_;
@@ -139,6 +146,7 @@ class Grower : public std::enable_shared_from_this<Grower> {
   Sight shown_;
   std::uint64_t awaited_ = 0;  // the packet on its way; 0: none
   Progress* running_ = nullptr;
+  Stopped stopped_ = Stopped::nothing;
   bool is_scheduled_ = false;
   bool is_paused_ = false;
   bool is_closed_ = false;
@@ -148,12 +156,9 @@ class Grower : public std::enable_shared_from_this<Grower> {
 
   // What the worker's thread alone reads and writes.
   GrowthCache cache_;
-  GrowthCache full_cache_;
-  std::array<GrowthCache, 2> coarse_caches_;  // of drafts and of what is shown at rest
-  std::array<int, 2> coarser_{};              // steps beyond those that the count of triangles asks for
-  std::shared_ptr<const GrownWish> full_of_;
-  std::shared_ptr<const MeshScene> full_;
-  double triangles_per_node_ = 12;  // of stems
+  std::array<GrowthCache, 2> mesh_caches_;      // of what is shown at rest and of drafts
+  std::shared_ptr<const GrownWish> meshes_of_;  // whose meshes were made last
+  std::shared_ptr<const ViewMeshes> meshes_;
   std::vector<std::pair<std::string, double>> stages_;
   std::vector<ReuseCount> grown_reuse_;    // of the last growth, until it is told
   std::vector<ReuseCount> clothed_reuse_;  // of its last meshes

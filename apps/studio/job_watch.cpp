@@ -19,7 +19,11 @@ JobWatch::JobWatch(Progress& progress, const StudioLimits& limits, std::optional
     : progress_(progress),
       limits_(limits),
       time_(time.value_or(TimeLimit{.seconds = limits.job_seconds, .name = "job_seconds"})),
-      thread_([this] { run(); }) {}
+      thread_([this] { run(); }) {
+  if (time_.seconds > 0) return;
+  reached_ = Limit::time;
+  progress_.cancel();
+}
 
 JobWatch::~JobWatch() {
   {

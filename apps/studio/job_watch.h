@@ -31,6 +31,8 @@ class JobWatch {
 
   /// The limit for which the job was cancelled; nullopt if it was not, or by others.
   std::optional<Refusal> reached() const;
+  /// Returns true if the job was cancelled for its time, so that another such time may finish it.
+  bool has_reached_time() const { return reached_.load() == Limit::time; }
 
  private:
   enum class Limit { none, time, memory };

@@ -407,6 +407,7 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "cancel") {
     return members.has("re") ? CancelRequest{static_cast<double>(members.whole("re"))} : CancelRequest{};
   }
+  if (what == "continue") return ContinueRequest{};
   if (what == "pause") return PauseRequest{members.flag("paused")};
   if (what == "files") return FilesRequest{members.text("folder")};
   if (what == "save") {

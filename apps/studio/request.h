@@ -63,6 +63,8 @@ struct AllRequest {};
 struct CancelRequest {
   std::optional<double> re;  ///< number of the request whose job is meant; unset: growth in hand
 };
+/// Goes on with the growth or meshing that reached its time limit.
+struct ContinueRequest {};
 struct PauseRequest {
   bool paused = false;
 };
@@ -201,12 +203,12 @@ struct PictureRequest {
   int size = 96;     ///< pixels along the longer side
 };
 
-using Request =
-    std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
-                 AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
-                 MeasureRowsRequest, SweepRequest, InstanceRequest, ShootRequest, StandRequest, WorkedOutRequest,
-                 CurvesRequest, CloudRequest, OperationsRequest, PartsRequest, PartRequest, ExportRequest,
-                 CommandRequest, StillsRequest, GrammarRequest, ClocksRequest, PictureRequest, OverlaysRequest>;
+using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
+                             ShownRequest, AllRequest, CancelRequest, ContinueRequest, PauseRequest, FilesRequest,
+                             SaveRequest, ModelsRequest, MeasuresRequest, MeasureRowsRequest, SweepRequest,
+                             InstanceRequest, ShootRequest, StandRequest, WorkedOutRequest, CurvesRequest, CloudRequest,
+                             OperationsRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest, StillsRequest,
+                             GrammarRequest, ClocksRequest, PictureRequest, OverlaysRequest>;
 
 struct NumberedRequest {
   double id = 0;

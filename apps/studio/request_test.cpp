@@ -44,6 +44,7 @@ TEST(Request, ReadsEachKind) {
             std::nullopt);
   EXPECT_EQ(read<OverlaysRequest>(R"({"do": "overlays", "id": 1, "parts": ["sun"]})").parts.size(), 1U);
   EXPECT_EQ(read<ShownRequest>(R"({"do": "shown", "id": 1, "packet": 7})").packet, 7U);
+  read<ContinueRequest>(R"({"do": "continue", "id": 1})");
   EXPECT_TRUE(read<PauseRequest>(R"({"do": "pause", "id": 1, "paused": true})").paused);
   EXPECT_EQ(read<SaveRequest>(R"({"do": "save", "id": 1, "path": "a.json", "hash": "0", "saved": null})").saved,
             std::nullopt);

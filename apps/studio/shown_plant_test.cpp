@@ -210,6 +210,89 @@ TEST(StudioSession, StopsAJobThatTakesTooLong) {
   EXPECT_EQ(Studio::text_of(failed, "limit"), "job_seconds");
 }
 
+TEST(StudioSession, ALargePlantShowsADraftFirst) {
+  Studio studio;
+  studio.ask("view", R"("rest_triangles": 1000, "drag_triangles": 100)");
+  const std::string hash = studio.open_large_bush();
+  const ReadPacket rest = studio.show(hash);
+  ASSERT_EQ(studio.mailbox().packet_count(), 2U);
+  const ReadPacket draft(studio.mailbox().packet(0));
+  EXPECT_TRUE(draft.flag("draft"));
+  EXPECT_TRUE(draft.flag("fit"));
+  EXPECT_LE(draft.number("triangles"), 150);
+  EXPECT_GT(rest.number("triangles"), 3 * draft.number("triangles"));
+  EXPECT_LE(rest.number("triangles"), 1200);
+  EXPECT_GT(*rest.head.find("of")->find("triangles")->number(), 100'000);
+}
+
+TEST(StudioSession, ShowsNoPlantOfADocumentThatWasLeft) {
+  Studio studio;
+  studio.ask("view", R"("rest_triangles": 1000, "drag_triangles": 100)");
+  const std::string large = studio.open_large_bush();  // its growth is in hand, or its packets are on their way
+  const Value opened = studio.ask("open", painted_document());
+  const std::size_t before = studio.mailbox().packet_count();
+  const std::string hash = Studio::text_of(opened, "hash");
+  const ReadPacket shown = studio.show(hash);
+  for (std::size_t k = before; k < studio.mailbox().packet_count(); ++k) {
+    const ReadPacket packet(studio.mailbox().packet(k));
+    EXPECT_EQ(*packet.head.find("hash")->text(), hash) << "and not " << large;
+    if (k == before) EXPECT_TRUE(packet.flag("whole"));
+  }
+  // The scene holds what the page would draw.
+  Studio other;
+  other.show(Studio::text_of(other.ask("open", painted_document()), "hash"));
+  EXPECT_EQ(studio.scene(), other.scene());
+}
+
+TEST(StudioSession, ADocumentWithFaultsShowsNoPlantOfTheOneBefore) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  const std::size_t before = studio.mailbox().packet_count();
+  const Value opened =
+      studio.ask("open", R"("text": "{\"meristem\": 1, \"components\": {\"a\": {\"type\": \"nothing\"}}}")");
+  EXPECT_FALSE(*opened.find("good")->boolean());
+  studio.ask("measures");  // long after what has been asked before is done
+  EXPECT_EQ(studio.mailbox().packet_count(), before);
+}
+
+TEST(StudioSession, GrowthThatReachedTheTimeLimitGoesOn) {
+  Studio studio;
+  studio.host().limits.job_seconds = 0;
+  const std::string hash = studio.open_large_bush();
+  const Value failed =
+      studio.mailbox().wait_for([](const Value& message) { return Studio::text_of(message, "is") == "failed"; });
+  EXPECT_EQ(Studio::text_of(failed, "limit"), "job_seconds");
+  EXPECT_TRUE(*failed.find("continues")->boolean());
+  EXPECT_EQ(studio.mailbox().packet_count(), 0U);
+  studio.host().limits.job_seconds = 60;
+  studio.ask("continue");
+  EXPECT_FALSE(studio.show(hash).flag("draft"));
+}
+
+TEST(StudioSession, MeshingThatReachedTheTimeLimitKeepsTheDraftAndGoesOn) {
+  Studio studio;
+  studio.ask("view", R"("rest_triangles": 1000, "drag_triangles": 100)");
+  const std::string hash = studio.open_large_bush();
+  const ReadPacket draft(studio.mailbox().packet(0));
+  ASSERT_TRUE(draft.flag("draft"));
+  studio.host().limits.job_seconds = 0;  // for the picture at rest, which waits for this answer
+  studio.ask("shown", "\"packet\": " + std::to_string(static_cast<int>(draft.number("packet"))));
+  const Value failed =
+      studio.mailbox().wait_for([](const Value& message) { return Studio::text_of(message, "is") == "failed"; });
+  EXPECT_EQ(Studio::text_of(failed, "hash"), hash);
+  EXPECT_TRUE(*failed.find("continues")->boolean());
+  EXPECT_EQ(studio.mailbox().packet_count(), 1U) << "the draft stays";
+  studio.host().limits.job_seconds = 60;
+  studio.ask("continue");
+  const ReadPacket rest(studio.mailbox().packet(1));
+  EXPECT_FALSE(rest.flag("draft"));
+  EXPECT_GT(rest.number("triangles"), draft.number("triangles"));
+  studio.ask("continue");
+  studio.ask("measures");
+  EXPECT_EQ(studio.mailbox().packet_count(), 2U) << "there is nothing to go on with";
+}
+
 TEST(StudioSession, CountsInstancesOfTheGraph) {
   Studio studio;
   studio.open_bush();

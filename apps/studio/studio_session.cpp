@@ -429,6 +429,11 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequ
   return Answer{};
 }
 
+std::optional<StudioSession::Answer> StudioSession::act(double, const ContinueRequest&) {
+  grower_->go_on();
+  return Answer{};
+}
+
 std::optional<StudioSession::Answer> StudioSession::act(double, const PauseRequest& request) {
   grower_->pause(request.paused);
   return Answer{};

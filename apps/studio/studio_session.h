@@ -66,6 +66,7 @@ class StudioSession {
   std::optional<Answer> act(double id, const ShownRequest& request);
   std::optional<Answer> act(double id, const AllRequest& request);
   std::optional<Answer> act(double id, const CancelRequest& request);
+  std::optional<Answer> act(double id, const ContinueRequest& request);
   std::optional<Answer> act(double id, const PauseRequest& request);
   std::optional<Answer> act(double id, const FilesRequest& request);
   std::optional<Answer> act(double id, const SaveRequest& request);

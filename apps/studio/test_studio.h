@@ -149,6 +149,13 @@ class Studio {
     std::ifstream file(folder() / path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
+  /// Opens a bush of some 400,000 triangles; returns the hash of its text.
+  std::string open_large_bush() {
+    std::string text = kBush;
+    text.replace(text.find("\"count\": 40"), 11, "\"count\": 20000");
+    std::ofstream(folder_ / "large.json") << text;
+    return text_of(ask("open", R"("path": "large.json")"), "hash");
+  }
   Value edit(const std::string& edits) {
     const Value answer = ask("edit", "\"base\": \"" + hash_ + "\", \"edits\": " + edits);
     if (answer.find("hash") != nullptr) hash_ = text_of(answer, "hash");

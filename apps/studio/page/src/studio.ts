@@ -178,7 +178,14 @@ export class Studio {
     this.shell.merge({ theme });
   }
 
+  /// Goes on with the growth that reached its time limit.
+  continue_growth(): void {
+    this.growth.merge({ failed: null });
+    this.connection.tell('continue');
+  }
+
   private take_opened(opened: Opened): void {
+    this.view?.clear();
     this.growth.set({ ...kNoGrowth, is_paused: this.growth.get().is_paused });
     this.dragged.set({});
     this.locks.set(new Set());
@@ -203,7 +210,7 @@ export class Studio {
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
     if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
     if (news.is === 'elsewhere') this.shell.merge({ elsewhere: news.count > 0 ? news : null });
-    if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
+    if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
   }
 
   /// There, or there again: then the server is told what the page has.

@@ -9,7 +9,7 @@ export interface GrowthState {
   grown: Grown | null;
   shown: Pick<PacketHead, 'draft' | 'share' | 'triangles' | 'instances' | 'of' | 'hash'> | null;
   working: Working | null;
-  failed: { message: string; faults: Fault[] } | null;
+  failed: { message: string; faults: Fault[]; continues: boolean } | null;
   is_paused: boolean;
 }
 

@@ -23,8 +23,8 @@ export function StatusLine(): ReactElement {
       </span>
       <FaultCount />
       {shown && (
-        <span data-tip={shown.draft ? 'A coarser draft while something moves' : shown.triangles < shown.of.triangles ? 'A coarser level for drawing; exports are whole' : 'All there is'}>
-          <b>{count(shown.triangles)}</b> of {count(shown.of.triangles)} triangles{shown.draft ? ' (draft)' : ''}
+        <span data-tip={shown.draft ? 'A coarser draft; more triangles follow' : shown.triangles < shown.of.triangles ? 'A coarser level for drawing; exports are whole' : 'All there is'}>
+          <b>{count(shown.triangles)}</b> of {(shown.share ?? 1) < 1 ? 'about ' : ''}{count(shown.of.triangles)} triangles{shown.draft ? ' (draft)' : ''}
         </span>
       )}
       {shown && <span>{counted(shown.of.instances, 'instance')}</span>}

@@ -15,6 +15,7 @@ import { ShootTool } from '../pruning/shoot_tool.tsx';
 import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
+import type { GrowthState } from '../studio_state.ts';
 import { GizmoOverlay } from '../view/gizmo/gizmo_overlay.tsx';
 import { TimeButton } from '../time/timeline_panel.tsx';
 import { OverlayLabels } from '../view/overlay_labels.tsx';
@@ -166,11 +167,28 @@ function StalePlant(): ReactElement | null {
 function Nothing(): ReactElement | null {
   const studio = use_studio();
   const { shown, failed, working } = use_store(studio.growth);
-  const { good, text } = use_document();
-  if (failed) return <p className="view-note fault">{failed.message || failed.faults[0]?.message}. What is shown is the last plant that could grow.</p>;
+  const { good, text, hash } = use_document();
+  if (failed) {
+    return (
+      <p className="view-note fault">
+        {failed.message || failed.faults[0]?.message}. {left_to_see(shown, hash)}
+        {failed.continues && (
+          <Button kind="quiet" tip="Goes on from what is finished, for as long again" press={() => studio.continue_growth()}>
+            Continue
+          </Button>
+        )}
+      </p>
+    );
+  }
   if (!good && text !== '' && !shown) return <p className="view-note fault">The text has faults: there is no plant to show yet.</p>;
   if (!good && text !== '') return null;
   if (shown && shown.of.triangles === 0) return <p className="view-note">Nothing of this document can be seen.</p>;
   if (!shown) return <p className="view-note">{working ? 'Growing…' : 'Waiting for the plant…'}</p>;
   return null;
+}
+
+/// What the view still shows of a document whose growth has failed.
+function left_to_see(shown: GrowthState['shown'], hash: string): string {
+  if (!shown) return 'There is nothing to show yet.';
+  return shown.draft && shown.hash === hash ? 'What is shown is a draft.' : 'What is shown is the last plant that could grow.';
 }

@@ -205,7 +205,7 @@ export interface Grown {
   reuse: { what: string; made: number; reused: number }[];
   nodes: number;
   instances: number;
-  /// Null until full detail was made.
+  /// Null while a coarser level is shown.
   triangles: number | null;
   components: Record<string, { instances: number; triangles: number }> | null;
   /// Instances of each component; null in a drag.
@@ -222,6 +222,7 @@ export interface Failed {
   faults: Fault[];
   message: string;
   limit?: string;
+  continues?: boolean; // the work reached its time limit, and `continue` goes on with it
 }
 
 /// How many other tabs and programs have the file open.

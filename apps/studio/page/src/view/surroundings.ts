@@ -29,6 +29,12 @@ export class Surroundings {
     this.draw();
   }
 
+  clear(): void {
+    this.said_ = null;
+    this.wires_ = new Float32Array();
+    this.draw();
+  }
+
   paint(is_dark: boolean): void {
     const shade = is_dark ? 'dark' : 'light';
     if (shade === this.shade_) return;

@@ -99,6 +99,15 @@ export class View {
     this.ask();
   }
 
+  /// Shows nothing until the next packet, which must be a whole scene.
+  clear(): void {
+    this.plant.clear();
+    this.surroundings.clear();
+    this.box_.makeEmpty();
+    this.is_draft_ = false;
+    this.ask();
+  }
+
   show(drawing: Drawing, hidden: ReadonlySet<string>, emphasised: string): void {
     this.plant.show(drawing, hidden, emphasised);
     this.ask();

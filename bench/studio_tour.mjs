@@ -141,6 +141,15 @@ async function pauses_growth(page) {
   await settled(page);
 }
 
+/// No growth was stopped, so nothing changes.
+async function continues_what_was_not_stopped(page) {
+  const packets = () => page.evaluate(() => window.studio.connection.counts.packets);
+  const before = await packets();
+  await ask(page, 'continue');
+  await settled(page);
+  assert.equal(await packets(), before);
+}
+
 async function exports_the_text(page) {
   await leave_fields(page);
   await page.keyboard.press('Control+e');
@@ -223,7 +232,7 @@ async function measures_the_plant(page) {
 /// What the tour does, in order. Each part begins where the part before has ended.
 export const kTour = [
   starts_saves_and_saves_again, saves_a_shipped_plant_and_saves_again, saves_over_another_file, reopens_what_was_saved, restores_unsaved_work,
-  drags_a_handle, loses_the_graphics_context, pauses_growth, exports_the_text, cancels_a_picture, draws_small_pictures,
+  drags_a_handle, loses_the_graphics_context, pauses_growth, continues_what_was_not_stopped, exports_the_text, cancels_a_picture, draws_small_pictures,
   asks_about_the_trees, asks_about_the_others, takes_parts, measures_the_plant,
 ];
 

@@ -236,7 +236,7 @@ TEST(StudioSession, ShowsNoPlantOfADocumentThatWasLeft) {
   for (std::size_t k = before; k < studio.mailbox().packet_count(); ++k) {
     const ReadPacket packet(studio.mailbox().packet(k));
     EXPECT_EQ(*packet.head.find("hash")->text(), hash) << "and not " << large;
-    if (k == before) EXPECT_TRUE(packet.flag("whole"));
+    EXPECT_EQ(packet.flag("whole"), k == before);
   }
   // The scene holds what the page would draw.
   Studio other;

@@ -190,7 +190,6 @@ export class Studio {
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    if (!opened.good) this.view?.plant.clear(); // no packet comes to do so
     // Of a text with faults the server knows none, and they are as the text says.
     this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });

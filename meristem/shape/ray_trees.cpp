@@ -26,7 +26,7 @@ namespace {
 constexpr std::uint32_t kFramesInABox = 4;
 constexpr std::uint32_t kTrianglesInABox = 12;
 constexpr std::size_t kFewVertices = 64;  // of a mesh whose instances get the box of their own vertices
-constexpr float kRounding = 1e-6F;        // of a box, as a share of its farthest coordinate
+constexpr float kBoxRounding = 1e-6F;     // of a box, as a share of its farthest coordinate
 
 /// Which parts become triangles.
 std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triangles) {
@@ -79,7 +79,7 @@ bool may_meet(const Box& box, const RTCRay& ray) {
   const Vec3 origin(ray.org_x, ray.org_y, ray.org_z);
   const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
   const Vec3 far = glm::abs(origin) + glm::abs(box.low) + glm::abs(box.high);
-  const Vec3 rounding(kRounding * (far.x + far.y + far.z));
+  const Vec3 rounding(kBoxRounding * (far.x + far.y + far.z));
   const Vec3 low = box.low - rounding - origin;
   const Vec3 high = box.high + rounding - origin;
   float enter = ray.tnear;
@@ -94,7 +94,7 @@ bool may_meet(const Box& box, const RTCRay& ray) {
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   }
-  return enter <= leave * (1 + kRounding);
+  return enter <= leave * (1 + kBoxRounding);
 }
 
 /// Where a ray meets a triangle, by its distance and the weights of the second and third vertex.
@@ -127,7 +127,7 @@ std::optional<TriangleHit> meet(const RTCRay& ray, Vec3 a, Vec3 b, Vec3 c) {
 /// The box with room for rounding errors.
 RTCBounds widened(const Box& box) {
   const Vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
-  const float rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z});
+  const float rounding = kBoxRounding * std::max({farthest.x, farthest.y, farthest.z});
   // Embree leaves out what has an empty box.
   if (box.is_empty()) return {1, 1, 1, 0, -1, -1, -1, 0};
   return {box.low.x - rounding,  box.low.y - rounding,  box.low.z - rounding,  0,

@@ -63,6 +63,11 @@ ComponentType field_component() {
               .boolean("turned", &Field::turned,
                        "Whether each plant faces a random direction; otherwise all face in one direction."),
       .expand = expand,
+      .minimum_counts =
+          [](const Field& field, const KnownMembers& known) {
+            const bool may_have_gaps = field.gaps > 0 || known.varies(field.gaps);
+            return MinimumCounts{.children = may_have_gaps ? 0.0 : 1.0 * field.rows * field.plants};
+          },
   });
 }
 

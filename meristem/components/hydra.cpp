@@ -30,6 +30,8 @@ ComponentType hydra_component() {
               .per_child("radius", &Hydra::radius, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.2}},
                          "Distance from the centre to the base of a child."),
       .expand = expand,
+      .minimum_counts = [](const Hydra& hydra,
+                           const KnownMembers& known) { return minimum_around(hydra.around, known); },
   });
 }
 

@@ -87,6 +87,11 @@ ComponentType phiball_component() {
                        "Whether the sphere's pole stands on the frame; otherwise its centre does.")
               .check(check_zone),
       .expand = expand,
+      .minimum_counts =
+          [](const Phiball& ball, const KnownMembers& known) {
+            if (ball.size.varying || known.varies(ball.size)) return MinimumCounts();
+            return MinimumCounts{.children = known.minimum(ball.number), .child_scale = ball.size.plain};
+          },
   });
 }
 

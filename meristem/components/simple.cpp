@@ -123,6 +123,7 @@ ComponentType simple_component() {
               .only_where({{"shape", {"box", "sphere", "cylinder", "cone", "torus", "area", "tube"}}}, look_names())
               .check(check_outline),
       .expand = expand,
+      .minimum_counts = [](const Simple&, const KnownMembers&) { return MinimumCounts{.children = 1}; },
   });
 }
 

@@ -42,6 +42,16 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
   return bends;
 }
 
+MinimumCounts minimum_counts(const Tree& tree, const KnownMembers& known) {
+  MinimumCounts counts{.children = 1};
+  if (!known.varies(tree.stem.segments)) counts.nodes = tree.stem.segments + 1.0;
+  const Placement& own = tree.branching;
+  const Placement plain;
+  counts.bears_along = tree.stem.length > 0 && !known.varies(tree.stem.length) && !known.varies(own) && !own.where &&
+                       own.spread == plain.spread && own.size == plain.size && own.start == 0 && own.end == 1;
+  return counts;
+}
+
 void expand(const Tree& tree, const Site& site, Emitter& out) {
   const StemTropisms tropisms{&out.directions(), tree.gravitropism, tree.phototropism};
   std::vector<StemBend> bends;
@@ -79,6 +89,7 @@ ComponentType tree_component() {
                           check_placement(tree.branching, path, reader);
                         }),
       .expand = expand,
+      .minimum_counts = minimum_counts,
   });
 }
 

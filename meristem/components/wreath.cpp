@@ -28,6 +28,8 @@ ComponentType wreath_component() {
                         .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000},
                                 "Diameter of the ring on which the children stand."),
       .expand = expand,
+      .minimum_counts = [](const Wreath& wreath,
+                           const KnownMembers& known) { return minimum_around(wreath.around, known); },
   });
 }
 

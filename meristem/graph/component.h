@@ -29,6 +29,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/graph/component_traits.h"
 #include "meristem/graph/emitter.h"
+#include "meristem/graph/minimum_counts.h"
 #include "meristem/graph/table/selection.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/graph/table/varying.h"
@@ -124,6 +125,8 @@ struct ComponentType : ComponentTraits {
   std::function<std::vector<PlacedComponent>(const void* parameters)> placed;
   /// The names of what its children are given (Emitter::give); empty where that is nothing.
   std::function<GivenNames(const void* parameters)> gives;
+  /// What each instance has at least; empty if nothing is known.
+  std::function<MinimumCounts(const void* parameters, const KnownMembers& known)> minimum_counts;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether it shows how the component grows that it shows; empty where that is never so.
@@ -185,6 +188,9 @@ struct ComponentDefinition {
   bool (*watches_growth)(const P& parameters) = nullptr;
   /// The names of what `expand` gives by `out.give`.
   GivenNames (*gives)(const P& parameters) = nullptr;
+  /// What each instance has at least, so that too many are refused before any is made. `parameters` has plain values;
+  /// members that differ from instance to instance mean nothing there, `known` tells which.
+  MinimumCounts (*minimum_counts)(const P& parameters, const KnownMembers& known) = nullptr;
 };
 
 template <class P>
@@ -244,6 +250,11 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   if (definition.gives != nullptr) {
     type.gives = [gives = definition.gives](const void* parameters) {
       return gives(*static_cast<const P*>(parameters));
+    };
+  }
+  if (definition.minimum_counts != nullptr) {
+    type.minimum_counts = [counts = definition.minimum_counts](const void* parameters, const KnownMembers& known) {
+      return counts(*static_cast<const P*>(parameters), known);
     };
   }
   if (definition.texture_shape != nullptr) {

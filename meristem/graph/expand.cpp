@@ -23,6 +23,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
+#include "meristem/graph/forecast.h"
 #include "meristem/graph/grow_plantings.h"
 #include "meristem/graph/instances.h"
 #include "meristem/graph/link_sites.h"
@@ -37,13 +38,36 @@ namespace {
 
 constexpr std::size_t kBlock = 256;  // instances an emitter takes
 
+constexpr std::size_t kSitesTogether = 65'536;     // sites that one slice of a batch may offer
+constexpr double kBytesPerInstance = 160;          // memory that a plant may take for each of limits.instances
+constexpr double kBytesPerNode = 100;              // and for each of limits.nodes
+constexpr double kBytesInAnyCase = 1024.0 * 1024;  // and however low both are
+
+/// The results of all batches of one component whose instances hang on the root by the same sequence of links, in the
+/// order of the instances.
+struct Way {
+  struct Made {
+    std::shared_ptr<const BatchResult> result;
+    BatchResult* own = nullptr;  // the result if nobody else reads it
+  };
+  ComponentIndex component = 0;
+  std::vector<Made> made{};
+  std::vector<std::pair<LinkIndex, Way*>> onward{};  // in the order of the links
+  std::vector<Site> waiting{};                       // of a component that grows
+  std::size_t sites = 0;                             // expanded so far
+  std::size_t offered = 0;                           // sites that these have offered
+};
+
 /// Instances of one component that expand together.
 struct Batch {
   ComponentIndex component = 0;
   std::shared_ptr<const Sites> places;
   std::vector<std::uint32_t> numbers{};  // of the instances in the tree, where one is made
+  Way* way = nullptr;                    // where its results are noted; null: they are of no slice
+  std::size_t begin = 0;                 // of the places
+  std::size_t end = places == nullptr ? 0 : places->sites.size();
 
-  const std::vector<Site>& sites() const { return places->sites; }
+  std::span<const Site> sites() const { return std::span(places->sites).subspan(begin, end - begin); }
 };
 
 /// What a batch has grown in its stand.
@@ -67,6 +91,8 @@ class Expansion {
         traces_(options.traces),
         results_(options.cache, {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes),
                                  typeid(PlantVariant), typeid(PlacedGrowth)}),
+        is_sliced_(options.cache == nullptr),
+        made_(graph.components.size()),
         meshes_(graph.components.size()) {}
 
   Plant run() {
@@ -85,6 +111,7 @@ class Expansion {
   /// Notes who stands on whom.
   InstanceTree tree(std::uint64_t most) {
     tree_.emplace();
+    is_sliced_ = false;
     most_ = most;
     walk();
     return std::move(*tree_);
@@ -92,12 +119,14 @@ class Expansion {
 
   std::vector<std::uint64_t> counts() {
     counts_.resize(graph_.components.size());
+    is_sliced_ = false;
     walk();
     return std::move(counts_);
   }
 
   std::vector<BegunClock> clocks() {
     clocks_.emplace();
+    is_sliced_ = false;
     walk();
     const auto rank = [](const BegunClock& one) { return std::tuple(one.component, one.clock.start, one.clock.speed); };
     std::ranges::sort(*clocks_, {}, rank);
@@ -109,28 +138,79 @@ class Expansion {
   /// Walks until the instance is found. The results of the cache stay, since the run does not end.
   std::optional<FoundInstance> find(const InstanceWish& wish) {
     wish_ = &wish;
+    is_sliced_ = false;
     walk();
     return std::move(found_);
   }
 
  private:
   void walk() {
+    require_bounded_counts(graph_, scene_);
     surroundings_ = fingerprint_of_surroundings();
     site_names_hash_ = hash_of_names();
     Site root;
     root.key = RandomKey(graph_.seed);
     Batch first{graph_.structure.root, places_of(with_variables(graph_.structure.root, {root}))};
     if (tree_) first.numbers = note_instances(first, {1}, {kNoIndex}, kNoIndex);
+    if (is_sliced_) first.way = roots_.emplace_back(new_way(graph_.structure.root));
+    made_[first.component] = 1;
     ready_.push_back(std::move(first));
     while ((!ready_.empty() || !growing_.empty()) && !found_) {
       if (ready_.empty()) {
         grow_waiting();
       } else {
-        const Batch batch = std::move(ready_.front());
-        ready_.pop_front();
+        const Batch batch = next_slice();
         expand_batch(batch, Grown());
       }
+      if (ready_.empty()) gather_ways();
     }
+  }
+
+  Way* new_way(ComponentIndex component) { return &ways_.emplace_back(Way{component}); }
+
+  /// Removes the next batch from the queue and returns it. Splits a large batch: returns as many instances as have
+  /// about kSitesTogether children. Their descendants are made before the remaining instances, so few sites are in
+  /// memory.
+  Batch next_slice() {
+    Batch batch = std::move(ready_.front());
+    ready_.pop_front();
+    if (batch.way == nullptr) return batch;
+    const Way& way = *batch.way;
+    const bool is_last = graph_.structure.outgoing[batch.component].empty();
+    std::size_t most = is_last ? kSitesTogether : kBlock;
+    if (!is_last && way.sites > 0) most = kSitesTogether * way.sites / std::max<std::size_t>(way.offered, 1);
+    most = std::clamp(most / kBlock * kBlock, kBlock, kSitesTogether);
+    if (batch.end - batch.begin > most) {
+      Batch rest = batch;
+      rest.begin = batch.end = batch.begin + most;
+      ready_.push_front(std::move(rest));
+    }
+    return batch;
+  }
+
+  /// Hands on what has been made by all ways since the last growth, as if each way had been one batch: ways that are
+  /// shorter come first. Components that grow wait.
+  void gather_ways() {
+    std::deque<Way*> ahead(roots_.begin(), roots_.end());
+    for (; !ahead.empty(); ahead.pop_front()) {
+      Way& way = *ahead.front();
+      for (Way::Made& made : way.made) hand_on(way.component, std::move(made.result), made.own);
+      for (const auto& [link, onward] : way.onward) {
+        if (onward->waiting.empty()) {
+          ahead.push_back(onward);
+        } else {
+          growing_.push_back({onward->component, places_of(std::move(onward->waiting))});
+        }
+      }
+    }
+    roots_.clear();
+    ways_.clear();
+  }
+
+  void hand_on(ComponentIndex component, std::shared_ptr<const BatchResult> result, BatchResult* own) {
+    const auto has_plants = [](const Emitted& block) { return !block.plants.empty(); };
+    if (std::ranges::any_of(result->blocks, has_plants)) planting_.push_back({component, result});
+    assembly_.add(component, std::move(result), own);
   }
 
   /// What all results depend on; nothing where that is not known, or nobody will ask.
@@ -218,12 +298,33 @@ class Expansion {
     return places;
   }
 
-  /// Growing components wait for their stand; all others expand in turn.
-  void enqueue(Batch batch) {
+  /// Growing components wait for their stand; all others expand in turn, slices before what came earlier.
+  void enqueue(Batch batch, std::vector<Batch>& slices) {
     if (batch.sites().empty()) return;
     instances_ += batch.sites().size();
+    made_[batch.component] += batch.sites().size();
     const bool grows = static_cast<bool>(graph_.components[batch.component].type->grow);
-    (grows ? growing_ : ready_).push_back(std::move(batch));
+    if (grows && batch.way != nullptr) {
+      std::vector<Site>& waiting = batch.way->waiting;
+      waiting.insert(waiting.end(), batch.sites().begin(), batch.sites().end());
+    } else if (grows) {
+      growing_.push_back(std::move(batch));
+    } else if (is_sliced_) {
+      slices.push_back(std::move(batch));
+    } else {
+      ready_.push_back(std::move(batch));
+    }
+  }
+
+  /// The way by a link from a batch's own. Children of a batch that has grown begin a way, or grow next.
+  Way* way_onward(const Batch& batch, LinkIndex link) {
+    const ComponentIndex to = graph_.links[link].to;
+    if (!is_sliced_) return nullptr;
+    if (batch.way == nullptr) return graph_.components[to].type->grow ? nullptr : roots_.emplace_back(new_way(to));
+    for (const auto& [known, way] : batch.way->onward) {
+      if (known == link) return way;
+    }
+    return batch.way->onward.emplace_back(link, new_way(to)).second;
   }
 
   /// Grows all that waits in one stand, but for plants that want to be alone, and expands it with what has grown.
@@ -362,10 +463,12 @@ class Expansion {
   void expand_batch(const Batch& batch, const Grown& grown) {
     const std::vector<LinkIndex> links = links_.links_followed(batch.component, batch.sites()[0]);
     const CacheKey key = key_of(batch, links, grown);
+    std::shared_ptr<BatchResult> own;
     std::shared_ptr<const BatchResult> result = find_result(batch.component, key);
     count<BatchResult>(result != nullptr, batch);
     if (result == nullptr) {
-      result = make_result(batch, links, grown);
+      own = make_result(batch, links, grown);
+      result = own;
       results_.store(key, result);
     }
     nodes_ += result->nodes;
@@ -373,10 +476,42 @@ class Expansion {
     if (!counts_.empty()) count_instances(batch);
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
-    for (const LinkIndex link : links) follow(link, batch, key, *result);
-    const auto has_plants = [](const Emitted& block) { return !block.plants.empty(); };
-    if (std::ranges::any_of(result->blocks, has_plants)) planting_.push_back({batch.component, result});
-    assembly_.add(batch.component, std::move(result));
+    require_room(batch.component, *result);
+    std::vector<Batch> slices;
+    for (const LinkIndex link : links) follow(link, batch, key, *result, slices);
+    for (auto slice = slices.rbegin(); slice != slices.rend(); ++slice) ready_.push_front(std::move(*slice));
+    if (key) own.reset();  // the cache has it
+    if (own != nullptr) release_sites(*own);
+    held_bytes_ += static_cast<double>(result->bytes());
+    if (batch.way == nullptr) return hand_on(batch.component, std::move(result), own.get());
+    batch.way->made.push_back({std::move(result), own.get()});
+    batch.way->sites += batch.sites().size();
+  }
+
+  /// Once its links have been followed, nobody asks for the sites of a result that is in no cache.
+  static void release_sites(BatchResult& result) {
+    for (Emitted& block : result.blocks) {
+      // Assigning {} would keep their memory.
+      block.child_sites = std::vector<Site>();
+      block.branch_sites = std::vector<Site>();
+      block.named_sites = std::vector<std::pair<std::uint32_t, Site>>();
+    }
+  }
+
+  /// Throws where what has been made takes more memory than the limits stand for.
+  void require_room(ComponentIndex component, const BatchResult& result) const {
+    const Limits& limits = graph_.limits;
+    const double room = kBytesInAnyCase + kBytesPerInstance * static_cast<double>(limits.instances) +
+                        kBytesPerNode * static_cast<double>(limits.nodes);
+    const double bytes = held_bytes_ + static_cast<double>(result.bytes());
+    if (bytes <= room) return;
+    throw InputError(Diagnostic{
+        .message = fmt::format("with '{}' the instances take {:.2g} bytes of memory, which are too many",
+                               graph_.components[component].id, bytes),
+        .expected = fmt::format("at most {:.2g}: {:.0f} for each of {} (limits.instances), and {:.0f} for each of {} "
+                                "(limits.nodes)",
+                                room, kBytesPerInstance, limits.instances, kBytesPerNode, limits.nodes),
+        .path = "components." + graph_.components[component].id});
   }
 
   /// Hands out what was recorded of a batch's growth.
@@ -471,9 +606,9 @@ class Expansion {
   }
 
   /// Expands the instances in parallel blocks.
-  std::shared_ptr<const BatchResult> make_result(const Batch& batch, const std::vector<LinkIndex>& links,
-                                                 const Grown& grown) {
-    const std::vector<Site>& sites = batch.sites();
+  std::shared_ptr<BatchResult> make_result(const Batch& batch, const std::vector<LinkIndex>& links,
+                                           const Grown& grown) {
+    const std::span<const Site> sites = batch.sites();
     const Prototype& prototype = graph_.components[batch.component];
     EmitterContext context = context_of(batch, links);
     // One instance may tell its stages; many tell together how many of them are done.
@@ -487,8 +622,9 @@ class Expansion {
       Emitter emitter(context);
       if (grown.batch != nullptr) emitter.set_grown(skeleton_of(grown, begin, step_of(prototype), *context.progress));
       if (!grown.watched.empty()) emitter.set_watched(grown.watched[begin]);
-      prototype.type->expand(prototype, std::span(sites).subspan(begin, end - begin), emitter);
-      result->blocks[begin / block] = emitter.take();
+      prototype.type->expand(prototype, sites.subspan(begin, end - begin), emitter);
+      Emitted& emitted = result->blocks[begin / block] = emitter.take();
+      if (emitted.organs.capacity() > emitted.organs.size() + emitted.organs.size() / 8) emitted.organs.shrink_to_fit();
       progress_.advance(end - begin);
     });
     for (const Emitted& emitted : result->blocks) {
@@ -538,7 +674,8 @@ class Expansion {
   }
 
   /// The children of a batch by one link.
-  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
+  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result,
+              std::vector<Batch>& slices) {
     const CacheKey own = links_.fingerprint(link);
     const ComponentIndex to = graph_.links[link].to;
     const CacheKey key =
@@ -547,13 +684,14 @@ class Expansion {
     std::vector<std::size_t> per_parent;
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
       places = places_of(with_variables(
-          to, links_.places(link, result, {instances_, batch.sites().size()}, tree_ ? &per_parent : nullptr)));
+          to, links_.places(link, result, {instances_, batch.sites().size(), made_}, tree_ ? &per_parent : nullptr)));
       results_.store(key, places);
     }
-    Batch children{to, std::move(places)};
+    Batch children{.component = to, .places = std::move(places), .way = way_onward(batch, link)};
+    if (batch.way != nullptr) batch.way->offered += children.sites().size();
     if (clocks_ && graph_.components[batch.component].type->begins_clock) note_clocks(batch.component, children);
     if (tree_) children.numbers = note_instances(children, per_parent, batch.numbers, link);
-    enqueue(std::move(children));
+    enqueue(std::move(children), slices);
   }
 
   /// Notes the clocks that a component has begun for its children.
@@ -594,7 +732,7 @@ class Expansion {
       if (wish_->of == InstanceWish::Of::organ) return block.organs.size();
       return static_cast<std::uint64_t>(std::ranges::count_if(block.stems, &EmittedStem::visible));
     };
-    const std::vector<Site>& sites = batch.sites();
+    const std::span<const Site> sites = batch.sites();
     if (wish_->of == InstanceWish::Of::instance) {
       if (wish_->number - passed_ < sites.size()) found_ = described(prototype, sites[wish_->number - passed_]);
       passed_ += sites.size();
@@ -653,6 +791,11 @@ class Expansion {
   std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // so far
   CacheRun results_;
   CacheKey surroundings_;
+  bool is_sliced_ = false;           // batches expand in slices, since nobody asks for whole ones
+  double held_bytes_ = 0;            // of all that has been made
+  std::vector<std::uint64_t> made_;  // instances by component, so far
+  std::deque<Way> ways_;             // since the last growth; their addresses stay
+  std::vector<Way*> roots_;          // ways from the root or from a component that grows
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
   std::optional<InstanceTree> tree_;    // where one is made

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/cache.h"
 #include "meristem/base/parallel.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
@@ -379,6 +380,24 @@ TEST(Expand, MaterialsTakeTheComponentsNameAndColour) {
   EXPECT_EQ(plant.materials[0].name, "stick");
   EXPECT_EQ(plant.materials[0].colour, Vec3(1, 0, 0));
   EXPECT_EQ(plant.materials[0].roughness, 0.25F);
+}
+
+TEST(Expand, SlicesOfBatchesGiveThePlantThatWholeBatchesGive) {
+  // With a cache, batches expand whole; without one, more than 256 instances expand in slices, each with all that hangs on
+  // it.
+  auto builder = with_camera()
+                     .component("field", "star", {{"number", 20}, {"step", 9}})
+                     .component("bush", "star", {{"number", 60}, {"step", 3}})
+                     .component("twig", "stick", {{"length", "0.5 + rand()"}, {"recursion", 3}})
+                     .component("pole", "pole", {{"height", 2}, {"nodes", 3}})
+                     .component("leaf", "stick", {{"width", "rand(0.1, 0.2)"}});
+  builder.link("view", "field").link("field", "bush").link("bush", "twig").link("twig", "twig");
+  builder.link("twig", "leaf").link("bush", "pole").link("pole", "leaf", LinkKind::branch, {{"count", 7}});
+  const Plant sliced = builder.grow();
+  EXPECT_EQ(organs_of(sliced, "twig").size(), 3 * 1200U);
+  EXPECT_EQ(organs_of(sliced, "leaf").size(), (3 + 7) * 1200U);
+  Cache cache;
+  EXPECT_EQ(hash_of(sliced), hash_of(builder.grow(0, {}, &cache)));
 }
 
 }  // namespace meristem::expand_test

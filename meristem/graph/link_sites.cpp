@@ -17,6 +17,7 @@
 
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
+#include "meristem/graph/recursion_depths.h"
 
 namespace meristem {
 
@@ -69,6 +70,7 @@ class LinkSites::Writer {
 
  private:
   void add(const ChildLink&, const Emitted& parents) {
+    sites_.reserve(parents.child_sites.size());
     for (const Site& site : parents.child_sites) add_child(site);
   }
 
@@ -287,19 +289,10 @@ class LinkSites::Writer {
   /// than once.
   RandomKey child_key(RandomKey parent) const { return parent.child(to_.drawn_as()).child(all_.ordinals_[index_]); }
 
-  /// Counts recursion depths. A recursion entered from outside, or within one that begins anew, starts at 0.
   void count_depth(Site& site) const {
     const Structure& structure = all_.structure_;
-    const std::uint32_t closed = structure.recursion_of_link[index_];
+    meristem::count_depth(structure, index_, link_.to, site.depths);
     const std::uint32_t inside = structure.recursion_of[link_.to];
-    if (closed != kNoIndex) {
-      const std::size_t level = structure.recursions[closed].level;
-      ++site.depths[level];
-      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(level) + 1, site.depths.end(), 0);
-    } else if (inside != kNoIndex && structure.recursions[inside].head == link_.to) {
-      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(structure.recursions[inside].level),
-                site.depths.end(), 0);
-    }
     if (inside != kNoIndex) site.depth = site.depths[structure.recursions[inside].level];
   }
 
@@ -324,18 +317,9 @@ LinkSites::LinkSites(const Graph& graph, const Scene& scene, const Directions& d
       ordinals_(ordinals_of_links(graph)) {}
 
 std::vector<LinkIndex> LinkSites::links_followed(ComponentIndex component, const Site& site) const {
-  const auto is_at_end = [&](std::uint32_t recursion) {
-    const Structure::Recursion& found = structure_.recursions[recursion];
-    return site.depths[found.level] + 1 >= graph_.components[found.head].base().recursion;
-  };
   std::vector<LinkIndex> links;
   for (const LinkIndex link : structure_.outgoing[component]) {
-    const std::uint32_t closed = structure_.recursion_of_link[link];
-    const std::uint32_t inside = structure_.recursion_of[component];
-    const bool leads_on = closed != kNoIndex                  ? !is_at_end(closed)
-                          : graph_.links[link].is<LeafLink>() ? inside == kNoIndex || is_at_end(inside)
-                                                              : true;
-    if (leads_on) links.push_back(link);
+    if (leads_on(graph_, link, site.depths)) links.push_back(link);
   }
   return links;
 }
@@ -371,16 +355,25 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
   if (blocks == 1) return std::move(found[0]);
   std::vector<Site> sites;
   sites.reserve(count);
-  for (const std::vector<Site>& of_block : found) sites.insert(sites.end(), of_block.begin(), of_block.end());
+  for (std::vector<Site>& of_block : found) {
+    sites.insert(sites.end(), std::move_iterator(of_block.begin()), std::move_iterator(of_block.end()));
+    of_block = std::vector<Site>();  // so that no site is in memory twice
+  }
   return sites;
 }
 
+/// The message names no count: how many instances there are by then depends on which of them have been expanded first.
 void LinkSites::throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const {
-  const std::string& from = graph_.components[graph_.links[link].from].id;
-  const std::string& to = graph_.components[graph_.links[link].to].id;
-  throw_limit(fmt::format("instances, {} of them '{}' on {} of '{}',", places, to, before.parents, from),
-              static_cast<double>(before.all + places), graph_.limits.instances, "instances",
-              multiplier(graph_.links[link].from, std::span(&link, 1)));
+  std::vector<std::uint64_t> counts(before.by_component.begin(), before.by_component.end());
+  counts.resize(graph_.components.size());
+  counts[graph_.links[link].to] += places;
+  const auto largest = std::ranges::max_element(counts);
+  const std::string& id = graph_.components[static_cast<std::size_t>(largest - counts.begin())].id;
+  const std::uint64_t limit = graph_.limits.instances;
+  throw InputError(
+      Diagnostic{.message = fmt::format("more than {} instances, most of them '{}', are too many", limit, id),
+                 .expected = fmt::format("at most {} (limits.instances)", limit),
+                 .path = multiplier(graph_.links[link].from, std::span(&link, 1))});
 }
 
 std::optional<std::uint64_t> LinkSites::fingerprint(LinkIndex index) const {

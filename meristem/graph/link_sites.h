@@ -20,7 +20,8 @@ class LinkSites {
   /// The number of instances.
   struct Counts {
     std::uint64_t all = 0;
-    std::uint64_t parents = 0;  ///< of the link's parent in this batch
+    std::uint64_t parents = 0;                      ///< of the link's parent in this batch
+    std::span<const std::uint64_t> by_component{};  ///< of `all`
   };
 
   /// All of them outlive it.

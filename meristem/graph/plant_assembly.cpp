@@ -16,24 +16,6 @@ namespace meristem {
 
 namespace {
 
-bool has_prototypes(const std::vector<const BatchResult*>& batches, bool blades) {
-  for (const BatchResult* batch : batches) {
-    for (const Emitted& block : batch->blocks) {
-      if (std::ranges::any_of(block.prototypes, [&](const auto& made) { return made.is_blade == blades; })) return true;
-    }
-  }
-  return false;
-}
-
-bool has_visible_stems(const std::vector<const BatchResult*>& batches) {
-  for (const BatchResult* batch : batches) {
-    for (const Emitted& block : batch->blocks) {
-      if (std::ranges::any_of(block.stems, &EmittedStem::visible)) return true;
-    }
-  }
-  return false;
-}
-
 /// The textures of a plant's materials, each once.
 class SharedTextures {
  public:
@@ -57,9 +39,12 @@ class SharedTextures {
   std::uint64_t pixels_ = 0;
 };
 
+constexpr std::size_t kBlocksTogether = 1024;  // whose organs are copied side by side and then released
+
 /// One block's organs, on their way into the plant.
 struct OrgansOfBlock {
   const Emitted* block = nullptr;
+  std::vector<Organ>* own = nullptr;      // the same organs if they may be released; else null
   std::vector<std::uint32_t> prototype;   // in the plant, by number in the block
   std::vector<std::uint32_t> individual;  // in the plant, by number in the block
   std::size_t first = 0;                  // in the plant
@@ -79,17 +64,46 @@ std::vector<std::uint32_t> individuals_of_roots(const EmittedStem& stem, NumberO
 
 }  // namespace
 
-void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchResult> batch) {
-  batches_of_[component].push_back(batch.get());
-  batches_.push_back({component, std::move(batch)});
+void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchResult> batch, BatchResult* own) {
+  batches_of_[component].push_back(batches_.size());
+  batches_.push_back({component, std::move(batch), own});
 }
 
-Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
+bool PlantAssembly::has_prototypes(ComponentIndex component, bool blades) const {
+  return std::ranges::any_of(batches_of_[component], [&](std::size_t batch) {
+    return std::ranges::any_of(batches_[batch].result->blocks, [&](const Emitted& block) {
+      return std::ranges::any_of(block.prototypes, [&](const auto& made) { return made.is_blade == blades; });
+    });
+  });
+}
+
+bool PlantAssembly::has_visible_stems(ComponentIndex component) const {
+  return std::ranges::any_of(batches_of_[component], [&](std::size_t batch) {
+    return std::ranges::any_of(batches_[batch].result->blocks, [](const Emitted& block) {
+      return std::ranges::any_of(block.stems, &EmittedStem::visible);
+    });
+  });
+}
+
+std::uint64_t PlantAssembly::organ_count() const {
+  std::uint64_t count = 0;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) count += block.organs.size();
+  }
+  return count;
+}
+
+Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) {
   require_stems_left();
   const Individuals individuals = find_individuals();
   const std::vector<Surfaces> surfaces = join_surfaces(individuals, mesh_bytes, progress);
   Plant plant;
   plant.individuals = individuals.list;
+  std::uint64_t organs = organ_count();
+  for (const Surfaces& own : surfaces) {
+    for (const SurfacePiece& piece : own) organs += piece.organs.size();
+  }
+  plant.organs.reserve(organs);
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
   SharedTextures textures;
   Rows deformed;
@@ -216,25 +230,27 @@ void PlantAssembly::deform(Plant& plant, const Rows& organs, std::uint64_t mesh_
 /// Returns the number of the component's own material, or of the one that its own would be.
 std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const {
   const auto first = static_cast<std::uint32_t>(plant.materials.size());
-  const std::vector<const BatchResult*>& batches = batches_of_[component];
-  if (has_visible_stems(batches) || has_prototypes(batches, false) || !surfaces.empty()) {
+  if (has_visible_stems(component) || has_prototypes(component, false) || !surfaces.empty()) {
     plant.materials.push_back(material_of(graph_.components[component]));
     if (std::ranges::any_of(surfaces, &SurfacePiece::is_open)) plant.materials.back().two_sided = true;
   }
-  if (has_prototypes(batches, true)) plant.materials.push_back(blades_of(graph_.components[component]));
+  if (has_prototypes(component, true)) plant.materials.push_back(blades_of(graph_.components[component]));
   return first;
 }
 
 /// Blocks keep their order; what has one key is one prototype.
 void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals,
-                               Plant& plant, Rows& deformed) const {
+                               Plant& plant, Rows& deformed) {
   const auto blades = static_cast<std::uint32_t>(plant.materials.size() - 1);  // the last, where there are any
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
   std::vector<OrgansOfBlock> blocks;
   std::size_t count = plant.organs.size();
-  for (const BatchResult* batch : batches_of_[component]) {
-    for (const Emitted& block : batch->blocks) {
-      OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, {}, {}, count});
+  for (const std::size_t batch : batches_of_[component]) {
+    const Made& of_batch = batches_[batch];
+    for (std::size_t b = 0; b < of_batch.result->blocks.size(); ++b) {
+      const Emitted& block = of_batch.result->blocks[b];
+      std::vector<Organ>* const own = of_batch.own != nullptr ? &of_batch.own->blocks[b].organs : nullptr;
+      OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, own, {}, {}, count});
       for (std::size_t k = 0; k < block.deformed.size(); ++k) {
         const auto& [first, deformation] = block.deformed[k];
         const std::size_t end = k + 1 < block.deformed.size() ? block.deformed[k + 1].organ : block.organs.size();
@@ -251,17 +267,21 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
       }
     }
   }
-  plant.organs.resize(count);
-  parallel_for(blocks.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      Organ* next = plant.organs.data() + blocks[k].first;
-      for (const Organ& organ : blocks[k].block->organs) {
-        *next = organ;
-        next->individual = blocks[k].individual[organ.individual];
-        next++->prototype = blocks[k].prototype[organ.prototype];
+  for (std::size_t first = 0; first < blocks.size(); first += kBlocksTogether) {
+    const std::size_t last = std::min(blocks.size(), first + kBlocksTogether);
+    plant.organs.resize(last < blocks.size() ? blocks[last].first : count);
+    parallel_for(last - first, 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = first + begin; k < first + end; ++k) {
+        Organ* next = plant.organs.data() + blocks[k].first;
+        for (const Organ& organ : blocks[k].block->organs) {
+          *next = organ;
+          next->individual = blocks[k].individual[organ.individual];
+          next++->prototype = blocks[k].prototype[organ.prototype];
+        }
+        if (blocks[k].own != nullptr) *blocks[k].own = std::vector<Organ>();
       }
-    }
-  });
+    });
+  }
 }
 
 void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces,

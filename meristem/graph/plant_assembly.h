@@ -22,20 +22,22 @@ class PlantAssembly {
   /// `graph` outlives it.
   explicit PlantAssembly(const Graph& graph) : graph_(graph), batches_of_(graph.components.size()) {}
 
-  /// The next batch, of instances of `component`.
-  void add(ComponentIndex component, std::shared_ptr<const BatchResult> batch);
+  /// The next batch, of instances of `component`. `own` is the batch if nobody else reads it, else null: `run` takes
+  /// the organs out of own batches, so that no organ is in memory twice.
+  void add(ComponentIndex component, std::shared_ptr<const BatchResult> batch, BatchResult* own);
 
   /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
   /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
   /// batches, joined; individuals in the order in which batches found them. The batches' meshes take `mesh_bytes`.
   /// Throws InputError where textures have too many pixels, surfaces or deformed shapes too many bytes, trimming has
   /// left no stem, and as Deformation::map does; Cancelled.
-  Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
+  Plant run(std::uint64_t mesh_bytes, Progress& progress);
 
  private:
   struct Made {
     ComponentIndex component = 0;
     std::shared_ptr<const BatchResult> result;
+    BatchResult* own = nullptr;
   };
 
   using Surfaces = std::vector<SurfacePiece>;
@@ -50,12 +52,15 @@ class PlantAssembly {
   };
 
   void require_stems_left() const;
+  bool has_prototypes(ComponentIndex component, bool blades) const;
+  bool has_visible_stems(ComponentIndex component) const;
+  std::uint64_t organ_count() const;
   Individuals find_individuals() const;
   std::vector<Surfaces> join_surfaces(const Individuals& individuals, std::uint64_t mesh_bytes,
                                       Progress& progress) const;
   std::uint32_t add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const;
   void add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals, Plant& plant,
-                  Rows& deformed) const;
+                  Rows& deformed);
   void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant,
                     Rows& deformed) const;
   void turn_sections(std::vector<SurfaceSection>& sections) const;
@@ -66,7 +71,7 @@ class PlantAssembly {
 
   const Graph& graph_;
   std::vector<Made> batches_;
-  std::vector<std::vector<const BatchResult*>> batches_of_;  // by component
+  std::vector<std::vector<std::size_t>> batches_of_;  // by component: indices of batches
 };
 
 }  // namespace meristem

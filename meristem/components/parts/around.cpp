@@ -40,6 +40,11 @@ std::vector<ChildAround> children_around(const Around& around, Emitter& out) {
   return children;
 }
 
+MinimumCounts minimum_around(const Around& around, const KnownMembers& known) {
+  if (around.size.varying || known.varies(around.size)) return {};  // sizes may be 0
+  return {.children = known.minimum(around.number), .child_scale = around.size.plain};
+}
+
 Mat3 tilted(double turn, double angle) { return rotation(kUp, turn) * rotation({1, 0, 0}, -angle); }
 
 }  // namespace meristem

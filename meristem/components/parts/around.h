@@ -29,6 +29,9 @@ struct ChildAround {
 /// InputError where they are more than may be.
 std::vector<ChildAround> children_around(const Around& around, Emitter& out);
 
+/// What each component whose children stand around it has at least.
+MinimumCounts minimum_around(const Around& around, const KnownMembers& known);
+
 /// Axes that are turned about y by `turn` and tilted away from it by `angle` (radians): the upper face looks to y.
 Mat3 tilted(double turn, double angle);
 

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instances of one component at equal depths of all recursions have equal children, so they are counted together,
+// generation by generation from the root. A generation of a recursion that branches has few kinds of instances and soon
+// many of each, so that even nested recursions pass a limit within some dozens of generations.
+#include "meristem/graph/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "meristem/graph/recursion_depths.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kMaxWork = 4'000'000;  // followed links: about half a second
+constexpr double kEnough = 1e15;             // instances after which more make no difference
+constexpr double kMinVolume = 1e-30;         // of a frame that is certain not to have vanished (vanished.h)
+
+/// Instances that have equal children.
+struct Kind {
+  ComponentIndex component = 0;
+  RecursionDepths depths{};
+  double count = 0;
+  double volume = 1;  // of the smallest of their frames, at most 1
+
+  auto key() const { return std::tie(component, depths); }
+};
+
+class Forecast {
+ public:
+  Forecast(const Graph& graph, const Scene& scene)
+      : graph_(graph), instances_(graph.components.size()), nodes_(graph.components.size()) {
+    // Bodies trim stems, and what has been trimmed bears less.
+    const bool is_free =
+        std::ranges::none_of(graph.components, [](const Prototype& one) { return one.type->speaks_of_space; });
+    for (const Prototype& prototype : graph.components) {
+      MinimumCounts counts = minimum_counts(prototype);
+      if (!is_free) counts.nodes = 0;
+      if (!is_free || !scene.obstacles.empty()) counts.bears_along = false;
+      counts_.push_back(counts);
+    }
+  }
+
+  void run() {
+    std::vector<Kind> kinds{{.component = graph_.structure.root, .count = 1}};
+    std::size_t work = 0;
+    double total = 0;
+    while (!kinds.empty()) {
+      std::vector<Kind> next;
+      for (const Kind& kind : kinds) {
+        instances_[kind.component] += kind.count;
+        total += kind.count;
+        const double scale = counts_[kind.component].child_scale;
+        const double volume = kind.volume * scale * scale * scale;
+        if (!(volume > kMinVolume)) continue;  // the instances may have vanished
+        nodes_[kind.component] += kind.count * counts_[kind.component].nodes;
+        for (const LinkIndex link : graph_.structure.outgoing[kind.component]) add_children(kind, link, volume, next);
+        work += 1 + graph_.structure.outgoing[kind.component].size();
+      }
+      kinds = joined(std::move(next));
+      if (work < kMaxWork && total < kEnough) continue;
+      is_whole_ = kinds.empty();
+      break;
+    }
+  }
+
+  /// The faults of the limits that are passed.
+  std::vector<Diagnostic> faults() const {
+    std::vector<Diagnostic> faults;
+    check(instances_, "instances", graph_.limits.instances, "instances", faults);
+    check(nodes_, "skeleton nodes", graph_.limits.nodes, "nodes", faults);
+    return faults;
+  }
+
+ private:
+  static MinimumCounts minimum_counts(const Prototype& prototype) {
+    if (!prototype.type->minimum_counts) return {};
+    const void* const parameters = prototype.parameters.get();
+    const KnownMembers known(parameters, prototype.varyings);
+    const ComponentBase& base = prototype.base();
+    MinimumCounts counts = prototype.type->minimum_counts(parameters, known);
+    const bool may_be_left_out = base.omit || base.only;
+    if (may_be_left_out) counts.nodes = 0;
+    if (may_be_left_out && !base.omit_keeps_children) return {};
+    if (known.varies(base.frame.scale)) return {};
+    const Vec3 scale = base.frame.scale;
+    counts.child_scale =
+        std::min(1.0, counts.child_scale) * std::min(1.0, std::cbrt(std::abs(double{scale.x} * scale.y * scale.z)));
+    return counts;
+  }
+
+  void add_children(const Kind& kind, LinkIndex link, double volume, std::vector<Kind>& next) const {
+    if (!leads_on(graph_, link, kind.depths)) return;
+    const double per_instance = children_per_instance(kind, link);
+    if (!(per_instance > 0)) return;
+    Kind child = kind;
+    child.component = graph_.links[link].to;
+    count_depth(graph_.structure, link, child.component, child.depths);
+    child.count = kind.count * per_instance;
+    child.volume = volume;
+    next.push_back(child);
+  }
+
+  double children_per_instance(const Kind& kind, LinkIndex index) const {
+    const Link& link = graph_.links[index];
+    const ComponentType& type = *graph_.components[kind.component].type;
+    const MinimumCounts& counts = counts_[kind.component];
+    if (link.is<ChildLink>()) return counts.children;
+    if (link.is<LeafLink>()) return type.makes_stems ? 0 : counts.children;
+    const auto* const branch = link.as<BranchLink>();
+    if (branch == nullptr) return 0;
+    if (!type.makes_stems) return type.has_ribs ? 0 : counts.children;
+    const Placement& placement = branch->placement;
+    const Placement plain;
+    const bool is_plain = !placement.where && placement.start == 0 && placement.end == 1 &&
+                          placement.size == plain.size && placement.spread == plain.spread;
+    if (!counts.bears_along || !is_plain || !placement.count || type.grows_in_time) return 0;
+    return std::floor(placement.count->value) * placement.whorl;
+  }
+
+  static std::vector<Kind> joined(std::vector<Kind> kinds) {
+    std::ranges::sort(kinds, [](const Kind& a, const Kind& b) { return a.key() < b.key(); });
+    std::size_t kept = 0;
+    for (std::size_t k = 1; k < kinds.size(); ++k) {
+      Kind& last = kinds[kept];
+      if (last.key() == kinds[k].key()) {
+        last.count += kinds[k].count;
+        last.volume = std::min(last.volume, kinds[k].volume);
+      } else {
+        kinds[++kept] = kinds[k];
+      }
+    }
+    if (!kinds.empty()) kinds.resize(kept + 1);
+    return kinds;
+  }
+
+  void check(const std::vector<double>& by_component, std::string_view what, std::uint64_t limit,
+             std::string_view limit_name, std::vector<Diagnostic>& faults) const {
+    double total = 0;
+    for (const double count : by_component) total += count;
+    if (!(total > static_cast<double>(limit))) return;
+    const auto largest = std::ranges::max_element(by_component);
+    const std::string& id = graph_.components[static_cast<std::size_t>(largest - by_component.begin())].id;
+    faults.push_back(share_diagnostic({.what = what,
+                                       .total = total,
+                                       .is_whole = is_whole_,
+                                       .largest = id,
+                                       .share = *largest,
+                                       .limit = limit,
+                                       .limit_name = limit_name}));
+  }
+
+  const Graph& graph_;
+  std::vector<MinimumCounts> counts_;  // by component
+  std::vector<double> instances_;      // by component
+  std::vector<double> nodes_;          // by component
+  bool is_whole_ = true;               // nothing has been left uncounted for its length
+};
+
+}  // namespace
+
+Diagnostic share_diagnostic(const CountShare& share) {
+  const auto number = [](double count) {
+    return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
+  };
+  return {.message = fmt::format("{}{} {}, of which {} {} ({:.0f} %), are too many", share.is_whole ? "" : "at least ",
+                                 number(share.total), share.what, share.largest, number(share.share),
+                                 100 * share.share / share.total),
+          .expected = fmt::format("at most {} (limits.{})", share.limit, share.limit_name),
+          .path = "components." + share.largest};
+}
+
+void require_bounded_counts(const Graph& graph, const Scene& scene) {
+  Forecast forecast(graph, scene);
+  forecast.run();
+  std::vector<Diagnostic> faults = forecast.faults();
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace meristem

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts what a graph will make at least, from its structure alone: the counts of multipliers, links and fields, and
+// the depths of recursions, as products.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/graph/graph.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// A count that passes a limit, and the component that makes most of it.
+struct CountShare {
+  std::string_view what;  ///< "instances"
+  double total = 0;
+  bool is_whole = true;  ///< false: there are more than `total`
+  std::string largest;   ///< id of the component
+  double share = 0;      ///< what the component makes of the total
+  std::uint64_t limit = 0;
+  std::string_view limit_name;
+};
+
+/// Returns the fault: "2.1e+08 instances, of which leaf 1.9e+08 (90 %), are too many".
+Diagnostic share_diagnostic(const CountShare& share);
+
+/// Throws one InputError with each limit that an expansion of the graph is certain to pass: limits.instances and
+/// limits.nodes. Each message tells the total and the component with the largest share. Counts only what is known
+/// before growth (ComponentType::minimum_counts), so what it refuses would fail in any case. Takes less than a second.
+void require_bounded_counts(const Graph& graph, const Scene& scene);
+
+}  // namespace meristem

@@ -90,7 +90,7 @@ Value component_counts(const MeshScene& scene) {
   return object;
 }
 
-/// Whether a plant has so many triangles that a draft comes first.
+/// Returns true if a draft comes first, because the plant has many triangles.
 bool is_large(const GrownWish& grown, const ShownParts& parts) {
   return parts.surface &&
          parts.drag_triangles<parts.rest_triangles&& static_cast<double>(grown.about_triangles)> kLarge *

@@ -21,14 +21,14 @@
 namespace meristem {
 namespace {
 
-constexpr double kOwnShare = 0.25;       // of the triangles, for what is not placed as a whole plant
-constexpr double kCrowding = 0.75;       // raised, plants that stand in many places get fewer triangles
-constexpr double kSize = 0.2;            // raised, plants of more triangles get more
-constexpr double kFewestTriangles = 40;  // of a placed plant; with fewer it is no plant any more
-constexpr double kNearlyWhole = 4;       // times its part of the triangles, that a plant may have to be counted exactly
-constexpr double kStepsPerHalf = 4;      // of shares; few different shares, so that caches are of use
-constexpr double kAboutPart = 1.1;       // of its part of the triangles, that is near enough
-constexpr double kStillFalls = 0.9;      // of the triangles of the try before, above which no more tries help
+constexpr double kOwnShare = 0.25;            // of the triangles, for what is not placed as a whole plant
+constexpr double kCrowding = 0.75;            // raised, plants that stand in many places get fewer triangles
+constexpr double kSizeWeight = 0.2;           // raised, plants of more triangles get more
+constexpr double kFewestPlantTriangles = 40;  // of a placed plant; with fewer it is no plant any more
+constexpr double kNearlyWhole = 4;   // times its part of the triangles, that a plant may have to be counted exactly
+constexpr double kStepsPerHalf = 4;  // of shares; few different shares, so that caches are of use
+constexpr double kAboutPart = 1.1;   // of its part of the triangles, that is near enough
+constexpr double kStillFalls = 0.9;  // of the triangles of the try before, above which no more tries help
 constexpr int kMostTries = 3;
 constexpr double kBytesPerTriangle = 44;  // of tubes, at most
 
@@ -75,7 +75,7 @@ struct Claim {
   double granted = 0;  // triangles of one
 
   /// The triangles that its meshes are made with.
-  double wanted() const { return std::max(granted, std::min(whole, kFewestTriangles)); }
+  double wanted() const { return std::max(granted, std::min(whole, kFewestPlantTriangles)); }
 };
 
 /// Grants each claim a number of triangles by its weight, but no more than it needs.
@@ -87,7 +87,7 @@ void divide(std::vector<Claim*> claims, double triangles) {
     return;
   }
   const auto weight = [](const Claim& claim) {
-    return math::pow(std::max(claim.whole, 1.0), kSize) * math::pow(claim.places, -kCrowding);
+    return math::pow(std::max(claim.whole, 1.0), kSizeWeight) * math::pow(claim.places, -kCrowding);
   };
   std::stable_sort(claims.begin(), claims.end(),
                    [&](const Claim* a, const Claim* b) { return a->whole / weight(*a) < b->whole / weight(*b); });

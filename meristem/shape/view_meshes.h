@@ -31,7 +31,7 @@ double about_triangles(const Plant& plant);
 /// The whole plant if it has no more triangles than the view draws, else a coarser scene of about as many.
 ///
 /// The number of triangles that are made grows with the view's number, not with the plant's. Every variant of placed
-/// plants is made once. Of the triangles, at least a quarter goes to the plant's own stems and organs if they need it;
+/// plants is made once. At least a quarter of the triangles goes to the plant's own stems and organs if they need it;
 /// the rest is divided so that a placed plant gets fewer triangles the more often it stands in the scene. If not even
 /// the coarsest plants fit, an even choice of the places is shown.
 ///

@@ -506,7 +506,7 @@ Mesh quickly_coarsened(const Mesh& mesh, std::size_t triangles) {
     for (const Piece& piece : pieces) widen(coarse, piece, factor);
   } else {
     take_triangles(coarse, pieces);
-    // Of so few triangles a grid makes no outline.
+    // A grid of so large cells makes no outline.
     cluster(coarse, std::max(triangles, kFewestClustered));
     if (triangles < kFewestClustered) HalfEdgeCollapse(coarse).run(triangles);
   }

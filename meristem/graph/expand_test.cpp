@@ -383,8 +383,7 @@ TEST(Expand, MaterialsTakeTheComponentsNameAndColour) {
 }
 
 TEST(Expand, SlicesOfBatchesGiveThePlantThatWholeBatchesGive) {
-  // With a cache, batches expand whole; without one, more than 256 instances expand in slices, each with all that hangs on
-  // it.
+  // With a cache, batches expand whole. Without a cache, large batches expand in slices.
   auto builder = with_camera()
                      .component("field", "star", {{"number", 20}, {"step", 9}})
                      .component("bush", "star", {{"number", 60}, {"step", 3}})

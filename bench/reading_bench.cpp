@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading, checking and finding positions in large documents. Each kind of document is read in two sizes, of which the
-// second has 100 times as many components (links, variables, faults): `exponent` is the power of the size by which the
-// time grows, 1 for time in proportion. `ms_small` and `ms_large` are the times of both, `mb_large` the size of the
-// larger text. `cancel_ms` is the longest time from a cancel until reading has stopped, of cancels spread over the
-// whole reading of the larger document.
+// second has 100 times as many components (links, variables, faults): `exponent` is the power of the size that the
+// time grows with: 1 if the time is proportional to the size. `ms_small` and `ms_large` are the times of both,
+// `mb_large` the size of the larger text. `cancel_ms` is the longest time from a cancel until reading has stopped, of
+// cancels spread over the whole reading of the larger document.
 #include <atomic>
 #include <chrono>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace meristem::studio {
+namespace meristem::studio::readings_test {
 
 using Reading = Readings::Reading;
 
@@ -96,4 +96,4 @@ TEST(Readings, TellTheKindOfAMessageWhereverItsMembersStand) {
   }
 }
 
-}  // namespace meristem::studio
+}  // namespace meristem::studio::readings_test

@@ -132,7 +132,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return add(std::move(done));
   }
 
-  /// Of all names that are given twice, the first in alphabetical order; null if there is none.
+  /// Returns the first name in alphabetical order that is given twice. Null if there is none.
   static const std::string* repeated_key(const Value::Object& object) {
     constexpr std::size_t kFew = 16;
     bool is_repeated = false;

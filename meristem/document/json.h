@@ -12,7 +12,7 @@ namespace meristem {
 
 /// Reads JSON text, comments allowed. Throws an InputError with line and column (no file) for the first fault of form:
 /// bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000 bytes long, nesting or size
-/// past the limits. Of `limits` only `document_bytes` and `nesting` count; a document cannot change these two. Throws
+/// past the limits. Uses only `document_bytes` and `nesting` of `limits`; a document cannot change these two. Throws
 /// Cancelled soon after `progress` was asked to stop; null: parsing cannot be stopped.
 Value parse_json(std::string_view text, const Limits& limits = {}, const Progress* progress = nullptr);
 

@@ -136,12 +136,14 @@ const ParameterTable& limits_table() {
           .integer("expression_bytes", &Limits::expression_bytes, {.min = 1, .max = 1e6},
                    "Largest length of one expression in bytes.")
           .integer("points", &Limits::points, {.min = 1, .max = 4e9}, "Largest number of attraction points.")
-          .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9}, "Largest number of skeleton nodes; it also bounds the memory of instances, at 100 bytes for each.")
+          .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9},
+                   "Largest number of skeleton nodes; it also bounds the memory of instances, at 100 bytes for each.")
           .integer("modules", &Limits::modules, {.min = 1, .max = 4e9},
                    "Largest number of modules in the word of an L-system, and of their parameters.")
-          .integer("instances", &Limits::instances, {.min = 1, .max = 4e9},
-                   "Largest number of instances of all components together; it also bounds their memory, at 160 bytes for "
-                   "each.")
+          .integer(
+              "instances", &Limits::instances, {.min = 1, .max = 4e9},
+              "Largest number of instances of all components together; it also bounds their memory, at 160 bytes for "
+              "each.")
           .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole},
                    "Largest number of triangles; each instance counts, but a plant of another document counts once.")
           .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole},

@@ -10,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kTokensBetweenChecks = 4096;
+constexpr std::size_t kLocatedTokensBetweenChecks = 4096;
 
 /// Finds the values of a text that is known to be JSON, without recursion.
 class NodeScanner {
@@ -22,7 +22,7 @@ class NodeScanner {
     skip();
     begin_value();
     for (std::size_t token = 0; !open_.empty() && at_ < text_.size(); ++token) {
-      if (progress_ != nullptr && token % kTokensBetweenChecks == 0) progress_->check();
+      if (progress_ != nullptr && token % kLocatedTokensBetweenChecks == 0) progress_->check();
       skip();
       step();
     }

@@ -190,7 +190,7 @@ export class Studio {
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    // Of a text with faults the server knows none, and they are as the text says.
+    // The server knows no variables of a text with faults: their values are those of the text.
     this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();

@@ -12,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t kNoDominator = static_cast<std::uint32_t>(-1);
 constexpr std::size_t kNodesBetweenChecks = 4096;
 
 /// All arrays are indexed by depth-first number.
@@ -21,7 +21,7 @@ class Search {
   using Node = Dominators::Node;
 
   Search(const std::vector<std::vector<Node>>& successors, Node root, const Progress* progress)
-      : successors_(successors), progress_(progress), number_(successors.size(), kNone) {
+      : successors_(successors), progress_(progress), number_(successors.size(), kNoDominator) {
     walk(root);
     find_predecessors();
   }
@@ -33,11 +33,11 @@ class Search {
     const auto count = static_cast<std::uint32_t>(node_.size());
     semi_.resize(count);
     best_.resize(count);
-    ancestor_.assign(count, kNone);
+    ancestor_.assign(count, kNoDominator);
     dominator_.assign(count, 0);
     for (std::uint32_t k = 0; k < count; ++k) semi_[k] = best_[k] = k;
-    std::vector<std::uint32_t> first_in_bucket(count, kNone);
-    std::vector<std::uint32_t> next_in_bucket(count, kNone);
+    std::vector<std::uint32_t> first_in_bucket(count, kNoDominator);
+    std::vector<std::uint32_t> next_in_bucket(count, kNoDominator);
     for (std::uint32_t w = count; w-- > 1;) {
       check(w);
       for (std::uint32_t e = first_edge_[w]; e < first_edge_[w + 1]; ++e) {
@@ -46,11 +46,11 @@ class Search {
       next_in_bucket[w] = first_in_bucket[semi_[w]];
       first_in_bucket[semi_[w]] = w;
       ancestor_[w] = parent_[w];
-      for (std::uint32_t v = first_in_bucket[parent_[w]]; v != kNone; v = next_in_bucket[v]) {
+      for (std::uint32_t v = first_in_bucket[parent_[w]]; v != kNoDominator; v = next_in_bucket[v]) {
         const std::uint32_t best = best_ancestor(v);
         dominator_[v] = semi_[best] < semi_[v] ? best : parent_[w];
       }
-      first_in_bucket[parent_[w]] = kNone;
+      first_in_bucket[parent_[w]] = kNoDominator;
     }
     for (std::uint32_t w = 1; w < count; ++w) {
       if (dominator_[w] != semi_[w]) dominator_[w] = dominator_[dominator_[w]];
@@ -85,7 +85,7 @@ class Search {
         continue;
       }
       const Node to = next[top.next++];
-      if (number_[to] == kNone) enter(to, top.number);
+      if (number_[to] == kNoDominator) enter(to, top.number);
     }
   }
 
@@ -107,9 +107,9 @@ class Search {
   /// The node with the lowest semidominator on the way from v to the root of its tree of linked nodes, that root left
   /// out.
   std::uint32_t best_ancestor(std::uint32_t v) {
-    if (ancestor_[v] == kNone) return v;
+    if (ancestor_[v] == kNoDominator) return v;
     way_.clear();
-    for (std::uint32_t at = v; ancestor_[ancestor_[at]] != kNone; at = ancestor_[at]) way_.push_back(at);
+    for (std::uint32_t at = v; ancestor_[ancestor_[at]] != kNoDominator; at = ancestor_[at]) way_.push_back(at);
     while (!way_.empty()) {
       const std::uint32_t at = way_.back();
       way_.pop_back();

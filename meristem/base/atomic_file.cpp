@@ -230,7 +230,10 @@ void FileSet::unlock(const Waiting& file) {
 
 void FileSet::commit() {
   if (outer_ != nullptr) {
-    outer_->waiting_.insert(outer_->waiting_.end(), waiting_.begin(), waiting_.end());
+    for (Waiting& file : waiting_) {
+      if (outer_->waiting_.size() >= kMostLocksOfSet && file.lock >= 0) ::close(std::exchange(file.lock, -1));
+      outer_->waiting_.push_back(file);
+    }
     waiting_.clear();
     return;
   }

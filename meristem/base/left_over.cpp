@@ -52,14 +52,31 @@ bool is_first_call(const std::string& key) {
   return known.insert(key).second;
 }
 
-void remove_left_overs_in(const std::string& folder, FunctionRef<bool(const std::string& name)> is_temporary) {
+/// Returns the process number in the name of a temporary file: "4711" in ".oak.glb.4711-0.part".
+std::string process_in(const std::string& name) {
+  const std::size_t dash = name.rfind('-');
+  const std::size_t dot = name.rfind('.', dash);
+  return name.substr(dot + 1, dash - dot - 1);
+}
+
+/// Returns true if another descriptor holds the lock of the file.
+bool is_locked(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  ::close(descriptor);
+  return !is_free;
+}
+
+std::vector<std::string> entries_of(const std::string& folder,
+                                    FunctionRef<bool(const std::string& name)> is_temporary) {
   std::vector<std::string> found;
   std::error_code error;
   for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
        entry.increment(error)) {
     if (is_temporary(entry->path().filename().string())) found.push_back(entry->path().string());
   }
-  for (const std::string& path : found) remove_left_over(path);
+  return found;
 }
 
 }  // namespace
@@ -100,12 +117,24 @@ bool is_temporary_name(std::string_view name) {
 
 void remove_left_over_files_once(const std::string& folder) {
   if (!is_first_call(folder)) return;
-  remove_left_overs_in(folder, [](const std::string& name) { return is_temporary_name(name); });
+  const std::vector<std::string> found =
+      entries_of(folder, [](const std::string& name) { return is_temporary_name(name); });
+  // A set of many files keeps locks on the first ones only, so one lock protects all files of its process.
+  std::set<std::string> living;
+  for (const std::string& path : found) {
+    if (is_locked(path)) living.insert(process_in(fs::path(path).filename()));
+  }
+  for (const std::string& path : found) {
+    if (!living.contains(process_in(fs::path(path).filename()))) remove_left_over(path);
+  }
 }
 
 void remove_left_over_folders_once(const std::string& parent, std::string_view prefix) {
   if (!is_first_call(fmt::format("{}/{}", parent, prefix))) return;
-  remove_left_overs_in(parent, [prefix](const std::string& name) { return is_scratch_name(name, prefix); });
+  for (const std::string& path :
+       entries_of(parent, [prefix](const std::string& name) { return is_scratch_name(name, prefix); })) {
+    remove_left_over(path);
+  }
 }
 
 }  // namespace meristem

@@ -2,6 +2,7 @@
 #include "meristem/base/left_over.h"
 
 #include <filesystem>
+#include <string>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -61,6 +62,17 @@ TEST(LeftOver, FilesOfALivingProcessStay) {
   EXPECT_EQ(whole_file(folder / "waiting.glb"), "whole");
 }
 
+TEST(LeftOver, OneLockProtectsAllFilesOfASet) {
+  const TemporaryFolder folder;
+  constexpr std::size_t kFiles = 250;  // more than a set keeps locks of
+  FileSet set;
+  for (std::size_t k = 0; k < kFiles; ++k) write_whole_file(folder / ("leaf" + std::to_string(k)), "whole");
+  in_a_process_that_is_killed([&] { remove_left_over_files_once(folder.path().string()); });
+  EXPECT_EQ(entry_count(folder.path()), kFiles);
+  set.commit();
+  EXPECT_EQ(whole_file(folder / "leaf249"), "whole");
+}
+
 TEST(LeftOver, FolderOfAKilledProcessGoesAndThatOfALivingOneStays) {
   const TemporaryFolder folder;
   in_a_process_that_is_killed([&] {
@@ -71,7 +83,7 @@ TEST(LeftOver, FolderOfAKilledProcessGoesAndThatOfALivingOneStays) {
   const std::string left = fs::directory_iterator(folder.path())->path();
   const ScratchFolder own(folder.path(), "draft-");
   EXPECT_FALSE(fs::exists(left));
-  in_a_process_that_is_killed([&] { const ScratchFolder other(folder.path(), "draft-"); });
+  in_a_process_that_is_killed([&] { const ScratchFolder other((folder / "").string(), "draft-"); });
   EXPECT_TRUE(fs::exists(own.path()));
   EXPECT_FALSE(remove_left_over(own.path(), WithoutLocks::remove));
 }

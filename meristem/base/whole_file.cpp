@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -51,8 +52,15 @@ ScratchFolder::ScratchFolder(const std::string& parent, std::string_view prefix)
     std::string name = (std::filesystem::path(parent) / fmt::format("{}{}-XXXXXX", prefix, ::getpid())).string();
     if (::mkdtemp(name.data()) == nullptr) break;
     lock_ = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ >= 0 && !lock_temporary(lock_)) {
-      ::close(lock_);
+    if (lock_ < 0) {
+      if (errno == ENOENT) continue;  // another process has removed it already
+      const int reason = errno;
+      ::rmdir(name.c_str());
+      errno = reason;
+      break;
+    }
+    if (!lock_temporary(lock_)) {
+      ::close(std::exchange(lock_, -1));
       continue;
     }
     path_ = std::move(name);

@@ -94,10 +94,17 @@ std::optional<std::uint64_t> hash_of(const std::vector<Site>& sites) {
 }
 
 std::uint64_t BatchResult::bytes() const {
+  std::uint64_t sum = bytes_without_sites();
+  for (const Emitted& block : blocks) {
+    sum += bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites);
+  }
+  return sum;
+}
+
+std::uint64_t BatchResult::bytes_without_sites() const {
   std::uint64_t sum = bytes_of(blocks);
   for (const Emitted& block : blocks) {
     sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
-           bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
            bytes_of(block.founded) + bytes_of(block.deformed) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
       sum += stem.skeleton.bytes() + (stem.moved ? stem.moved->bytes() : 0) + bytes_of(stem.root_of_node) +

@@ -35,6 +35,8 @@ struct BatchResult {
   int growth_steps = 0;       ///< the most that an instance has taken, where it has told
 
   std::uint64_t bytes() const;
+  /// Without the sites for children. limits.instances bounds these, and without a cache they are released early.
+  std::uint64_t bytes_without_sites() const;
 };
 
 /// What a component's instances have grown, one skeleton per instance.

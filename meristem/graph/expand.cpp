@@ -38,10 +38,10 @@ namespace {
 
 constexpr std::size_t kBlock = 256;  // instances an emitter takes
 
-constexpr std::size_t kSitesTogether = 65'536;     // sites that one slice of a batch may offer
-constexpr double kBytesPerInstance = 160;          // memory that a plant may take for each of limits.instances
-constexpr double kBytesPerNode = 100;              // and for each of limits.nodes
-constexpr double kBytesInAnyCase = 1024.0 * 1024;  // and however low both are
+constexpr std::size_t kSitesTogether = 65'536;          // sites that one slice of a batch may offer
+constexpr double kBytesPerInstance = 160;               // memory that a plant may take for each of limits.instances
+constexpr double kBytesPerNode = 100;                   // and for each of limits.nodes
+constexpr double kBytesInAnyCase = 64.0 * 1024 * 1024;  // and however low both are
 
 /// The results of all batches of one component whose instances hang on the root by the same sequence of links, in the
 /// order of the instances.
@@ -482,7 +482,7 @@ class Expansion {
     for (auto slice = slices.rbegin(); slice != slices.rend(); ++slice) ready_.push_front(std::move(*slice));
     if (key) own.reset();  // the cache has it
     if (own != nullptr) release_sites(*own);
-    held_bytes_ += static_cast<double>(result->bytes());
+    held_bytes_ += static_cast<double>(result->bytes_without_sites());
     if (batch.way == nullptr) return hand_on(batch.component, std::move(result), own.get());
     batch.way->made.push_back({std::move(result), own.get()});
     batch.way->sites += batch.sites().size();
@@ -503,7 +503,7 @@ class Expansion {
     const Limits& limits = graph_.limits;
     const double room = kBytesInAnyCase + kBytesPerInstance * static_cast<double>(limits.instances) +
                         kBytesPerNode * static_cast<double>(limits.nodes);
-    const double bytes = held_bytes_ + static_cast<double>(result.bytes());
+    const double bytes = held_bytes_ + static_cast<double>(result.bytes_without_sites());
     if (bytes <= room) return;
     throw InputError(Diagnostic{
         .message = fmt::format("with '{}' the instances take {:.2g} bytes of memory, which are too many",

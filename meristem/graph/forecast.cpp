@@ -29,10 +29,11 @@ constexpr double kMinVolume = 1e-30;         // of a frame that is certain not t
 struct Kind {
   ComponentIndex component = 0;
   RecursionDepths depths{};
+  bool is_on_stem = false;  // then its own stem begins at the bark of that stem, and may end within it
   double count = 0;
   double volume = 1;  // of the smallest of their frames, at most 1
 
-  auto key() const { return std::tie(component, depths); }
+  auto key() const { return std::tie(component, depths, is_on_stem); }
 };
 
 class Forecast {
@@ -104,6 +105,7 @@ class Forecast {
     if (!(per_instance > 0)) return;
     Kind child = kind;
     child.component = graph_.links[link].to;
+    child.is_on_stem = kind.is_on_stem || graph_.components[kind.component].type->makes_stems;
     count_depth(graph_.structure, link, child.component, child.depths);
     child.count = kind.count * per_instance;
     child.volume = volume;
@@ -123,7 +125,7 @@ class Forecast {
     const Placement plain;
     const bool is_plain = !placement.where && placement.start == 0 && placement.end == 1 &&
                           placement.size == plain.size && placement.spread == plain.spread;
-    if (!counts.bears_along || !is_plain || !placement.count || type.grows_in_time) return 0;
+    if (kind.is_on_stem || !counts.bears_along || !is_plain || !placement.count || type.grows_in_time) return 0;
     return std::floor(placement.count->value) * placement.whorl;
   }
 

@@ -119,6 +119,7 @@ class KeyReader {
     }
     const Value::Object keys = *given->object();  // a copy, as the tree changes
     for (const auto& [name, list] : keys) {
+      reader_.check_stop();
       const bool is_path = !path_elements(name).empty();
       const std::string path = is_path ? full_path(root_, name) : name;
       if (path.starts_with("variables.") != of_variables) continue;
@@ -221,6 +222,7 @@ class KeyReader {
   FoundRow unknown(const char* what, const std::string& name, const Value* among) const {
     FoundRow found;
     found.fault = fmt::format("there is no {} '{}'", what, name);
+    if (reader_.fault_count() >= reader_.limits().diagnostics) return found;  // further faults are only counted
     std::vector<std::string> names;
     if (among != nullptr && among->object() != nullptr) {
       for (const auto& [known, value] : *among->object()) names.push_back(known);

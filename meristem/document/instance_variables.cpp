@@ -294,12 +294,13 @@ class GivenNamesCheck {
     };
     if (givers.size() == 1) return !is_above(givers[0]);
     // A name that several components give needs a walk, once for all names that these give.
-    if (!walked_ || *walked_ != givers) {
+    if (walked_slot_ != mention.slot && (!walked_ || *walked_ != givers)) {
       std::vector<bool> gives(graph_.components.size());
       for (const ComponentIndex giver : givers) gives[giver] = true;
       reached_ = reached_without(graph_, gives);
       walked_ = givers;
     }
+    walked_slot_ = mention.slot;
     return reached_[mention.component];
   }
 
@@ -332,6 +333,7 @@ class GivenNamesCheck {
   std::vector<ComponentIndex> owners_;               // by name, of a variable
   std::vector<Mention> mentions_;
   std::optional<Dominators> dominators_;
+  std::optional<std::uint32_t> walked_slot_;           // of the mention before
   std::optional<std::vector<ComponentIndex>> walked_;  // givers of the last walk
   std::vector<bool> reached_;                          // by it
   std::size_t told_ = 0;

@@ -59,13 +59,14 @@ bool names_component(const Value& link, const std::string& id) {
 }
 
 /// A component goes with its links: from the last on, so that the others keep their numbers.
-Patch remove_component(const LocatedTree& tree, const std::string& path, const std::string& id) {
+Patch remove_component(const LocatedTree& tree, const std::string& path, const std::string& id,
+                       const Progress* progress) {
   Patch patch = remove_value(tree, path);
   const Value* links = tree.root().value->find("links");
   if (links == nullptr || links->list() == nullptr) return patch;
   for (std::size_t k = links->list()->size(); k-- > 0;) {
     if (!names_component((*links->list())[k], id)) continue;
-    const LocatedTree present(apply_patch(tree.text(), patch));
+    const LocatedTree present(apply_patch(tree.text(), patch), progress);
     patch = joined_patches(patch, remove_value(present, fmt::format("links[{}]", k)));
   }
   return patch;
@@ -116,7 +117,8 @@ LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std:
     const auto placed_by = [&](const std::string& placer) {
       return places(document ? &*document : nullptr, placer, first);
     };
-    part = LocatedTree(apply_patch(part.text(), rename_component(part, id, name, context.registry, placed_by)));
+    part = LocatedTree(apply_patch(part.text(), rename_component(part, id, name, context.registry, placed_by)),
+                       context.reading.progress);
     first_names[name] = first;
   };
   while (!names.empty()) {
@@ -160,7 +162,7 @@ LocatedTree with_own_variables(LocatedTree part, const LocatedTree& tree, const 
     }
     const std::string name = other->first;
     const Patch patch = rename_variable(part, name, free, context.registry, expression_paths(part, context));
-    part = LocatedTree(apply_patch(part.text(), patch));
+    part = LocatedTree(apply_patch(part.text(), patch), context.reading.progress);
   }
 }
 
@@ -195,7 +197,7 @@ struct Patcher {
   Patch operator()(const RemoveValue& edit) const {
     const std::string path = whole_path(tree, edit.path);
     const std::string id = named_in(tree, path, "components");
-    return id.empty() ? remove_value(tree, path) : remove_component(tree, path, id);
+    return id.empty() ? remove_value(tree, path) : remove_component(tree, path, id, context.reading.progress);
   }
   Patch operator()(const RenameValue& edit) const {
     const std::string path = whole_path(tree, edit.path);
@@ -210,7 +212,7 @@ struct Patcher {
   }
   Patch operator()(const SetNote& edit) const { return set_note(tree, whole_path(tree, edit.path), edit.note); }
   Patch operator()(const InsertPart& edit) const {
-    LocatedTree part = with_names(LocatedTree(edit.text), edit.names, context);
+    LocatedTree part = with_names(LocatedTree(edit.text, context.reading.progress), edit.names, context);
     part = with_own_variables(std::move(part), tree, context);
     return insert_plant_part(tree, part, {.component = edit.index, .link = edit.link_index});
   }

@@ -59,7 +59,7 @@ Change Session::take_over(Patch patch, const Progress* progress) {
   std::string before = std::exchange(text_, apply_patch(text_, change.patch));
   try {
     read_anew(progress);
-  } catch (const Cancelled&) {
+  } catch (...) {
     text_ = std::move(before);
     throw;
   }
@@ -130,7 +130,7 @@ void Session::set_overrides(std::vector<Override> overrides, const Progress* pro
   std::swap(options_.overrides, overrides);
   try {
     read_anew(progress);
-  } catch (const Cancelled&) {
+  } catch (...) {
     options_.overrides = std::move(overrides);
     throw;
   }
@@ -138,6 +138,7 @@ void Session::set_overrides(std::vector<Override> overrides, const Progress* pro
 
 void Session::reload(const Progress* progress) {
   store_.reload();
+  is_read_ = false;
   read_anew(progress);
 }
 

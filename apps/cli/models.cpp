@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "documents.h"
 #include "meristem/document/json.h"
+#include "terminal.h"
 
 namespace meristem::cli {
 

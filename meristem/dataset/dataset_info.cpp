@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/dataset/dataset_info.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -43,6 +44,19 @@ std::vector<std::pair<std::string, std::string>> texts_in(const Value* object) {
     if (value.text() != nullptr) texts.emplace_back(name, *value.text());
   }
   return texts;
+}
+
+/// Nothing outside the folder of the data set is ever read or removed.
+bool stays_below(const fs::path& path) {
+  const fs::path own = path.lexically_normal();
+  return !own.empty() && own.is_relative() && *own.begin() != "..";
+}
+
+/// Whether a document and all of its files lie below documents/.
+bool stays_below(const DatasetDocument& document) {
+  const fs::path name(document.name);
+  return stays_below(name) && std::all_of(document.files.begin(), document.files.end(),
+                                          [&name](const auto& file) { return stays_below(name / file.first); });
 }
 
 /// dataset.json without its last member, which is the hash of this text.
@@ -127,12 +141,23 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
                                 text_member(document, "hash"), texts_in(document.find("files"))});
     }
   }
-  if (format == 1) return info;
+  for (const DatasetDocument& document : info.documents) {
+    if (!stays_below(document)) throw wrong("it names a document outside of its folder");
+  }
+  if (format == 1) {
+    // Only later formats have a hash: somebody has edited the number.
+    info.is_as_written = value.find("hash") == nullptr;
+    if (!info.is_as_written) info.tables.resize(info.table_count());
+    return info;
+  }
   if (const Value* tables = value.find("tables"); tables != nullptr && tables->list() != nullptr) {
     for (const Value& hash : *tables->list()) info.tables.push_back(hash.text() != nullptr ? *hash.text() : "");
   }
   info.tables.resize(info.table_count());
-  for (auto& [file, hash] : texts_in(value.find("files"))) info.files.emplace(file, std::move(hash));
+  for (auto& [file, hash] : texts_in(value.find("files"))) {
+    if (!stays_below(fs::path(file))) throw wrong("it names a file outside of its folder");
+    info.files.emplace(file, std::move(hash));
+  }
   info.is_as_written = text == dataset_info_text(info);
   return info;
 }

@@ -70,7 +70,8 @@ std::string documents_path(const std::string& folder);
 /// What the data set of a plan says of itself.
 DatasetInfo info_of(const DatasetPlan& plan);
 
-/// dataset.json of a folder; nothing where there is none. Throws InputError where it cannot be read as one.
+/// dataset.json of a folder; nothing where there is none. Throws InputError where it cannot be read as one,
+/// or names files outside of the folder.
 std::optional<DatasetInfo> read_dataset_info(const std::string& folder);
 
 /// Says that a folder holds no data set.

@@ -18,6 +18,7 @@
 #include "meristem/dataset/plant_range.h"
 #include "meristem/dataset/table_hashes.h"
 #include "meristem/document/json.h"
+#include "meristem/graph/table/file_access.h"
 
 namespace meristem {
 
@@ -70,6 +71,7 @@ class DatasetVerifier {
         progress_(progress) {}
 
   DatasetCheck run() {
+    check_links();
     std::error_code error;
     if (!fs::exists(dataset_info_path(folder_), error)) throw no_dataset(folder_);
     const bool is_readable = read_info();
@@ -96,6 +98,17 @@ class DatasetVerifier {
     check_.faults.insert(check_.faults.end(), faults.begin(), faults.end());
   }
   std::string path(const std::string& below) const { return (fs::path(folder_) / below).string(); }
+
+  /// Throws InputError if a link in the folder leads out of the root.
+  void check_links() const {
+    if (root_.empty()) return;
+    const FileAccess access{.root = root_};
+    std::error_code error;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(folder_, fs::directory_options::skip_permission_denied, error)) {
+      if (entry.is_symlink(error)) access.require_within(entry.path().string());
+    }
+  }
 
   bool read_info() {
     try {
@@ -132,7 +145,7 @@ class DatasetVerifier {
 
   void check_info(bool is_readable) {
     const std::string file = dataset_info_path(folder_);
-    if (info_.format < kDatasetFormat) {
+    if (info_.format < kDatasetFormat && info_.is_as_written) {
       check_.warnings.push_back(fmt::format(
           "{}: an earlier version of the program made this data set, without hashes of its tables. Measures, "
           "errors and the data card are not checked. 'meristem dataset {}' adds the hashes",
@@ -245,16 +258,21 @@ class DatasetVerifier {
 
   /// Checks the rows of a table that is not whole yet. Returns the number of plants that have one.
   std::uint64_t check_parts(const TableKnowledge& knowledge, std::uint64_t table, TableCheck& check) {
-    std::set<std::uint64_t> plants;
+    std::map<std::uint64_t, std::optional<std::string>> plants;  // each with the fault of its files
     const auto parts = parts_.find(table);
     if (parts == parts_.end()) return 0;
     for (const std::string& part : parts->second) {
       const TableRows rows = check_part_rows(knowledge, part, table);
       check.sums.faults.insert(check.sums.faults.end(), rows.faults.begin(), rows.faults.end());
       for (const TableRow& row : rows.rows) {
-        if (!plants.insert(row.entry.number).second) continue;
         for (const PlantFile& file : row.entry.files) check.paths.insert(file.path);
+        // A plant that was made again has an older row as well; one of its rows must fit its files.
+        const auto [plant, is_new] = plants.try_emplace(row.entry.number);
+        if (is_new || plant->second) plant->second = fault_of_files(row.entry, folder_, true, progress_);
       }
+    }
+    for (auto& [number, fault] : plants) {
+      if (fault) check.sums.faults.push_back(std::move(*fault));
     }
     return plants.size();
   }

@@ -221,6 +221,14 @@ std::vector<Damage> damages() {
        [](const std::string& text) { return replaced(text, "\"plants\": 25", "\"plants\": 24"); },
        {"dataset.json: 'plants' is 24; the plan says 25"},
        0},
+      {"the format in dataset.json",
+       "dataset.json",
+       [](const std::string& text) {
+         return replaced(text, "\"meristem_dataset_folder\": 2", "\"meristem_dataset_folder\": 1");
+       },
+       {"dataset.json: the hash of the table 0 is not that of ", "dataset.json: the hash of the table 1 ",
+        "dataset.json: the hash of the table 2 "},
+       0},
       {"a hash in dataset.json",
        "dataset.json",
        [](const std::string& text) {
@@ -255,6 +263,35 @@ TEST(VerifyDataset, TellsEachDamageAndARepairMakesItGood) {
     EXPECT_EQ(repaired(own_plan(rods), rods), damage.made);
     const auto after = verified(rods);
     EXPECT_TRUE(after.empty()) << testing::PrintToString(after);
+    ASSERT_EQ(files_below(rods), whole);
+  }
+}
+
+TEST(VerifyDataset, ADatasetJsonThatNamesFilesElsewhereIsRefusedAndTheyStay) {
+  const TemporaryFolder folder;
+  const std::string rods = folder / "sets/rods";
+  make_plants(stem_plan(), rods);
+  const auto whole = files_below(rods);
+  const std::string notes = folder / "notes.txt";
+  write_content(notes, "mine");
+  const DatasetInfo right = *read_dataset_info(rods);
+  std::vector<DatasetInfo> crafted(5, right);
+  crafted[0].files["../../notes.txt"] = text_hash("other");
+  crafted[1].files[notes] = text_hash("other");
+  crafted[2].documents[0].files.emplace_back("../../../../notes.txt", text_hash("other"));
+  crafted[3].documents[0].files.emplace_back(notes, text_hash("other"));
+  crafted[4].documents[0].name = "../../..";
+  for (std::size_t k = 0; k < crafted.size(); ++k) {
+    SCOPED_TRACE(k);
+    write_content(dataset_info_path(rods), dataset_info_text(crafted[k]));
+    const auto faults = verified(rods);
+    ASSERT_EQ(faults.size(), 1U) << testing::PrintToString(faults);
+    const std::string told =
+        k < 2 ? "it names a file outside of its folder" : "it names a document outside of its folder";
+    EXPECT_NE(faults[0].find(told), std::string::npos) << faults[0];
+    repaired(own_plan(rods), rods);
+    EXPECT_EQ(file_content(notes), "mine");
+    EXPECT_TRUE(verified(rods).empty());
     ASSERT_EQ(files_below(rods), whole);
   }
 }

@@ -144,9 +144,11 @@ def dataset(
     made = Dataset(
         Path(folder), len(target), target.found, tuple(target.faults), target.failed, tuple(target.failures)
     )
-    if target.found < len(target) or not (made.folder / "manifest.npz").exists():
+    is_new = target.found < len(target)
+    if is_new or not (made.folder / "manifest.npz").exists():
         made.save_npz(made.folder / "manifest.npz")
         target.add_file("manifest.npz")
+    if is_new or not (made.folder / "manifest.parquet").exists():
         try:
             made.save_parquet(made.folder / "manifest.parquet")
             target.add_file("manifest.parquet")

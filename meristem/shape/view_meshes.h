@@ -36,7 +36,9 @@ double about_triangles(const Plant& plant);
 /// the coarsest plants fit, an even choice of the places is shown.
 ///
 /// With a `cache`, stems and variants that it has made before keep their meshes, also those of a call that was
-/// cancelled. Throws as make_mesh_scene does for the whole plant.
+/// cancelled. Throws InputError if the tubes and organs of the whole plant would pass the limit on triangles, where
+/// each variant counts once. The limit on bytes is that of the plant alone, of each variant alone, and of the scene
+/// that is made; nobody sums it up over the whole meshes of all variants. Throws all else as make_mesh_scene does.
 ViewMeshes make_view_meshes(const Plant& plant, const Limits& limits, const ViewMeshOptions& options,
                             Progress& progress, Cache* cache = nullptr);
 

@@ -447,9 +447,15 @@ struct ClusterGrid {
 std::vector<Triangle> joined_in_cells(const Mesh& mesh, const Box& box, const ClusterGrid& grid) {
   const Vec3 middle = box.centre();
   const auto distance = [&](std::uint32_t v) { return glm::distance(mesh.positions[v], middle); };
+  // Vertices of pieces that were left out lie outside of the box.
+  std::vector<bool> is_used(mesh.vertex_count());
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) is_used[vertex] = true;
+  }
   std::vector<std::uint64_t> cells(mesh.vertex_count());
   std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (!is_used[v]) continue;
     cells[v] = grid.cell(mesh.positions[v]);
     const auto [known, is_new] = vertex_of.try_emplace(cells[v], v);
     if (!is_new && distance(v) > distance(known->second)) known->second = v;

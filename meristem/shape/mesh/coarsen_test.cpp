@@ -140,6 +140,14 @@ TEST(QuicklyCoarsened, ABladeHasTheTrianglesThatItMayAndMostOfItsArea) {
   }
 }
 
+TEST(QuicklyCoarsened, AStalkThatIsLeftOutDoesNotPullTheBlade) {
+  const Mesh leaf =
+      make_leaf_blade({.length = 1, .width = 0.6, .petiole = 0.5, .petiole_radius = 0.005, .rows = 40, .across = 20});
+  const Mesh coarse = quickly_coarsened(leaf, 100);
+  EXPECT_LE(coarse.triangle_count(), 100U);
+  for (const Vec3& position : coarse.positions) EXPECT_GE(position.y, 0.499F);
+}
+
 TEST(QuicklyCoarsened, MeshesOfAnySizeBecomeCoarser) {
   const Mesh ball = make_sphere(1, 100);
   ASSERT_GT(ball.triangle_count(), 9000U);

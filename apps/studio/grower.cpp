@@ -92,9 +92,8 @@ Value component_counts(const MeshScene& scene) {
 
 /// Returns true if a draft comes first, because the plant has many triangles.
 bool is_large(const GrownWish& grown, const ShownParts& parts) {
-  return parts.surface &&
-         parts.drag_triangles<parts.rest_triangles&& static_cast<double>(grown.about_triangles)> kLarge *
-             static_cast<double>(parts.drag_triangles);
+  if (!parts.surface || parts.drag_triangles >= parts.rest_triangles) return false;
+  return static_cast<double>(grown.about_triangles) > kLarge * static_cast<double>(parts.drag_triangles);
 }
 
 /// The share of `all` triangles that a budget is; below 1.
@@ -238,7 +237,8 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
   const std::uint64_t number = [&] {
     const std::lock_guard lock(mutex_);
     running_ = &news.progress();
-    stopped_ = Stopped::nothing;
+    // Showing what grew before does not end the request to go on growing.
+    if (if_stopped == Stopped::growth || stopped_ == Stopped::meshing) stopped_ = Stopped::nothing;
     return wished_;
   }();
   try {
@@ -250,7 +250,7 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
       members.emplace_back("continues", can_go_on);
       if (can_go_on) {
         const std::lock_guard lock(mutex_);
-        if (wished_ == number && !is_other_) stopped_ = if_stopped;
+        if (wished_ == number && !is_other_ && stopped_ == Stopped::nothing) stopped_ = if_stopped;
       }
       send_failure(hash, limit->what(), std::move(members));
     }
@@ -269,7 +269,7 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
 void Grower::send_failure(const std::string& hash, const std::string& message, Value::Object members) {
   {
     const std::lock_guard lock(mutex_);
-    if (is_closed_) return;
+    if (is_closed_ || is_other_) return;
   }
   Value::Object news{{"is", "failed"}, {"job", "grow"}, {"hash", hash}, {"message", visible_lines(message)}};
   for (auto& member : members) news.push_back(std::move(member));
@@ -333,6 +333,8 @@ void Grower::show() {
   {
     const std::lock_guard lock(mutex_);
     if (awaited_ != 0 || grown_ == nullptr || is_closed_) return;
+    // What is shown stays while a newer state waits to go on.
+    if (stopped_ == Stopped::growth && shown_.grown == grown_ && shown_.parts == parts_) return;
     // Whoever draws slowly sees a draft late, and goes on from there.
     const Clock::time_point still = std::max(last_input_, last_seen_) + host_.still_after;
     // An edit that is made at once is shown in full at once, and so is a drag that moves nothing, as of a colour.

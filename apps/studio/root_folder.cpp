@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
 #include <string_view>
 #include <system_error>
 
@@ -121,6 +122,8 @@ std::optional<std::string> RootFolder::hash_on_disk(const std::string& file) con
 
 void RootFolder::write(const std::string& file, const std::string& text, const std::optional<std::string>& known,
                        bool over) const {
+  static std::mutex writing;  // no other page writes between the look at the file and its replacement
+  const std::lock_guard lock(writing);
   if (file.empty() || !file.ends_with(".json")) throw Refusal("a document's file ends in .json");
   const std::string path = absolute(file);
   std::error_code error;

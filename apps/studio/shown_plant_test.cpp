@@ -109,6 +109,44 @@ TEST(StudioSession, DragLeavesTheTextAndEndsWithoutATrace) {
   EXPECT_EQ(studio.scene(), before);
 }
 
+TEST(StudioSession, ADragThatEndsUnreadEndsWithTheNextText) {
+  Studio studio;
+  // A reading looks only now and then whether it shall stop, so the text has many values.
+  std::string keys;
+  for (int k = 0; k < 5000; ++k) keys += (k == 0 ? "[" : ", [") + std::to_string(k) + ", 1.5]";
+  std::string text = kBush;
+  text.insert(text.find("\"components\""),
+              R"("animation": {"length": 5000, "keys": {"stem.length": [)" + keys + "]}}, ");
+  const auto mailbox = std::make_shared<Mailbox>();
+  const auto readings = std::make_shared<Readings>();
+  StudioSession page(studio.host(), mailbox, readings);
+  const auto receive = [&](const std::vector<std::string>& messages) {
+    for (const std::string& message : messages) readings->arrive(message);
+    for (const std::string& message : messages) page.receive(message);
+  };
+  const auto show = [&](std::size_t k) {
+    const ReadPacket packet(mailbox->packet(k));
+    receive({studio.request("shown", "\"packet\": " + std::to_string(static_cast<int>(packet.number("packet"))))});
+  };
+  receive({studio.request("open", "\"text\": " + write_json_line(Value(text)))});  // request 1
+  ASSERT_TRUE(*mailbox->answer(1).find("good")->boolean());
+  show(0);                                                                 // request 2
+  receive({studio.request("drag", R"("values": {"leaf.width": 0.08})")});  // request 3
+  show(1);                                                                 // request 4
+  const std::string drag = studio.request("drag", R"("values": {})");
+  const std::string splice =
+      studio.request("splice", "\"base\": \"" + text_hash(text) + R"(", "patch": [[0, 0, " "]])");
+  receive({drag, splice});
+  ASSERT_NE(mailbox->answer(5).find("superseded"), nullptr);
+  const Value read = mailbox->answer(6);
+  ASSERT_TRUE(*read.find("good")->boolean());
+  const Value grown = mailbox->wait_for([&](const Value& message) {
+    return Studio::text_of(message, "is") == "grown" &&
+           Studio::text_of(message, "hash") == Studio::text_of(read, "hash");
+  });
+  EXPECT_FALSE(*grown.find("dragged")->boolean());
+}
+
 TEST(StudioSession, SendsNoPacketBeforeTheLastIsShown) {
   Studio studio;
   studio.open_bush();
@@ -252,7 +290,7 @@ TEST(StudioSession, ADocumentWithFaultsShowsNoPlantOfTheOneBefore) {
   const Value opened =
       studio.ask("open", R"("text": "{\"meristem\": 1, \"components\": {\"a\": {\"type\": \"nothing\"}}}")");
   EXPECT_FALSE(*opened.find("good")->boolean());
-  studio.ask("measures");  // long after what has been asked before is done
+  studio.ask("stand", R"("component": "a")");  // answered by the thread that grows, after all before
   EXPECT_EQ(studio.mailbox().packet_count(), before);
 }
 
@@ -288,8 +326,9 @@ TEST(StudioSession, MeshingThatReachedTheTimeLimitKeepsTheDraftAndGoesOn) {
   const ReadPacket rest(studio.mailbox().packet(1));
   EXPECT_FALSE(rest.flag("draft"));
   EXPECT_GT(rest.number("triangles"), draft.number("triangles"));
+  studio.ask("shown", "\"packet\": " + std::to_string(static_cast<int>(rest.number("packet"))));
   studio.ask("continue");
-  studio.ask("measures");
+  studio.ask("stand", R"("component": "leaf")");  // answered by the thread that grows, after all before
   EXPECT_EQ(studio.mailbox().packet_count(), 2U) << "there is nothing to go on with";
 }
 

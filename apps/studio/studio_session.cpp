@@ -220,6 +220,7 @@ void StudioSession::begin_session(std::string text, std::string file) {
       std::move(text), std::move(file), host_.registry,
       SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0, .reads_at_once = false});
   hash_ = text_hash(session_->text());
+  unread_drag_.reset();
 }
 
 /// Reads the text and answers with what it says. If a newer message makes that useless, answers that it was superseded,
@@ -228,6 +229,8 @@ bool StudioSession::read_text(double id, MessageKind kind, Answer& answer) {
   const std::size_t members = answer.size();
   try {
     const Readings::Reading reading(*readings_, id, kind);
+    if (unread_drag_) session().set_overrides(*unread_drag_, &reading.progress());
+    unread_drag_.reset();
     session().read(&reading.progress());
     add_reading(answer, session(), path_.value_or(title_), reading.progress());
     return true;
@@ -320,6 +323,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const OpenReq
   model_ = request.model;
   title_ = found.name;
   session_ = std::move(next);
+  unread_drag_.reset();
   hash_ = text_hash(session_->text());
   document_ = session_->is_good() ? session_->shared_document() : nullptr;
   is_opened_ = true;
@@ -380,6 +384,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const EditReq
     throw;
   }
   hash_ = text_hash(session().text());
+  unread_drag_.reset();
   show(was_dragged);
   return answer;
 }
@@ -389,7 +394,9 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const DragReq
   try {
     const Readings::Reading reading(*readings_, id, MessageKind::drag);
     session().set_overrides(request.values, &reading.progress());
+    unread_drag_.reset();
   } catch (const Cancelled&) {
+    unread_drag_ = request.values;
     return Answer{{"faults", Value::List{}}, {"superseded", true}};
   }
   Answer answer{{"faults", session().is_good() ? Value::List{} : faults_value(session().faults(), {}, "")}};

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "asked_jobs.h"
 #include "grower.h"
@@ -133,6 +134,7 @@ class StudioSession {
   std::optional<std::string> model_;                            // the shipped model that was opened
   std::string title_;                                           // of the file or the model
   std::string hash_;                                            // of the session's text
+  std::optional<std::vector<Override>> unread_drag_;            // values of a drag whose reading was superseded
   bool is_opened_ = false;                                      // a document has been, and its growth has not begun
   std::shared_ptr<const Document> document_;                    // what was shown last
   std::deque<std::chrono::steady_clock::time_point> received_;  // within the last second

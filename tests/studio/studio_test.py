@@ -352,10 +352,13 @@ mv {notes}/page {notes}/page.html
     def test_a_large_text_blocks_no_other_page(self) -> None:
         with self.studio.page() as large, self.studio.page() as other:
             large.ask("open", text=self.large_document(1000), path=None)
-            large.send("text", text=self.large_document(300_000))
+            old = large.send("text", text=self.large_document(300_000))
             # A newer text makes that reading useless: its answer says so and does not wait for it.
             newest = large.send("text", text=BUSH)
             self.assertEqual(other.ask("open", path="bush.json")["is"], "done")
+            stopped = large.wait(lambda message: message.get("re") == old and message["is"] == "done")
+            self.assertTrue(stopped.get("superseded"))
+            self.assertNotIn("faults", stopped)
             answer = large.wait(lambda message: message.get("re") == newest and message["is"] == "done")
             self.assertTrue(answer["good"])
 

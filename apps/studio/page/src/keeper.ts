@@ -34,7 +34,9 @@ export class Keeper {
     const wishes: OpenWish[] = [];
     if (last?.startsWith(kModel)) wishes.push({ model: last.slice(kModel.length) });
     if (last?.startsWith(kFile)) wishes.push({ path: last.slice(kFile.length) });
-    const mine = last === kNew ? (await kept_work()).find((one) => one.slot === slot_of(this.tab_, kNew)) : undefined;
+    const own = slot_of(this.tab_, kNew);
+    const all = last === kNew ? await kept_work() : [];
+    const mine = all.find((one) => one.slot === own) ?? all.find((one) => one.key === kNew && one.tab === this.tab_);
     if (mine) wishes.push({ text: mine.text, path: null });
     if (hello.document !== null) wishes.push({ path: hello.document });
     return [...wishes, { model: hello.model ?? 'oak' }, { model: 'oak' }];
@@ -48,15 +50,28 @@ export class Keeper {
     const living = await living_tabs();
     const all = (await kept_work()).filter((one) => one.tab === this.tab_ || one.is_lost || !living.has(one.tab));
     const own = slot_of(this.tab_, key);
-    const work = all.find((one) => one.slot === own) ?? all.find((one) => one.key === key && key !== kNew);
+    const work = all.find((one) => one.slot === own) ?? all.find((one) => one.key === key && (key !== kNew || one.tab === this.tab_));
     const other = this.is_first_ ? all.find((one) => one.key !== key) : undefined;
     this.is_first_ = false;
     const differs = work !== undefined && (work.text !== opened.text || work.waiting.length > 0);
-    if (differs) this.studio_.shell.merge({ kept: { work, before: opened.text } });
+    if (differs) this.studio_.shell.merge({ kept: { work: await this.moved(work, own), before: opened.text } });
     else this.studio_.shell.merge({ kept: other ? { work: other, before: null } : null });
     if (!work || differs) return;
-    if (key !== kNew) await forget(work.slot);
-    else this.studio_.document.take_kept(work.text, work.undo);
+    if (key !== kNew) return forget(work.slot);
+    this.studio_.document.take_kept(work.text, work.undo);
+    if (work.slot === own) return;
+    await this.store();
+    await forget(work.slot);
+  }
+
+  /// Moves work that is offered out of the slot that the next edit overwrites, to a slot of its own.
+  private async moved(work: KeptWork, own: string): Promise<KeptWork> {
+    if (work.slot !== own) return work;
+    const moved = { ...work, slot: `${own} ${work.at}` };
+    await keep(moved);
+    await forget(own);
+    this.note_link(); // keeps what was typed meanwhile
+    return moved;
   }
 
   /// Opens the document of kept work, which is then offered with what differs.
@@ -70,6 +85,7 @@ export class Keeper {
   /// What it was kept as goes only once this tab keeps it.
   async restore(work: KeptWork): Promise<void> {
     this.studio_.shell.merge({ kept: null });
+    await this.studio_.document.idle();
     this.studio_.document.take_kept(work.text, work.undo, work.waiting);
     this.studio_.tell('Unsaved changes are back');
     await this.store();

@@ -156,6 +156,7 @@ export class Studio {
     const time = this.bench.time.leave();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
+      void this.keeper.flush(); // keeps what was typed while it was opened; no await, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
       if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
@@ -163,6 +164,7 @@ export class Studio {
       return null;
     } catch (fault) {
       this.bench.time.come_back(time);
+      this.document.read_again();
       if (fault instanceof Error) return fault.message;
       throw fault;
     }
@@ -208,7 +210,8 @@ export class Studio {
     if (news.is === 'hello') void this.greet(news);
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
     if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
-    if (news.is === 'elsewhere') this.shell.merge({ elsewhere: news.count > 0 ? news : null });
+    if (news.is === 'elsewhere' && news.count > 0) this.shell.merge({ elsewhere: news });
+    else if (news.is === 'elsewhere' && this.shell.get().elsewhere?.path === news.path) this.shell.merge({ elsewhere: null });
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
   }
 

@@ -24,6 +24,8 @@ export class DocumentModel {
   readonly state = new Store<DocumentState>(kNoDocument);
   private readonly waiting_ = new EditQueue();
   private is_asking_ = false;
+  private opened_ = 0; // how many documents have been opened
+  private is_unread_ = false; // the server stopped reading this text for something newer
   private typed_: string | null = null; // text of the editor, typed while an edit was on its way
   private typed_at_ = 0;
   private typed_base_: { text: string; patch: Patch } | null = null; // the edit that was on its way
@@ -41,6 +43,8 @@ export class DocumentModel {
   }
 
   take_opened({ path, model, name, text, hash, saved, ...reading }: Opened): void {
+    this.opened_ += 1;
+    this.is_unread_ = false;
     this.waiting_.clear();
     this.typed_ = null;
     const read = tree_of(text, null);
@@ -63,7 +67,14 @@ export class DocumentModel {
   take_reading(hash: string, reading: Reading): void {
     // A reading that newer changes have superseded says nothing.
     const { hash: now, tree, variables } = this.state.get();
-    if (hash === now && !reading.superseded) this.state.merge(reading_of(reading, tree, variables));
+    if (hash !== now) return;
+    this.is_unread_ = reading.superseded ?? false;
+    if (!this.is_unread_) this.state.merge(reading_of(reading, tree, variables));
+  }
+
+  /// Sends the text again if its reading was stopped for a document that could not be opened.
+  read_again(): void {
+    if (this.is_unread_) this.send_whole();
   }
 
   /// Has the library change the text, as one step. Edits that set one and the same value while others are on their way
@@ -173,6 +184,7 @@ export class DocumentModel {
     this.note_waiting();
     if (!next) return;
     this.is_asking_ = true;
+    this.typed_base_ = null; // set once this edit is made
     const faults = await this.ask(next);
     this.is_asking_ = false;
     if (this.typed_ !== null) this.take_typed(this.typed_);
@@ -201,10 +213,12 @@ export class DocumentModel {
   }
 
   private async ask(wish: QueuedEdit): Promise<Fault[] | null | 'lost'> {
+    const opened = this.opened_;
     for (let tries = 0; ; tries += 1) {
       const { text, hash: base, undo } = this.state.get();
       try {
         const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...(wish.wish.only_if_good ? { only_if_good: true } : {}) });
+        if (opened !== this.opened_) return null; // it was made in the document before
         const patch = patch_of_plain(edited.patch);
         const after = apply_patch(text, patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
@@ -214,6 +228,7 @@ export class DocumentModel {
         else this.send_whole();
         return null;
       } catch (fault) {
+        if (opened !== this.opened_) return null;
         if (fault instanceof Lost) {
           // The wish stays, and is asked again when the server is back.
           this.waiting_.put_back(wish);

@@ -230,9 +230,11 @@ void require_finished(const py::object& path, std::uint64_t rows) {
 
 py::dict check_of(const py::object& path, int threads, const py::object& progress) {
   const std::string folder = path_of(path);
-  const DatasetCheck check = run_call(progress, threads, [&](Progress& inner) {
-    return verify_dataset(folder, component_types(), models_folder(), inner);
-  });
+  // Both ask Python, whose lock the call releases.
+  const Registry& types = component_types();
+  const std::string models = models_folder();
+  const DatasetCheck check =
+      run_call(progress, threads, [&](Progress& inner) { return verify_dataset(folder, types, models, inner); });
   py::dict made;
   made["plants"] = check.plants;
   made["rows"] = check.rows;

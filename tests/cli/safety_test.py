@@ -88,7 +88,7 @@ class Root(cli_case.Case):
             ["render", "tree.json", "-o", "out.png"],
             ["measure", "tree.json"],
             ["measure", "outside.csv"],
-            ["shade", "tree.json", "--facade", "house", "-o", "out.json"],
+            ["shade", "tree.json", "--facade", "house", "--days", "172", "--hours", "6:20:1", "-o", "out.json"],
             ["scan", "tree.json", "-o", "out.csv"],
             ["derive", "tree.json"],
             ["graph", "tree.json"],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's one model: the connection, the open document, growth and view, and what panels do with them.
-import { prefer, preference } from './base/preferences.ts';
+import { prefer } from './base/preferences.ts';
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
@@ -15,7 +15,7 @@ import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
-import { kNoGrowth, with_growth, with_work } from './studio_state.ts';
+import { first_shell, kNoGrowth, with_growth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
@@ -49,17 +49,7 @@ export class Studio {
     readonly address: string, // of the server's socket
     tab: string, // this one's name
   ) {
-    this.shell = new Store<ShellState>({
-      dialog: null,
-      side: 'inspector',
-      left: preference('left') === 'board' ? 'board' : 'outline',
-      theme: (preference('theme') as Theme | null) ?? 'system',
-      is_dark: false,
-      shows_hints: preference('hints') !== 'seen',
-      kept: null,
-      conflict: null,
-      elsewhere: null,
-    });
+    this.shell = new Store(first_shell());
     this.connection = new Connection(address, {
       on_news: (news) => this.hear(news),
       on_packet: (bytes) => this.show_packet(bytes),

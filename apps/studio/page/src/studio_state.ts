@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page shows besides the document.
+import { preference } from './base/preferences.ts';
 import type { Fault, Grown, Hello, Working } from './server/protocol.ts';
 import type { PacketHead } from './server/packet.ts';
 import type { Drawing } from './view/plant_scene.ts';
@@ -64,4 +65,19 @@ export interface ShellState {
   kept: { work: KeptWork; before: string | null } | null;
   conflict: { path: string } | null; // a file that someone else has changed
   elsewhere: { path: string; count: number } | null; // the file is open in other tabs or programs
+}
+
+/// Returns the state of a new page, with what its user preferred last.
+export function first_shell(): ShellState {
+  return {
+    dialog: null,
+    side: 'inspector',
+    left: preference('left') === 'board' ? 'board' : 'outline',
+    theme: (preference('theme') as Theme | null) ?? 'system',
+    is_dark: false,
+    shows_hints: preference('hints') !== 'seen',
+    kept: null,
+    conflict: null,
+    elsewhere: null,
+  };
 }

@@ -133,7 +133,7 @@ test('the module under the pointer is marked in word and picture', async () => {
     const { places } = window.studio.bench.derivation.state.get().told;
     const at = 7 * Math.floor(places.length / 14);
     const middle = [1, 2, 3].map((k) => (places[at + k] + places[at + k + 3]) / 2);
-    const [left, top] = window.studio.view.project(middle);
+    const [left, top] = window.studio.view.eye.project(middle);
     const box = document.querySelector('.centre .view canvas').getBoundingClientRect();
     return [places[at], box.left + left, box.top + top];
   });
@@ -171,7 +171,7 @@ test('a click in the view chooses the instance whose word is told', async () => 
   assert.equal(words.size, 3);
   const [x, y] = await page.evaluate(() => {
     const { places } = window.studio.bench.derivation.state.get().told;
-    const [left, top] = window.studio.view.project([1, 2, 3].map((k) => places[k] + 0.3 * (places[k + 3] - places[k])));
+    const [left, top] = window.studio.view.eye.project([1, 2, 3].map((k) => places[k] + 0.3 * (places[k + 3] - places[k])));
     const box = document.querySelector('.centre .view canvas').getBoundingClientRect();
     return [box.left + left, box.top + top];
   });

@@ -102,13 +102,13 @@ test('step 12 of 18 equals a document with 12 iterations', async () => {
   for (let k = 0; k < 6; ++k) await page.keyboard.press('ArrowLeft');
   await shown(12);
   const of_step = (await grown()).nodes;
-  const bounds = await page.evaluate(() => [window.studio.view.box_.min.toArray(), window.studio.view.box_.max.toArray()]);
+  const bounds = await page.evaluate(() => [window.studio.view.bounds.min.toArray(), window.studio.view.bounds.max.toArray()]);
   await page.keyboard.press('s');
   await page.evaluate(() => window.studio.edit([{ set: 'tree.iterations', value: 12 }], 'Fewer iterations'));
   await page.waitForFunction(() => window.studio.growth.get().grown?.steps === null && window.studio.document.state.get().text.includes('"iterations": 12'));
   await settled(page);
   assert.equal((await grown()).nodes, of_step);
-  const again = await page.evaluate(() => [window.studio.view.box_.min.toArray(), window.studio.view.box_.max.toArray()]);
+  const again = await page.evaluate(() => [window.studio.view.bounds.min.toArray(), window.studio.view.bounds.max.toArray()]);
   assert.deepEqual(again, bounds);
 });
 

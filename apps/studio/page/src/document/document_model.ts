@@ -14,8 +14,8 @@ import { text_hash } from './hash.ts';
 import { text_with_edits } from './text_edits.ts';
 import { variables_of_text } from './text_variables.ts';
 import type { Patch } from './patch.ts';
-import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
-import type { UndoState } from './undo_list.ts';
+import { apply_patch, inverse_patch, joined_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
+import type { UndoState, UndoStep } from './undo_list.ts';
 import { step_back, step_forward, with_last, with_step } from './undo_list.ts';
 
 const kTypingPause = 700; // ms after which typing begins a new step
@@ -87,11 +87,8 @@ export class DocumentModel {
 
   /// Takes over what was typed into the text.
   type(text: string): void {
-    if (this.is_asking_) {
-      this.typed_ = text;
-      return;
-    }
-    this.put(patch_between(this.state.get().text, text), 'Type');
+    if (this.is_asking_) this.typed_ = text;
+    else this.put(patch_between(this.state.get().text, text), 'Type');
   }
 
   /// Whether something was typed that is not in the text yet, since an edit is on its way.
@@ -105,7 +102,7 @@ export class DocumentModel {
     this.put(patch_between(this.state.get().text, text), label);
   }
 
-  async undo(): Promise<UndoStepTaken | null> {
+  async undo(): Promise<Pick<UndoStep, 'label' | 'chosen'> | null> {
     await this.idle();
     const back = step_back(this.state.get().undo);
     if (!back) return null;
@@ -113,7 +110,7 @@ export class DocumentModel {
     return { label: back.step.label, chosen: back.step.chosen };
   }
 
-  async redo(): Promise<UndoStepTaken | null> {
+  async redo(): Promise<Pick<UndoStep, 'label' | 'chosen'> | null> {
     await this.idle();
     const forward = step_forward(this.state.get().undo);
     if (!forward) return null;
@@ -150,9 +147,7 @@ export class DocumentModel {
     const goes_on = label === 'Type' && last?.label === 'Type' && now - this.typed_at_ < kTypingPause;
     if (label === 'Type') this.typed_at_ = now;
     if (!goes_on || !last) return this.splice(patch, with_step(undo, step));
-    const before = apply_patch(text, last.inverse);
-    const joined = patch_between(before, apply_patch(text, patch));
-    this.splice(patch, with_last(undo, { ...step, patch: joined, inverse: inverse_patch(before, joined) }));
+    this.splice(patch, with_last(undo, { ...step, ...joined_patch(text, last.inverse, patch) }));
   }
 
   /// Changes the text here and tells the server.
@@ -220,10 +215,9 @@ export class DocumentModel {
         const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...(wish.wish.only_if_good ? { only_if_good: true } : {}) });
         if (opened !== this.opened_) return null; // it was made in the document before
         const patch = patch_of_plain(edited.patch);
-        const after = apply_patch(text, patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
         this.typed_base_ = { text, patch };
-        const hash = this.change_text(after, patch.length > 0 ? with_step(undo, step) : undo);
+        const hash = this.change_text(apply_patch(text, patch), patch.length > 0 ? with_step(undo, step) : undo);
         if (hash === edited.hash) this.take_reading(hash, edited);
         else this.send_whole();
         return null;
@@ -242,10 +236,8 @@ export class DocumentModel {
   }
 
   private refuse(refusal: Refusal, wish: QueuedEdit): Fault[] {
-    const faults = refusal.facts.faults ?? [];
     if (!wish.wish.only_if_good) this.tell_(refusal.message);
-    // What was refused always has a reason.
-    return faults.length > 0 ? faults : [{ severity: 'error', message: refusal.message, path: '', line: null, column: null, offset: null, text: refusal.message }];
+    return refusal.reasons;
   }
 
   /// What was typed while an edit was on its way was typed into the text before it.
@@ -253,13 +245,7 @@ export class DocumentModel {
     this.typed_ = null;
     const base = this.typed_base_;
     const now = this.state.get().text;
-    if (!base || base.text === now) return this.put(patch_between(now, typed), 'Type');
-    const moved = rebased(base.patch, patch_between(base.text, typed));
+    const moved = base && base.text !== now ? rebased(base.patch, patch_between(base.text, typed)) : null;
     this.put(moved ?? patch_between(now, typed), 'Type');
   }
-}
-
-export interface UndoStepTaken {
-  label: string;
-  chosen: string;
 }

@@ -77,3 +77,11 @@ export function plain_patch(patch: Patch): PlainPatch {
 export function patch_of_plain(plain: PlainPatch): Patch {
   return plain.map(([offset, length, replacement]) => ({ offset, length, replacement }));
 }
+
+/// Returns one step for two that follow each other: from the text before the first, of which `undo` is the inverse, to
+/// `text` after `patch`.
+export function joined_patch(text: string, undo: Patch, patch: Patch): { patch: Patch; inverse: Patch } {
+  const before = apply_patch(text, undo);
+  const joined = patch_between(before, apply_patch(text, patch));
+  return { patch: joined, inverse: inverse_patch(before, joined) };
+}

@@ -242,4 +242,10 @@ export class Refusal extends Error {
   ) {
     super(message);
   }
+
+  /// Faults of the text, or the message as one: what was refused always has a reason.
+  get reasons(): Fault[] {
+    const own: Fault = { severity: 'error', message: this.message, path: '', line: null, column: null, offset: null, text: this.message };
+    return this.facts.faults?.length ? this.facts.faults : [own];
+  }
 }

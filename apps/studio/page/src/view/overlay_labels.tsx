@@ -13,7 +13,7 @@ export function OverlayLabels(): ReactElement | null {
   return (
     <div className="overlay-labels" aria-hidden="true">
       {labels.map(({ at, text }, k) => {
-        const seen = studio.view?.project(at);
+        const seen = studio.view?.eye.project(at);
         return seen ? (
           <span key={k} style={{ left: seen[0], top: seen[1] }}>
             {text}

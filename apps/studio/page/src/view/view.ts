@@ -36,7 +36,7 @@ export class View {
   private readonly scene_ = new three.Scene();
   readonly surroundings = new Surroundings(this.overlays);
   private readonly ground_ = new Ground();
-  private readonly box_ = new three.Box3();
+  readonly bounds = new three.Box3(); // around all that is shown
   private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
   private readonly picker_ = new Picker();
   private readonly queue_: PictureQueue;
@@ -86,15 +86,15 @@ export class View {
     this.surroundings.apply(packet);
     this.is_draft_ = packet.head.draft ?? false;
     const bounds = packet.head.bounds;
-    this.box_.makeEmpty();
-    if (bounds) this.box_.set(new three.Vector3(...bounds[0]), new three.Vector3(...bounds[1]));
+    this.bounds.makeEmpty();
+    if (bounds) {
+      this.bounds.set(new three.Vector3(...bounds[0]), new three.Vector3(...bounds[1]));
+      this.ground_.suit(this.bounds);
+      this.sunlight_.suit(this.bounds);
+    }
     if (packet.head.fit) {
       this.orbit.open_to(kFieldOfView);
       this.fit();
-    }
-    if (bounds) {
-      this.ground_.suit(this.box_);
-      this.sunlight_.suit(this.box_);
     }
     this.ask();
   }
@@ -103,7 +103,7 @@ export class View {
   clear(): void {
     this.plant.clear();
     this.surroundings.clear();
-    this.box_.makeEmpty();
+    this.bounds.makeEmpty();
     this.is_draft_ = false;
     this.ask();
   }
@@ -127,19 +127,14 @@ export class View {
     this.ask();
   }
 
-  /// Around all that is shown.
-  get bounds(): three.Box3 {
-    return this.box_;
-  }
-
   /// How far the eye stands where all is seen.
   get fitting_distance(): number {
-    return this.orbit.distance_for(this.box_);
+    return this.orbit.distance_for(this.bounds);
   }
 
   /// The plant, with what is beside it, fills the view, also when its frame changes, until a hand moves the camera.
   fit(beside: readonly Vec[] = []): void {
-    this.fitted_.copy(this.box_);
+    this.fitted_.copy(this.bounds);
     for (const place of beside) this.fitted_.expandByPoint(new three.Vector3(...place));
     this.orbit.fit(this.fitted_, beside.length > 0);
     this.ask();
@@ -200,11 +195,6 @@ export class View {
   follow(other: View): void {
     this.fitted_.copy(other.fitted_);
     if (this.orbit.follow(other.orbit)) this.ask();
-  }
-
-  /// Where a point of the world stands, in pixels of the canvas; null behind the eye.
-  project(place: readonly [number, number, number]): [number, number] | null {
-    return this.eye.project(place);
   }
 
   /// Lets go what the view holds; it draws no more.

@@ -155,7 +155,7 @@ TEST(LeafComponent, FaultyBladesAreRejected) {
     return Value(Value::Object{{"curve", Value::List{Value::List{0, a}, Value::List{1, b}}}});
   };
   EXPECT_EQ(path_of({{"outline", outline(0, 0)}}), "components.leaf.outline");
-  EXPECT_EQ(path_of({{"outline", outline(0, 1.5)}}), "components.leaf.outline");
+  EXPECT_EQ(path_of({{"outline", outline(0, 1.5)}}), "components.leaf.outline.curve[1][1]");
   EXPECT_EQ(path_of({{"across", 3}}), "components.leaf.across");
   EXPECT_EQ(path_of({{"length", 0}}), "components.leaf.length");
   EXPECT_EQ(path_of({{"rows", "i"}}), "components.leaf.rows");

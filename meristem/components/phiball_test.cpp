@@ -120,7 +120,7 @@ TEST(Phiball, FaultsAreLocated) {
   EXPECT_EQ(fault({{"radius", 1}, {"area", 1}}), "components.ball.area");
   EXPECT_EQ(fault({{"area", 0}}), "components.ball.area");
   EXPECT_EQ(fault({{"size", "1/(i - 3)"}}), "components.ball.size");
-  EXPECT_EQ(fault({{"number", 2e9}}), "components.ball");
+  EXPECT_EQ(fault({{"number", 2e9}}), "components.seed");  // the component with the largest share
 }
 
 }  // namespace meristem::phiball_test

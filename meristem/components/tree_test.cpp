@@ -290,7 +290,8 @@ TEST(Tree, TooManyNodesAreStoppedAndNamed) {
     const std::vector<Diagnostic> faults = faults_of([&] { builder.node_limit(109).grow(); });
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults[0].text(),
-              "components.trunk: with 'trunk' there are more than 109 nodes; expected at most 109 (limits.nodes)");
+              "components.trunk: 110 skeleton nodes, of which trunk 110 (100 %), are too many; expected at most 109 "
+              "(limits.nodes)");
   }
 }
 

@@ -122,30 +122,26 @@ TEST(CountLimits, NothingIsCountedThatMayNotBeThere) {
 }
 
 TEST(CountLimits, LimitsAlsoBoundTheMemoryOfInstances) {
-  // Instances that have come by different links are batches of their own and take more memory than as many side by
-  // side. Here there are 1 + 3 + ... + 3^11 of them.
-  const auto ways = [](const std::string& limits) {
-    return read_document(document(R"("cell": {"type": "simple", "recursion": 12})",
-                                  R"(["cell", "cell"], ["cell", "cell"], ["cell", "cell"])", limits),
-                         "d.json", builtin_components());
-  };
+  // A stem of two nodes takes more memory than limits.instances and limits.nodes stand for.
+  const Document stems = read_document(document(R"("field": {"type": "field", "rows": 500, "plants": 500},
+                  "stem": {"type": "tree", "length": 0.1, "segments": 1})",
+                                                R"(["field", "stem"])", R"("instances": 250002, "nodes": 500000)"),
+                                       "d.json", builtin_components());
   Progress progress;
-  const GrowthOptions options{.up_to = GrownPart::plant};
-  EXPECT_EQ(grow_document(ways(R"("instances": 265721)"), progress, options).plant.organs.size(), 265720U);
   try {
-    grow_document(ways(R"("instances": 265721, "nodes": 1)"), progress, options);
+    grow_document(stems, progress, {.up_to = GrownPart::plant});
     FAIL();
   } catch (const InputError& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("bytes of memory, which are too many"), std::string::npos) << text;
-    EXPECT_NE(text.find("160 for each of 265721 (limits.instances)"), std::string::npos) << text;
+    EXPECT_NE(text.find("160 for each of 250002 (limits.instances)"), std::string::npos) << text;
   }
 }
 
 TEST(CountLimits, SitesOfAWideFieldAreNoMemoryThatIsKept) {
   const Document field =
       read_document(document(R"("field": {"type": "field", "rows": 300, "plants": 300}, "leaf": {"type": "leaf"})",
-                             R"(["field", "leaf"])", R"("instances": 90001, "nodes": 1)"),
+                             R"(["field", "leaf"])", R"("instances": 90002, "nodes": 1)"),
                     "d.json", builtin_components());
   Progress progress;
   EXPECT_EQ(grow_document(field, progress, {.up_to = GrownPart::plant}).plant.organs.size(), 90000U);
@@ -154,10 +150,10 @@ TEST(CountLimits, SitesOfAWideFieldAreNoMemoryThatIsKept) {
 }
 
 TEST(CountLimits, StemsThatEndWithinTheBarkOfTheirParentBearNothing) {
-  const Document trunk = read_document(document(R"("trunk": {"type": "tree", "length": 4, "radius": 0.5},
-                  "spine": {"type": "tree", "length": 0.3, "radius": 0.01}, "leaf": {"type": "leaf"})",
+  const Document trunk = read_document(document(R"("trunk": {"type": "tree", "length": 4, "radius": 2},
+                  "spine": {"type": "tree", "length": 0.2, "radius": 0.01}, "leaf": {"type": "leaf"})",
                                                 R"({"from": "trunk", "to": "spine", "kind": "branch", "count": 80},
-                  {"from": "spine", "to": "leaf", "kind": "branch", "count": 3000})",
+                  {"from": "spine", "to": "leaf", "kind": "branch", "count": 900})",
                                                 R"("instances": 1000)"),
                                        "d.json", builtin_components());
   Progress progress;

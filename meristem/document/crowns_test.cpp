@@ -301,11 +301,15 @@ TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {
 }
 
 TEST_F(CrownFiles, PointsOutOfTheWorldAreRefusedUnlessACrownCutsThemOff) {
-  write("scans/far.xyz", "0 1 0\n3e38 3e38 3e38\n");
+  write("scans/far.xyz", "0 1 0\n3e11 3e11 3e11\n");
   EXPECT_EQ(fault_here(R"("points": {"file": "scans/far.xyz"})"),
-            "d.json:2:20: components.tree.points.file: a point of 'scans/far.xyz' comes to lie at (3e+38, 3e+38, "
-            "3e+38); expected coordinates within 10000000 m; scale and translate them");
+            "d.json:2:20: components.tree.points.file: a point of 'scans/far.xyz' comes to lie at (3e+11, 3e+11, "
+            "3e+11); expected coordinates within 10000000 m; scale and translate them");
   EXPECT_EQ(points_of(R"("points": {"file": "scans/far.xyz"}, "crown": {"box": [[-1, 0, -1], [1, 2, 1]]})").size(), 1U);
+  write("scans/beyond.xyz", "0 1 0\n0 0 3e38\n");
+  EXPECT_EQ(fault_here(R"("points": {"file": "scans/beyond.xyz"})"),
+            "d.json:2:20: components.tree.points.file: 'scans/beyond.xyz:2:5': '3e38' is out of range; expected a "
+            "coordinate from -1e+12 to 1e+12");
 }
 
 TEST_F(CrownFiles, AMeshIsACrown) {

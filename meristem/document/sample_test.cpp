@@ -176,7 +176,7 @@ TEST(Sample, FaultsOfFilesHaveTheirPlaceInThem) {
             "number");
   EXPECT_EQ(
       fault_of("tree,angle\n1,40\n1,190\n"),
-      "it.angle.sample.file: 'angles.csv:3': the value 190 of the column 'angle' cannot be that of 'angle'; expected "
+      "it.angle.sample.file: 'angles.csv:3:3': the value 190 of the column 'angle' cannot be that of 'angle'; expected "
       "a number (°) from 0 to 180");
   EXPECT_EQ(fault_of("angle\n1\n2\n3\n4\n5\n").substr(0, 62),
             "it.angle.sample.file: 'angles.csv:6': 5 rows of a table are to");

@@ -18,7 +18,6 @@
 #include "meristem/output/formats.h"
 #include "meristem/output/overlay/overlay.h"
 #include "meristem/output/picture/picture.h"
-#include "meristem/output/picture/truth.h"
 #include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/plant/plant_variant.h"
 #include "tests/support/temporary_folder.h"
@@ -134,9 +133,6 @@ TEST_F(DocumentLimits, HoldForPicturesThatReadPlants) {
   picture.overlays = {OverlayPart::skeleton};
   expect_limits_kept("overlays", [&](const Document& document) {
     take_picture(grown_, document.graph.limits, garden_.scene, picture, progress_);
-  });
-  expect_limits_kept("truth", [&](const Document& document) {
-    see_truth(grown_, document.graph.limits, garden_.scene, View(), {.width = 8, .height = 8}, progress_);
   });
 }
 

@@ -129,8 +129,8 @@ TEST(MeasuredLeaves, RejectsRepeatedPointsWhereTooFewAreLeft) {
 }
 
 TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1e200,1\n"), 4, "far"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,1\n2,1e200\n"), 4, "far"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1e200,1\n"), 4, "out of range"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,1\n2,1e200\n"), 4, "out of range"));
 }
 
 TEST(MeasuredLeaves, OfWidthsAtAPositionThatIsRepeatedTheFirstHolds) {

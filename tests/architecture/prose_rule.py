@@ -28,7 +28,7 @@ MOST_BYTES = 200
 LEAST_SENTENCES = 1000  #: fewer in a whole project were read by a broken rule
 MADE = ("build", "node_modules", "out", "env")
 SOURCES = (".h", ".cpp", ".ts", ".tsx", ".mjs")
-HELD_ELSEWHERE = ("docs/manual/components.md", "CHANGELOG.md", "tests/support/check_sentence.h",
+HELD_ELSEWHERE = ("docs/manual/components.md", "tests/support/check_sentence.h",
                   "meristem/document/sentences_test.cpp", "tests/architecture/prose_rule.py",
                   "tests/architecture/prose_rule_test.py")
 

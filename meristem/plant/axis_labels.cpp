@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Names of axes that stay valid while the plant grows. A label is the path of metamer numbers at which axes branch off,
+// from the main axis to the named one.
 #include "meristem/plant/axis_labels.h"
 
 #include <algorithm>
@@ -9,9 +11,9 @@
 namespace meristem {
 namespace {
 
-constexpr float kLastExactFloat = 16'777'216;  // the last whole number up to which floats hold all
+constexpr float kLastExactFloat = 16'777'216;  // the largest n up to which floats represent every whole number
 
-/// Nothing for the first of several, then b to z, aa, ab, ...
+/// Returns the suffix of a label after `earlier` axes with the same number: empty for 0, then b to z, aa, ab, ...
 std::string letters(std::uint32_t earlier) {
   if (earlier == 0) return {};
   std::string text;
@@ -50,9 +52,10 @@ std::vector<ShootName> shoot_names(const Skeleton& skeleton, const std::vector<s
   const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
   std::vector<ShootName> names(skeleton.axis_count());
   for (AxisIndex axis = 0; axis < names.size() && !part_of_axis.empty(); ++axis) names[axis].part = part_of_axis[axis];
-  std::unordered_map<std::uint64_t, std::uint32_t> borne;      // by axis and number of what bears them
-  std::unordered_map<std::uint32_t, std::uint32_t> trees;      // of each part
-  std::unordered_map<std::uint32_t, AxisIndex> main_of_joint;  // the first axis of each part that stands on another one
+  std::unordered_map<std::uint64_t, std::uint32_t> borne;  // number of earlier axes, by parent axis and node number
+  std::unordered_map<std::uint32_t, std::uint32_t> trees;  // number of trees in each part
+  // The first axis of each part that stands on another part.
+  std::unordered_map<std::uint32_t, AxisIndex> main_of_joint;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const AxisIndex axis = skeleton.axis[node];
     ShootName& name = names[axis];
@@ -66,7 +69,7 @@ std::vector<ShootName> shoot_names(const Skeleton& skeleton, const std::vector<s
     AxisIndex parent = skeleton.axis[bearer];
     std::uint32_t number = numbers[bearer];
     if (names[parent].part != name.part) {
-      // The root of the part has given way to the node on which it stands.
+      // A part that stands on another part has no root of its own: its root was replaced by the node that bears it.
       const auto [found, is_first] = main_of_joint.try_emplace(name.part, axis);
       if (is_first) {
         name.label = "main";

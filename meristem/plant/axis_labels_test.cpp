@@ -22,7 +22,7 @@ using Numbers = std::vector<std::uint32_t>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// A node on `axis`, one metre from its parent.
+/// Adds a node on `axis`, one metre from its parent.
 NodeIndex grow(Skeleton& skeleton, NodeIndex parent, AxisIndex axis) {
   const Vec3 base = parent == kNoNode ? Vec3(0) : skeleton.position[parent];
   const NodeIndex node = skeleton.add_node(parent, base + Vec3(axis, 1, 0), 0);
@@ -33,7 +33,7 @@ NodeIndex grow(Skeleton& skeleton, NodeIndex parent, AxisIndex axis) {
   return node;
 }
 
-/// A stem of a root and five metamers, a branch of three from the fourth, and a twig from the branch's second.
+/// A stem of a root and five metamers, a branch of three from the fourth, and a twig from the second of the branch.
 Skeleton small_tree() {
   Skeleton skeleton;
   NodeIndex node = grow(skeleton, kNoNode, 0);
@@ -130,7 +130,7 @@ TEST(AxisLabels, StayWhereNodesAreAddedBetween) {
   const Skeleton finer = subdivide(tree, 0.3);
   ASSERT_GT(finer.node_count(), 2 * tree.node_count());
   for (const float metamer : finer.extra.find(kMetamerColumn)->second) EXPECT_EQ(metamer, std::floor(metamer));
-  // A child that begins within the fourth metamer is a lateral of it.
+  // A child that begins within the fourth metamer is a lateral of that metamer.
   std::vector<LooseStem> stems(2);
   stems[0].skeleton = std::make_shared<Skeleton>(tree);
   auto child = std::make_shared<Skeleton>();
@@ -146,7 +146,7 @@ TEST(AxisLabels, StayWhereNodesAreAddedBetween) {
 }
 
 TEST(AxisLabels, NamesOfShootsAreThoseOfTheirOwnPartWhereStemsAreJoined) {
-  // A tree with a lateral on its root stands on the second metamer of another one.
+  // A tree with a lateral on its root stands on the second metamer of another tree.
   Skeleton guest = small_tree();
   grow(guest, 0, 3);
   for (Vec3& position : guest.position) position += Vec3(0, 2, 0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs are taken some thousand vertices at a time. Level by level all of their vertices move: a level on geometry
-// takes each where it goes, one on axes turns and moves the organ as it turns and moves its base. Each organ's centre
-// moves along; the Jacobian that it gathers on the way is the affine map that may do instead.
+// Deforms stems and organs of a grown plant. Organs are processed in batches of some thousand vertices, and each batch
+// passes through the levels of the deformation in order. A level on geometry moves each vertex. A level on axes moves
+// and rotates the whole organ with its base. The centre of each organ collects the Jacobian of all levels: the affine
+// map that replaces the deformation if it is close enough.
 #include "meristem/plant/deform_plant.h"
 
 #include <algorithm>
@@ -24,24 +25,25 @@ namespace {
 
 constexpr std::size_t kNodesTogether = 512;
 constexpr std::size_t kNodesPerBlock = 8192;
-constexpr std::size_t kVerticesTogether = 2048;  // of the organs of one task
-constexpr std::size_t kTasksTogether = 512;      // after which bytes are counted
+constexpr std::size_t kVerticesTogether = 2048;  // vertices in one task
+constexpr std::size_t kTasksTogether = 512;      // tasks between two checks of the limit of bytes
 
 using DeformationPointer = std::shared_ptr<const Deformation>;
 
 DMat3 cofactors(const DMat3& m) { return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])}; }
 
-/// What bends nodes of a stem, and who they belong to.
+/// A deformation of stem nodes, and the component that error messages name.
 struct Bend {
   DeformationPointer deformation;
   const std::string* who = nullptr;
 };
 
-/// The direction of the segment that ends in each node; at roots of that above them.
+/// Returns the direction of the segment that ends in each node. A root has the direction of the segment above it.
 std::vector<DVec3> directions_of(const Skeleton& skeleton) {
   std::vector<DVec3> directions(skeleton.node_count(), DVec3(kUp));
   for (auto node = static_cast<NodeIndex>(skeleton.node_count()); node-- > 0;) {
-    if (skeleton.is_root(node)) continue;  // its first child, which comes later, has written it
+    // the first child, which has a higher index, has written the root's direction
+    if (skeleton.is_root(node)) continue;
     const NodeIndex parent = skeleton.parent[node];
     directions[node] = DVec3(normalized_or(skeleton.position[node] - skeleton.position[parent], kUp));
     if (skeleton.is_root(parent)) directions[parent] = directions[node];
@@ -49,12 +51,12 @@ std::vector<DVec3> directions_of(const Skeleton& skeleton) {
   return directions;
 }
 
-/// The stretch, as of a length, of the section at right angles to a unit vector.
+/// Returns the length factor of a cross-section at right angles to the unit vector `along`.
 double stretch_across(const DMat3& jacobian, const DVec3& along) {
   return std::sqrt(glm::determinant(jacobian) / glm::length(jacobian * along));
 }
 
-/// Moves those nodes, and where their directions are given stretches their radii.
+/// Moves the nodes. If `directions` is not empty, also scales their radii.
 void bend_nodes(Skeleton& skeleton, std::span<const NodeIndex> nodes, const Bend& bend,
                 std::span<const DVec3> directions) {
   parallel_for(nodes.size(), kNodesPerBlock, [&](std::size_t begin, std::size_t end) {
@@ -74,7 +76,7 @@ void bend_nodes(Skeleton& skeleton, std::span<const NodeIndex> nodes, const Bend
   });
 }
 
-/// Moves what was done to a stem along with where it was done.
+/// Moves and rotates the operation records of a stem with the place where each was done.
 void bend_records(Skeleton& skeleton, const Stem& stem, std::span<const DeformationPointer> of_part) {
   for (OperationRecord& record : skeleton.operations) {
     if (of_part[record.part] == nullptr) continue;
@@ -88,7 +90,8 @@ void bend_records(Skeleton& skeleton, const Stem& stem, std::span<const Deformat
   }
 }
 
-/// Moves the nodes of each part by its own deformation, those of one deformation and component together.
+/// Moves the nodes of each part by the deformation of the part. Parts with equal deformation and component are moved
+/// together.
 void bend(Skeleton& skeleton, const Stem& stem, std::span<const DeformationPointer> of_part, bool thickens) {
   std::vector<Bend> bends;
   std::map<std::pair<const Deformation*, std::string_view>, std::size_t> number;
@@ -118,7 +121,7 @@ bool is_any(std::span<const DeformationPointer> of_part) {
 
 void deform(Stem& stem, std::span<const DeformationPointer> of_part) {
   if (!is_any(of_part)) return;
-  // What bends axes bends the surface's, too, unless that is deformed already.
+  // A deformation of axes applies to the surface, too, unless the surface is already deformed.
   std::unordered_map<const Deformation*, std::array<DeformationPointer, 2>> halves;
   std::vector<DeformationPointer> of_axes(of_part.size()), of_surface(of_part.size());
   for (std::size_t part = 0; part < of_part.size(); ++part) {
@@ -164,13 +167,13 @@ void deform(std::span<Frame> frames, const Deformation& of_axes, std::string_vie
 
 namespace {
 
-/// Organs that are deformed together.
+/// A batch of organs that are deformed together.
 struct Task {
   const DeformedOrgans* row = nullptr;
   std::size_t first = 0;
   std::size_t count = 0;
   bool is_rigid = false;
-  std::vector<std::pair<std::size_t, std::shared_ptr<const Mesh>>> made;  // organs that get a mesh of their own
+  std::vector<std::pair<std::size_t, std::shared_ptr<const Mesh>>> made;  // organs that get their own mesh
 };
 
 bool is_rigid(const Deformation& deformation) {
@@ -185,7 +188,8 @@ void move_rigidly(Plant& plant, const Task& task) {
   for (std::size_t k = 0; k < task.count; ++k) plant.organs[task.first + k].frame = frames[k];
 }
 
-/// The vertices of some organs on their way through the levels; behind those of each stand its centre and its base.
+/// The vertices of a batch of organs while they pass through the levels. Each organ's vertices are followed by its
+/// centre and its base.
 class MovedOrgans {
  public:
   MovedOrgans(Plant& plant, Task& task) : plant_(plant), task_(task) {
@@ -240,7 +244,8 @@ class MovedOrgans {
     }
   }
 
-  /// Gives an organ the affine map at its centre for a frame, or a mesh of its own.
+  /// Sets the frame of an organ from the affine map at its centre. If the map is not close enough, makes a mesh for the
+  /// organ.
   void place(std::size_t k) {
     const DMat3& affine = jacobians_[centre(k)];
     const DVec3 from = before_[centre(k)], to = points_[centre(k)];
@@ -260,7 +265,7 @@ class MovedOrgans {
     frame = moved;
   }
 
-  /// The mesh as it is now, in the frame that its organ gets.
+  /// Returns the deformed mesh of organ `k` in the frame `moved`.
   Mesh mesh_in(const Frame& moved, std::size_t k) const {
     Mesh made = mesh(k);
     const Frame& frame = organ(k).frame;
@@ -284,17 +289,17 @@ class MovedOrgans {
 
   Plant& plant_;
   Task& task_;
-  std::vector<std::size_t> begin_;  // of each organ, among the points
+  std::vector<std::size_t> begin_;  // index of each organ's first point
   std::vector<DVec3> points_, before_;
   std::vector<DMat3> jacobians_;
 };
 
-/// Rows cut into organs of one component with some thousand vertices in all.
+/// Divides rows into tasks of organs of one component, with some thousand vertices each.
 std::vector<Task> tasks_of(const Plant& plant, std::span<const DeformedOrgans> rows) {
   std::vector<Task> tasks;
   for (const DeformedOrgans& row : rows) {
     const bool rigid = is_rigid(*row.deformation);
-    std::size_t vertices = kVerticesTogether;  // so that a row begins a task
+    std::size_t vertices = kVerticesTogether;  // full, so that each row begins a new task
     const std::string* component = nullptr;
     for (std::size_t organ = row.first; organ < row.first + row.count; ++organ) {
       const OrganPrototype& prototype = plant.prototypes[plant.organs[organ].prototype];

@@ -13,29 +13,29 @@
 
 namespace meristem {
 
-/// How far a vertex may lie from where an affine map puts it, as a share of the organ's size, where the map stands for
-/// a deformation.
+/// Largest error of an affine map that may replace a deformation: distance of a vertex from its exact position, as a
+/// share of the organ's size.
 inline constexpr double kAffineTolerance = 5e-3;
 
-/// Deforms a stem, each part by its own deformation (null: not): moves nodes, leaves thickness along the axes what it
-/// is or stretches it as the surface is, and notes in the parts by what their surfaces are to be deformed. Throws as
-/// Deformation::map does, with the part's component as what stands there.
+/// Deforms a stem, each part by its own deformation (null: the part is not deformed). Moves nodes. Scales the radii
+/// where the deformation includes geometry; a deformation of axes keeps them. Stores the remaining deformation of the
+/// surface in each part. Throws as Deformation::map does and names the part's component.
 void deform(Stem& stem, std::span<const std::shared_ptr<const Deformation>> of_part);
 
-/// Turns and moves frames as a deformation on axes does what stands in them. Throws as Deformation::map does.
+/// Moves and rotates frames as a deformation of axes moves the organs in them. Throws as Deformation::map does.
 void deform(std::span<Frame> frames, const Deformation& of_axes, std::string_view who);
 
-/// Organs of a plant in a row with one deformation.
+/// A range of a plant's organs with one deformation.
 struct DeformedOrgans {
   std::size_t first = 0;
   std::size_t count = 0;
   std::shared_ptr<const Deformation> deformation;  ///< not null
 };
 
-/// Deforms organs. Those that are turned and moved only, or deformed as an affine map would within kAffineTolerance,
-/// keep their prototype and get another frame; the others get prototypes of their own, appended in the order of organs.
-/// The same on any number of threads. Throws InputError as Deformation::map does, and where the new meshes take more
-/// than the limit of bytes, of which `mesh_bytes` have been spent; Cancelled.
+/// Deforms organs. An organ keeps its prototype and gets a new frame if it is only moved and rotated, or if an affine
+/// map is within kAffineTolerance. All other organs get prototypes of their own, appended in the order of organs. The
+/// result does not depend on the number of threads. Throws InputError as Deformation::map does, and if the new meshes
+/// exceed the limit of bytes; `mesh_bytes` is the number of bytes already used. Throws Cancelled.
 void deform_organs(Plant& plant, std::span<const DeformedOrgans> rows, std::uint64_t mesh_bytes, const Limits& limits,
                    const Progress& progress);
 

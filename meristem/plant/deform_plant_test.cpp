@@ -24,7 +24,7 @@ Pointer deformation(std::vector<Deformation::Level> levels) {
   return std::make_shared<const Deformation>(std::move(levels));
 }
 
-/// Bends so strongly that no organ of half a metre is nearly flat under it.
+/// Bends so strongly that an organ of half a metre is never nearly flat.
 FunctionMap bend() { return functions("x + 0.3*y^2", "y - 0.2*x^2", "z + 0.1*x*y"); }
 FunctionMap shear() { return functions("1.5*x + 0.2*y", "y - 0.1*x", "2*z + 1"); }
 
@@ -44,7 +44,7 @@ std::shared_ptr<const Mesh> sheet() {
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-/// A plant with organs here and there.
+/// Makes a plant with organs at random places.
 Plant plant_with(std::size_t organs, float scale = 1) {
   Plant plant;
   plant.materials.resize(1);
@@ -71,7 +71,7 @@ DVec3 mapped(const Pointer& by, Vec3 position) {
   return point;
 }
 
-/// How far the vertices of organs lie from where the deformation takes them, at most.
+/// Returns the largest distance of an organ's vertex from its exact deformed position.
 double largest_error(const Plant& before, const Plant& after, const Pointer& by) {
   double largest = 0;
   for (std::size_t k = 0; k < before.organs.size(); ++k) {
@@ -221,7 +221,7 @@ TEST(DeformOrgans, StopAtTheLimitOfBytes) {
   }
 }
 
-/// A straight stem along y with a branch along x of another part.
+/// A straight stem along y with a branch along x that belongs to another part.
 Stem fork() {
   Stem stem;
   stem.parts.resize(2);
@@ -267,7 +267,7 @@ TEST(DeformStem, OnGeometryStretchesItsRadiiAcross) {
   for (const float radius : stem.skeleton.radius) EXPECT_FLOAT_EQ(radius, 0.2F);
   Stem wide = fork();
   deform(wide, std::vector(2, deformation({level(functions("4*x", "", ""), DeformedPart::geometry)})));
-  EXPECT_FLOAT_EQ(wide.skeleton.radius[1], 0.2F);  // twice the radius has four times the area
+  EXPECT_FLOAT_EQ(wide.skeleton.radius[1], 0.2F);  // four times the area is twice the radius
   EXPECT_FLOAT_EQ(wide.skeleton.radius[0], 0.2F);
   EXPECT_FLOAT_EQ(wide.skeleton.radius[5], 0.1F);  // the branch lies along x
 }

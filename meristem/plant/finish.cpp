@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// The steps of post-processing in their fixed order: decimate, relax, subdivide. The numbers of tracked nodes are
+// updated
+// after each step.
 #include "meristem/plant/finish.h"
 
 #include <algorithm>
@@ -18,7 +21,7 @@ double total_length(const Skeleton& skeleton) {
   return length;
 }
 
-/// The marks of nodes that stay, by their present numbers.
+/// Returns the marks of tracked nodes, indexed by their current numbers.
 TrackedNodes present(const TrackedNodes& tracked, std::size_t nodes) {
   TrackedNodes next{std::vector<std::uint8_t>(nodes, 0), {}};
   for (std::size_t node = 0; node < tracked.now.size(); ++node) {
@@ -27,7 +30,7 @@ TrackedNodes present(const TrackedNodes& tracked, std::size_t nodes) {
   return next;
 }
 
-/// Numbers the axes anew in the order of their first nodes; some axes may have gone.
+/// Renumbers the axes in the order of their first nodes, because axes may have been removed.
 void number_axes(Skeleton& skeleton) {
   std::vector<AxisIndex> number;
   AxisIndex axes = 0;
@@ -38,7 +41,7 @@ void number_axes(Skeleton& skeleton) {
   }
 }
 
-/// Follows nodes through one more step.
+/// Updates the current numbers of tracked nodes after one more step.
 void follow(TrackedNodes& tracked, const TrackedNodes& step) {
   for (NodeIndex& now : tracked.now) now = now == kNoNode ? kNoNode : step.now[now];
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+// Removes inner nodes of branches in one pass from the roots: each node knows the length removed since the last kept
+// node on its branch. Based on: see finish.h.
 #include "meristem/plant/finish.h"
 #include "meristem/plant/further_columns.h"
 
 namespace meristem {
 namespace {
 
-/// The child of each node that has just one; kNoNode for others.
+/// Returns the child of each node that has exactly one child, and kNoNode for other nodes.
 std::vector<NodeIndex> only_children(const Skeleton& skeleton) {
   std::vector<NodeIndex> child(skeleton.node_count(), kNoNode);
   std::vector<std::uint8_t> has_more(skeleton.node_count(), 0);
@@ -27,8 +29,9 @@ Skeleton decimate(const Skeleton& skeleton, double tolerance, double step) {
 Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpen is_open, TrackedNodes* tracked) {
   const double limit = tolerance - step / 2;
   const std::vector<NodeIndex> only_child = only_children(skeleton);
-  std::vector<double> removed_length(skeleton.node_count(), 0);  // since the last kept node, this one included
-  std::vector<NodeIndex> kept(skeleton.node_count());            // new index of the nearest kept node toward the root
+  // length removed since the last kept node, up to this node
+  std::vector<double> removed_length(skeleton.node_count(), 0);
+  std::vector<NodeIndex> kept(skeleton.node_count());  // new index of the nearest kept node toward the root
   const auto end = skeleton.extra.find(kEndColumn);
   const auto stays = [&](NodeIndex node) {
     return (end != skeleton.extra.end() && end->second[node] != 0) ||
@@ -39,7 +42,7 @@ Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpe
   for (const auto& [name, values] : skeleton.extra) result.extra[name];
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
-    // Drop an inner node while its stretch of removed nodes stays short and the next one can be reached without it.
+    // Remove an inner node if the removed length stays short and the way past it is free.
     if (parent != kNoNode && only_child[node] != kNoNode && !stays(node)) {
       const double length = removed_length[parent] + glm::distance(skeleton.position[parent], skeleton.position[node]);
       if (length < limit && is_open(result.position[kept[parent]], skeleton.position[only_child[node]])) {
@@ -48,7 +51,7 @@ Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpe
         continue;
       }
     }
-    // Keep all others, under the nearest kept node before them.
+    // Keep all other nodes and join each to the nearest kept node toward the root.
     kept[node] =
         result.add_node(parent == kNoNode ? kNoNode : kept[parent], skeleton.position[node], skeleton.birth[node]);
     result.radius.back() = skeleton.radius[node];

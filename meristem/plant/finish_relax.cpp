@@ -12,11 +12,12 @@ void relax_angles(Skeleton& skeleton) {
 }
 
 void relax_angles(Skeleton& skeleton, IsOpen is_open) {
-  // Children before parents, so that every parent still stands at its old position when it is read. The source's
-  // equation 3.21 takes half the distance times the vector to the parent; half the vector is meant.
+  // Children before parents, so that every parent still has its old position when a child reads it. Equation 3.21 of
+  // the source takes half the distance times the vector to the parent, but it means half the vector.
   //
-  // From where a node stood, its children are reached wherever they come to stand: at their old position or half way
-  // there. So it is enough that each node moves only where it reaches them from its new one.
+  // Obstacles: the way from a node's old position to each child is free, both to the child's old position and to its
+  // new one. It is therefore enough to test the ways to the children from the node's new position. A node that fails
+  // the test keeps its position.
   std::vector<Vec3> moved(skeleton.position);
   std::vector<std::uint8_t> stays(skeleton.node_count(), 0);
   const auto relaxed = [&](std::size_t node, NodeIndex parent) {

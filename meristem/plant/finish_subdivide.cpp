@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Replaces the nodes of each branch by nodes at equal arc distance on a natural spline. The arc is measured on short
+// straight pieces, and a table of arc and chord length gives the chord parameter of each new node. Based on: see
+// finish.h.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,8 +13,8 @@
 namespace meristem {
 namespace {
 
-// A branch's nodes with the chord length at which each lies. Nodes that stand on their predecessor are left out, so
-// chords rise strictly.
+// The nodes of a branch with their chord lengths. Omits nodes at the position of their predecessor, so the chord
+// lengths rise strictly.
 struct Branch {
   std::vector<NodeIndex> node;
   std::vector<float> chord;
@@ -19,9 +22,9 @@ struct Branch {
   float length() const { return chord.back(); }
 };
 
-constexpr int kSamplesPerPiece = 8;  // straight pieces that the arc between two nodes is measured in
+constexpr int kSamplesPerPiece = 8;  // straight pieces per old segment that measure the arc length
 
-/// Which nodes end the branches that they lie on: forks and tips, and those that are marked or stay.
+/// Marks the nodes that end branches: forks, tips, nodes marked in the column `end`, and tracked nodes.
 std::vector<std::uint8_t> find_ends(const Skeleton& skeleton, const Children& children, const TrackedNodes* tracked) {
   std::vector<std::uint8_t> ends(skeleton.node_count(), 0);
   const auto marks = skeleton.extra.find(kEndColumn);
@@ -53,7 +56,7 @@ Branch trace_branch(const Skeleton& skeleton, const Children& children, const st
   }
 }
 
-// The way through a branch's nodes as a function of chord length.
+// The curve through the nodes of a branch as a function of chord length.
 class BranchCurve {
  public:
   BranchCurve(const Skeleton& skeleton, const Branch& branch)
@@ -74,7 +77,7 @@ class BranchCurve {
   Curve x_, y_, z_;
 };
 
-// Chord and arc length at points close along the curve.
+// Chord length and arc length of closely spaced points on the curve.
 struct ArcTable {
   std::vector<double> chord;
   std::vector<double> arc;
@@ -97,18 +100,18 @@ ArcTable measure_arc(const Branch& branch, const BranchCurve& curve) {
   return table;
 }
 
-// The new tree under way, and for each old fork, root or tip its new index.
+// The skeleton under construction, and the new index of each old fork, root or tip.
 struct Subdivision {
   const Skeleton& old;
   Skeleton result;
   std::vector<NodeIndex> renumbered;
 
-  // A node between two old ones; it takes `share` of the second.
+  // Adds a node between two old ones; `share` is the weight of the second.
   NodeIndex add_between(NodeIndex parent, Vec3 position, NodeIndex low, NodeIndex high, float share) {
     const auto [least, most] = std::minmax(old.birth[low], old.birth[high]);
     const float birth = std::clamp(old.birth[low] + share * (old.birth[high] - old.birth[low]), least, most);
     const NodeIndex node = result.add_node(parent, position, birth);
-    // A lateral starts with its own first node's radius.
+    // A lateral starts with the radius of its own first node.
     const bool is_start = old.axis[low] != old.axis[high];
     result.radius[node] = is_start ? old.radius[high] : glm::mix(old.radius[low], old.radius[high], share);
     result.axis[node] = old.axis[high];
@@ -125,14 +128,14 @@ struct Subdivision {
   }
 };
 
-/// A node to be set into a branch, between two of its old ones.
+/// A new inner node of a branch, between two old nodes.
 struct InnerNode {
   Vec3 position{0};
   NodeIndex low = 0, high = 0;
-  float share = 0;  ///< of the second
+  float share = 0;  ///< weight of the second old node
 };
 
-/// Nodes at equal arc distance on the spline through a branch.
+/// Returns nodes at equal arc distance on the spline through a branch.
 std::vector<InnerNode> nodes_on_curve(const Skeleton& old, const Branch& branch, double spacing) {
   std::vector<InnerNode> nodes;
   const BranchCurve curve(old, branch);
@@ -142,7 +145,7 @@ std::vector<InnerNode> nodes_on_curve(const Skeleton& old, const Branch& branch,
   std::size_t sample = 1;
   std::size_t piece = 1;
   for (double k = 1; k < segments; ++k) {
-    // Find the chord length that belongs to this arc length, and the old nodes on both sides.
+    // Find the chord length for this arc length, and the old nodes on both sides.
     const double arc = length * k / segments;
     while (table.arc[sample] < arc) ++sample;
     const double share = (arc - table.arc[sample - 1]) / (table.arc[sample] - table.arc[sample - 1]);
@@ -155,7 +158,7 @@ std::vector<InnerNode> nodes_on_curve(const Skeleton& old, const Branch& branch,
   return nodes;
 }
 
-/// A branch's own inner nodes, and others on the straight pieces between them.
+/// Returns the inner nodes of a branch, with additional nodes on the straight segments between them.
 std::vector<InnerNode> nodes_on_pieces(const Skeleton& old, const Branch& branch, double spacing) {
   std::vector<InnerNode> nodes;
   for (std::size_t piece = 1; piece < branch.node.size(); ++piece) {
@@ -197,7 +200,7 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open, Tra
       subdivision.add_copy(kNoNode, node);
       continue;
     }
-    // Branches begin at the children of roots and of ends; both have their new index by then.
+    // Branches begin at the children of roots and of branch ends. Both have their new index by then.
     if (!skeleton.is_root(parent) && ends[parent] == 0) continue;
     const Branch branch = trace_branch(skeleton, children, ends, node);
     NodeIndex last = subdivision.renumbered[parent];

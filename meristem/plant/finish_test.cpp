@@ -15,7 +15,7 @@ namespace meristem::finish_test {
 
 constexpr double kStep = 0.05;
 
-// A stem of `nodes` steps with a fork in the middle, whose lateral is as long as the rest.
+// A stem of `nodes` steps with a fork in the middle; the lateral is as long as the upper half of the stem.
 Skeleton forked_stem(int nodes) {
   Skeleton skeleton;
   NodeIndex last = skeleton.add_node(kNoNode, Vec3(0), 0);
@@ -28,7 +28,7 @@ Skeleton forked_stem(int nodes) {
   return skeleton;
 }
 
-// A branch along a circle of radius 1 in the plane of x and y.
+// A branch along a circle of radius 1 in the xy plane.
 Skeleton arc(int nodes, double angle) {
   Skeleton skeleton;
   NodeIndex last = kNoNode;
@@ -75,7 +75,7 @@ TEST(Decimate, CarriesExtraColumns) {
   EXPECT_EQ(result.extra.at("light"), result.birth);
 }
 
-/// A forked stem with axes, and radii that fall evenly.
+/// A forked stem with assigned axes, and radii that fall linearly.
 Skeleton clothed_stem(int nodes) {
   Skeleton skeleton = forked_stem(nodes);
   assign_axes(skeleton);
@@ -99,7 +99,7 @@ TEST(Finish, CarriesAxesOrdersAndRadii) {
     const Vec3 position = done.position[node];
     EXPECT_EQ(done.axis[node], position.x > 0 ? 1U : 0U);
     EXPECT_EQ(done.order[node], position.x > 0 ? 1 : 0);
-    // Along straight branches births and radii fall with the way; a lateral starts with its own first radius.
+    // On straight branches, births and radii change linearly. A lateral starts with the radius of its own first node.
     const double steps = (position.x + position.y) / kStep;
     if (position.x == 0) {
       EXPECT_NEAR(done.radius[node], 0.1 - 0.01 * steps, 1e-6);
@@ -169,7 +169,7 @@ TEST(Subdivide, PlacesNodesAtEqualArcDistance) {
 }
 
 TEST(Subdivide, StaysOnTheCircleThroughItsNodes) {
-  // The natural spline's straight ends cost most; inside the arc it is a hundred times nearer.
+  // The error is largest at the straight ends of the natural spline; inside the arc it is a hundred times smaller.
   const Skeleton result = subdivide(arc(24, 1.5), 0.01);
   for (const Vec3 position : result.position) EXPECT_NEAR(glm::length(position), 1, 3e-4);
 }
@@ -194,7 +194,7 @@ TEST(Subdivide, BirthsLieBetweenTheirNeighbours) {
   const Skeleton result = subdivide(skeleton, kStep / 4.5);
   for (NodeIndex node = 1; node < result.node_count(); ++node) {
     EXPECT_GE(result.birth[node], result.birth[result.parent[node]]);
-    // Births of these straight branches are proportional to the length along them.
+    // On these straight branches, births are proportional to the length along them.
     const Vec3 position = result.position[node];
     EXPECT_NEAR(result.birth[node] * kStep, position.x + position.y, 1e-4);
   }

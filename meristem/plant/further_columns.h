@@ -7,20 +7,21 @@
 
 namespace meristem {
 
-/// The further column in which a growth model numbers its metamers: along an axis from 1 at its base, 0 at a root. All
-/// nodes of one metamer have its number. Numbers stay when metamers are shed.
+/// Column with the number of each metamer on its axis, from 1 at the base; roots have 0. All nodes of one metamer have
+/// its number. Numbers do not change when metamers are shed.
 inline constexpr std::string_view kMetamerColumn = "metamer";
-/// Radians about the axis from its upper side to the lateral bud at a metamer's tip; in plants of metamers.
+/// Column with the angle, in radians about the axis, from the axis's upper side to the lateral bud at a metamer's tip.
+/// Exists in plants of metamers only.
 inline constexpr std::string_view kBudAngleColumn = "bud_angle";
 
-/// The further column that counts the tips which each node has lost: what stood on them was shed or cut.
+/// Column with the number of tips that each node has lost by shedding or cutting.
 inline constexpr std::string_view kShedColumn = "shed";
-/// The further column that marks, with 1, where a branch was said to end.
+/// Column with 1 at nodes that the author marked as the end of a branch.
 inline constexpr std::string_view kEndColumn = "end";
 
-/// What a node that is set into the segment of `skeleton` from `begin` to `end`, `share` of the way, has in a further
-/// column. Marks and counts of single nodes (`end`, `shed`) are 0 there; where a metamer has a number, all other
-/// quantities are the metamer's as a whole; without a number they go evenly from node to node.
+/// Returns the value of a column for a new node in the segment of `skeleton` from `begin` to `end`, at the fraction
+/// `share` of the segment. Marks and counts of single nodes (`end`, `shed`) are 0. If the segment belongs to a metamer,
+/// all other quantities have the metamer's value. Otherwise they are interpolated linearly.
 float inner_value(const Skeleton& skeleton, std::string_view column, NodeIndex begin, NodeIndex end, float share);
 
 }  // namespace meristem

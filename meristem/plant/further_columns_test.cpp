@@ -35,7 +35,7 @@ TEST(FurtherColumns, ASegmentIsPartOfTheMetamerThatItEndsWith) {
   EXPECT_EQ(inner_value(skeleton, "metamer", 1, 2, 0.1F), 5);
   EXPECT_EQ(inner_value(skeleton, "light", 1, 2, 0.1F), 2);
   EXPECT_EQ(inner_value(skeleton, "shed", 1, 2, 0.1F), 0);
-  // The segment before has no number.
+  // The previous segment has no metamer number, so its values are interpolated.
   EXPECT_EQ(inner_value(skeleton, "light", 0, 1, 0.5F), 2);
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes when each segment grows, and cuts the skeleton at a time. Nodes of one step on one branch share the step:
+// their segments grow one after another within it. See growth_in_time.h.
 #include "meristem/plant/growth_in_time.h"
 
 #include <algorithm>
@@ -12,13 +14,13 @@ namespace meristem {
 
 namespace {
 
-constexpr float kShortestGrowth = 1e-3F;  // steps, where births do not rise along a branch
+constexpr float kShortestGrowth = 1e-3F;  // steps; used if births do not rise along a branch
 
-/// What a node is among those that have come in one step with it: how far along its branch, and how much follows.
+/// The place of a node among the consecutive nodes of one branch that were born in the same step.
 struct InStep {
-  std::uint32_t before = 1;  // with itself
+  std::uint32_t before = 1;  // number of these nodes up to and including this one
   std::uint32_t after = 0;
-  float begin = 0;  // when the first of them began to grow
+  float begin = 0;  // when the first of these nodes began to grow
 };
 
 class SpanFinder {
@@ -40,14 +42,14 @@ class SpanFinder {
   }
 
  private:
-  /// Whether its parent has come in the same step.
+  /// Returns true if the parent was born in the same step. Roots do not count as parents.
   bool follows(NodeIndex node) const {
     const NodeIndex parent = skeleton_.parent[node];
     return parent != kNoNode && skeleton_.parent[parent] != kNoNode && birth(parent) == birth(node);
   }
   float birth(NodeIndex node) const { return skeleton_.birth[node]; }
 
-  /// The births of the next nodes on the same axes.
+  /// Finds, for each node, the birth of the next node on its axis.
   void find_next_births() {
     next_.assign(skeleton_.node_count(), 0);
     for (NodeIndex node = 0; node < skeleton_.node_count(); ++node) {
@@ -70,8 +72,9 @@ class SpanFinder {
     spans.end[node] = std::max(end, spans.begin[node] + kShortestGrowth);
   }
 
-  /// On an axis growth goes on from the node before. A lateral takes as long as its next segment: nodes may have been
-  /// taken out.
+  /// Returns when the segment of `node` begins to grow, not before `earliest`. On an axis, growth continues from the
+  /// previous node. The first segment of a lateral takes as long as the next segment, because nodes may have been
+  /// removed.
   float begin_of(NodeIndex node, float earliest) const {
     const NodeIndex parent = skeleton_.parent[node];
     if (skeleton_.axis[parent] == skeleton_.axis[node]) return earliest;
@@ -84,8 +87,8 @@ class SpanFinder {
   std::vector<float> next_;
 };
 
-/// The tips at or beyond each node, of which those that are coming to be count by their share. A node counts one at
-/// least, and what has fallen is counted on.
+/// Returns the number of tips at or beyond each node, at least 1. A tip that is still growing counts by its grown
+/// share. Branches that have fallen still count.
 std::vector<double> tips_at(const Skeleton& whole, const std::vector<float>& grown) {
   std::vector<double> tips(whole.node_count(), 0);
   for (auto node = static_cast<NodeIndex>(whole.node_count()); node-- > 0;) {
@@ -117,7 +120,7 @@ std::vector<float> steps_of_nodes(const Skeleton& whole, const GrowthSpans& span
     const float fall = falls->second[node];
     if (!(fall > 0) || parent == kNoNode) continue;
     const float grown = std::min(last[node], fall);
-    const float begin = 0.5F * (grown + fall);  // of withering
+    const float begin = 0.5F * (grown + fall);  // when withering begins
     const float share = fall > begin ? std::clamp((static_cast<float>(step) - begin) / (fall - begin), 0.0F, 1.0F)
                                      : (step >= fall ? 1.0F : 0.0F);
     if (share > 0) steps[node] = std::min(steps[node], glm::mix(grown, spans.begin[node], share));
@@ -141,7 +144,7 @@ void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double h
 }
 
 TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, double step, double pipe_exponent) {
-  // See how much of each segment has grown, and what of it has withered since.
+  // Compute how much of each segment has grown, and how much is left after withering.
   const std::vector<float> steps = steps_of_nodes(whole, spans, step);
   std::vector<float> grown(whole.node_count(), 0);
   std::vector<float> kept(whole.node_count(), 0);
@@ -160,14 +163,14 @@ TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, dou
     kept[node] = kept[parent] < 1 ? 0 : std::min(left, grown[node]);
   }
 
-  // Give the wood the share of its last radius that it has by now.
+  // Scale the final radii by the share of tips that have grown.
   TrimmedSkeleton standing = keep_shares(whole, std::move(kept));
   const std::vector<double> now = tips_at(whole, grown);
   const std::vector<double> last = tips_at(whole, std::vector<float>(whole.node_count(), 1));
   for (NodeIndex node = 0; node < whole.node_count(); ++node) {
     const NodeIndex made = standing.node[node];
     if (made == kNoNode) continue;
-    // A tip is as thick on its way as it will be at the node.
+    // A growing tip has the final radius of its node.
     standing.skeleton.radius[made] = whole.radius[node];
     if (now[node] == last[node]) continue;
     standing.skeleton.radius[made] *= static_cast<float>(math::pow(now[node] / last[node], 1 / pipe_exponent));

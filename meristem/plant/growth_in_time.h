@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A skeleton that has grown, as it stood at an earlier step: one growth is the whole film. Segments lengthen from their
-// parent's birth to their own, and wood thickens with the tips that it bears.
+// Computes how a grown skeleton looked at an earlier step, so that one growth gives all frames of a film. Segments
+// lengthen from their parent's birth to their own birth, and wood thickens with the number of tips that it bears.
 //
-// Nothing is grown anew, so nodes keep the positions that they have at the end: branches that later sag or are bent
-// stand as they come to be.
+// Limit: nodes keep their final positions, so branches that later sag or are bent appear in their final shape from the
+// start.
 //
-// Based on: the pipe model (K. Shinozaki and others, 1964), for the share of its last radius that wood has.
+// Based on: the pipe model (K. Shinozaki and others, 1964), for the share of the final radius.
 #pragma once
 
 #include <cstdint>
@@ -18,31 +18,31 @@
 
 namespace meristem {
 
-/// The further column that tells the step at which the branch that begins with a node falls off; 0 where it does not.
+/// Column with the step at which the branch that begins with a node falls off; 0 if it never falls.
 inline constexpr std::string_view kFallsColumn = "falls";
 
-/// When the segment that ends in each node grows, in steps.
+/// The time span in which the segment that ends in each node grows, in steps.
 struct GrowthSpans {
-  std::vector<float> begin;  ///< never before the node's parent has grown
-  std::vector<float> end;  ///< after it began: the node's birth, but that segments of one step follow each other in it
+  std::vector<float> begin;  ///< never before the parent has grown
+  /// later than `begin`; the node's birth, or an earlier share of that step if several nodes share the birth
+  std::vector<float> end;
 
   explicit GrowthSpans(const Skeleton& skeleton);
   float at(NodeIndex node, float along) const { return begin[node] + along * (end[node] - begin[node]); }
 };
 
-/// The step that each node has come to after `step` steps of all: that, but on branches that fall. Those wither in the
-/// second half of the time between their last growth and their fall: they go back, as fast as lets the branch end where
-/// it began. Empty where nothing falls. Cost linear in nodes.
+/// Returns the step that each node shows after `step` steps. The result is `step`, except on branches that fall: they
+/// wither in the second half of the time between their last growth and their fall. A withering branch shrinks back at
+/// constant speed and reaches its base at its fall. Returns an empty list if no branch falls. Cost: linear in nodes.
 std::vector<float> steps_of_nodes(const Skeleton& whole, const GrowthSpans& spans, double step);
 
-/// Lets the branches whose first node is marked fall `hold` steps after their last node has come. A branch is a lateral
-/// axis; marks on other nodes mean nothing.
+/// Makes the branches whose first node is marked fall `hold` steps after the birth of their last node. A branch is a
+/// lateral axis. Marks on other nodes have no effect.
 void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double hold);
 
-/// What of `whole` stands after `step` steps, which may have a fraction; it is never called whole. Where it stands, a
-/// radius is the last one times the share of tips that it bears of those that it will have borne, to the power of 1 /
-/// `pipe_exponent`. Cost linear in nodes.
-/// Branches that fall stand as they have withered by then.
+/// Returns the part of `whole` that stands after `step` steps, which may be fractional. The result never has `is_whole`
+/// set. The radius of a node is its final radius times (current tips / final tips)^(1 / `pipe_exponent`), with the tips
+/// that it bears. Branches that fall appear as withered as they are by then. Cost: linear in nodes.
 TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, double step, double pipe_exponent);
 
 }  // namespace meristem

@@ -9,7 +9,8 @@
 
 namespace meristem::growth_in_time_test {
 
-/// A stem of five segments upward, born in steps 1 to 5, with a lateral of two from its second node, of steps 4 and 5.
+/// A stem of five upward segments, born in steps 1 to 5, with a lateral of two from its second node, born in steps 4
+/// and 5.
 Skeleton forked_stem() {
   Skeleton skeleton;
   skeleton.add_node(kNoNode, {0, 0, 0}, 0);
@@ -44,7 +45,7 @@ TEST(GrowthInTime, AtTheEndAllStandsAsItHasGrown) {
 TEST(GrowthInTime, WoodThickensWithTheTipsThatItBears) {
   const Skeleton whole = forked_stem();
   const GrowthSpans spans(whole);
-  // One tip is there and will be two: half the cross-section.
+  // One of the two final tips has grown: half the cross-section.
   EXPECT_NEAR(standing_at(whole, spans, 3, 2).skeleton.radius[0], 0.2 * std::sqrt(0.5), 1e-6);
   double last = 0;
   for (double step = 0.05; step <= 5; step += 0.05) {
@@ -85,7 +86,7 @@ TEST(GrowthInTime, ABranchWithersBackToItsBaseBeforeItFalls) {
   Skeleton whole = forked_stem();
   let_fall(whole, std::vector<std::uint8_t>(whole.node_count(), 1), 1.5);
   const GrowthSpans spans(whole);
-  // Its last growth ends at 5, it falls at 6.5, and withers from 5.75 on.
+  // The last growth ends at 5, the fall is at 6.5, so withering begins at 5.75.
   const auto reach = [&](double step) {
     float most = 0;
     for (const Vec3 position : standing_at(whole, spans, step, 2).skeleton.position) most = std::max(most, position.x);

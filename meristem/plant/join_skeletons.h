@@ -7,8 +7,9 @@
 
 namespace meristem {
 
-/// All trees as one skeleton, one after another, as Skeleton::append() joins two: axes are numbered on, and columns
-/// that only some have are 0 on the others. Takes a look at each node once, however many trees there are.
+/// Returns all trees as one skeleton, one after another, like repeated calls of Skeleton::append(). Axis numbers
+/// continue from tree to tree. A column that a tree lacks is 0 on its nodes. Cost: linear in the nodes, for any number
+/// of trees.
 Skeleton join_skeletons(std::vector<Skeleton> trees);
 
 }  // namespace meristem

@@ -7,7 +7,7 @@
 
 namespace meristem::join_skeletons_test {
 
-/// A stem of a number of nodes with a branch at its foot.
+/// A stem of `nodes` nodes with a branch at its foot.
 Skeleton tree(int nodes, float at, const char* column) {
   Skeleton made;
   for (int k = 0; k < nodes; ++k) {

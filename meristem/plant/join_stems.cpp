@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stems that stand on stems, whatever made them, become one skeleton. The graph notes where each stem stands; when
-// all have grown, a stem becomes a lateral of the stem that it stands on. What begins too far from its parent stays
-// on its own.
+// Joins stems that stand on other stems into one skeleton, whatever model made them. The graph records where each stem
+// stands. After growth, a stem becomes a lateral of the stem that bears it. A stem that begins too far from its parent
+// stays separate.
 #include "meristem/plant/join_stems.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-/// The position on a parent's segment where a child springs.
+/// The position on a parent's segment where a child stem begins.
 struct Graft {
   NodeIndex node = 0;
   float along = 1;
@@ -44,7 +44,7 @@ bool can_join(const LooseStem& stem, const std::vector<LooseStem>& stems, float 
   return glm::distance(position, stem.skeleton->position[0]) <= reach * parent.radius[stem.node] + 1e-4F;
 }
 
-/// Puts the stems of one tree, parents before children, into one skeleton.
+/// Joins the stems of one tree into one skeleton, parents before children.
 class TreeJoiner {
  public:
   TreeJoiner(std::vector<LooseStem>& stems, std::vector<std::vector<Graft>>& grafts)
@@ -63,7 +63,7 @@ class TreeJoiner {
   }
 
  private:
-  /// Where a child's root has gone, and what it takes over from its parent there.
+  /// The node that replaces a child's root, and its branching order in the parent.
   struct Joint {
     NodeIndex node = kNoNode;
     std::uint16_t order = 0;
@@ -81,7 +81,7 @@ class TreeJoiner {
     }
     const Joint joint = joints_[member];
     order_ = is_root ? 0 : joint.order + 1;
-    // Axes get numbers when their first node comes.
+    // Number each axis when its first node is added.
     axis_of_.assign(from.node_count(), kNoNode);
     node_of_.assign(from.node_count(), kNoNode);
     const std::vector<Graft>& grafts = grafts_[member];
@@ -92,7 +92,7 @@ class TreeJoiner {
       for (; next != grafts.end() && next->node == node; ++next) {
         const bool is_between = !from.is_root(node) && next->along < kAtEnd;
         if (!is_between) break;
-        // Stems of a whorl share their node.
+        // Stems of a whorl share one node.
         if (next->along > last_along) parent = add_between(from, node, next->along, parent);
         last_along = next->along;
         joints_[next->child] = {parent, tree_.skeleton.order[parent]};
@@ -118,7 +118,7 @@ class TreeJoiner {
     const NodeIndex begin = from.parent[node];
     const auto between = [&](const auto& values) { return glm::mix(values[begin], values[node], along); };
     const NodeIndex made = tree_.skeleton.add_node(parent, between(from.position), between(from.birth));
-    // A lateral starts with its own first node's radius.
+    // A lateral starts with the radius of its own first node.
     const bool is_start = from.axis[begin] != from.axis[node];
     tree_.skeleton.radius[made] = is_start ? from.radius[node] : between(from.radius);
     place_on_axis(from, node, made);
@@ -145,14 +145,14 @@ class TreeJoiner {
     return values;
   }
 
-  static constexpr float kAtEnd = 0.999F;  // nearer to a segment's end the child springs from its node
+  static constexpr float kAtEnd = 0.999F;  // closer to a segment's end than this, the child uses the existing node
 
   std::vector<LooseStem>& stems_;
   std::vector<std::vector<Graft>>& grafts_;
-  std::vector<Joint> joints_;  // of all stems
+  std::vector<Joint> joints_;  // one for each stem
   Stem tree_;
   std::uint32_t part_ = 0;
-  std::uint32_t member_ = 0;  // the stem that is added
+  std::uint32_t member_ = 0;  // the stem that is being added
   int order_ = 0;
   std::vector<AxisIndex> axis_of_;
   std::vector<NodeIndex> node_of_;
@@ -161,7 +161,7 @@ class TreeJoiner {
 }  // namespace
 
 std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
-  // Find the tree that each stem belongs to, and what grows on each.
+  // Find the tree of each stem, and the children of each stem.
   std::vector<std::uint32_t> root(stems.size());
   std::vector<std::vector<std::uint32_t>> members(stems.size());
   std::vector<std::vector<Graft>> grafts(stems.size());
@@ -176,7 +176,7 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
       return a.node != b.node ? a.node < b.node : a.along < b.along;
     });
   }
-  // A stem that has no children stays as it is.
+  // A stem without children stays as it is.
   std::vector<Stem> joined;
   TreeJoiner joiner(stems, grafts);
   for (std::uint32_t k = 0; k < stems.size(); ++k) {

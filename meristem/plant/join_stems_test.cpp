@@ -7,7 +7,7 @@
 
 namespace meristem::join_stems_test {
 
-/// A straight stem of a number of segments of 1 m.
+/// A straight stem of `segments` segments of 1 m.
 Skeleton rod(Vec3 from, Vec3 heading, int segments, float radius) {
   Skeleton skeleton;
   NodeIndex last = skeleton.add_node(kNoNode, from, 0);
@@ -35,7 +35,7 @@ LooseStem child_stem(std::string component, Skeleton skeleton, std::uint32_t par
   return loose;
 }
 
-/// A trunk of two segments, a bough at 1.5 m, a twig at the bough's first node.
+/// A trunk of two segments, a bough at 1.5 m, and a twig at the first node of the bough.
 std::vector<LooseStem> small_tree() {
   std::vector<LooseStem> stems;
   stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 2, 0.2F)));
@@ -59,13 +59,13 @@ TEST(JoinStems, MakesOneSkeletonWithLateralsAtTheirPlaces) {
   ASSERT_EQ(joined.size(), 1U);
   const Skeleton& tree = joined[0].skeleton;
   check_skeleton(tree);
-  // Three nodes of the trunk and one more where the bough springs, two of the bough, one of the twig.
+  // Three nodes of the trunk and one where the bough begins, two nodes of the bough, one of the twig.
   ASSERT_EQ(tree.node_count(), 7U);
   EXPECT_EQ(tree.position[2], Vec3(0, 1.5F, 0));
   EXPECT_EQ(tree.axis, (std::vector<AxisIndex>{0, 0, 0, 0, 1, 1, 2}));
   EXPECT_EQ(tree.order, (std::vector<std::uint16_t>{0, 0, 0, 0, 1, 1, 2}));
   EXPECT_EQ(tree.parent[4], 2U);  // the bough grows from the new node
-  EXPECT_EQ(tree.parent[6], 4U);  // the twig from the bough's first
+  EXPECT_EQ(tree.parent[6], 4U);  // the twig grows from the first node of the bough
   EXPECT_EQ(tree.radius[2], 0.2F);
   EXPECT_EQ(joined[0].part(0).component, "trunk");
   EXPECT_EQ(joined[0].part(1).component, "bough");
@@ -89,7 +89,7 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
     last = tree.position[node].y;
   }
   EXPECT_EQ(joined[0].parts.size(), 5U);
-  // Two of the trunk, four tips, and three where boughs spring: the two at a quarter share theirs.
+  // Two nodes of the trunk, four tips, and three where boughs begin: the two boughs at a quarter share one node.
   EXPECT_EQ(tree.node_count(), 9U);
 }
 

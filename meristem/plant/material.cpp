@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that a point of a surface gives back is texture x Material::tint() x the instance's tint, linear; a
-// material's tint brings its texture's mean to Material::colour. Every file and picture keeps to that product, or
-// says which part of it its format cannot hold.
+// The linear colour of a surface point is texture x Material::tint() x the instance's tint. Material::tint() brings the
+// mean of the texture to Material::colour. All files and pictures use this product. A format that cannot hold a factor
+// documents it.
 #include "meristem/plant/material.h"
 
 #include "meristem/base/colour.h"

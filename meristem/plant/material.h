@@ -9,18 +9,18 @@
 
 namespace meristem {
 
-/// How a surface looks. Colours are sRGB in [0, 1], as documents write them.
+/// The look of a surface. Colours are sRGB in [0, 1], as in documents.
 struct Material {
-  std::string name;        ///< the component's id; groups and materials in exports carry it
-  Vec3 colour{0.5F};       ///< the mean of the surface; a texture's colours are tinted so that theirs is this one
+  std::string name;        ///< the component's id; exports use it for groups and materials
+  Vec3 colour{0.5F};       ///< mean colour of the surface, sRGB; textures are tinted so that their mean is this colour
   float roughness = 0.8F;  ///< 0 mirror-like, 1 matt
   float translucency = 0;  ///< share of light that passes through a thin blade, 0 for wood
-  bool two_sided = false;  ///< blades are seen from both sides
+  bool two_sided = false;  ///< true for blades, which are visible from both sides
   std::shared_ptr<const Texture> texture;  ///< null: one colour
 
   bool operator==(const Material&) const = default;
 
-  /// What the light that a texture's pixel (or white, without one) gives back is multiplied with, linear.
+  /// Returns the linear factor for the colour of a texture's pixel, or for white if there is no texture.
   Vec3 tint() const;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// With equal tips the pipe law r^n = sum of the children's r^n solves to r = tip_radius * tips^(1/n), where tips counts
-// those at or beyond the node: whole numbers are summed, so no rounding builds up from the tips to the root, and nodes
-// that do not fork take their child's radius unchanged.
+// The pipe law is r^n = sum of the children's r^n. With equal tips its solution is r = tip_radius * tips^(1/n), where
+// `tips` is the number of tips at or beyond the node. Tips are whole numbers, so rounding errors do not accumulate
+// toward the root. A node that does not fork has exactly the radius of its child.
 #include "meristem/plant/pipe_radii.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<float> pipe_radii(std::span<const NodeIndex> parent, std::span<const
     throw std::invalid_argument("pipe model: tip radius and exponent must be above 0");
   const std::vector<double> tips = count_tips(parent, lost, model.memory);
   std::vector<float> radius(parent.size());
-  // Parents come first, and most nodes continue theirs without a fork.
+  // Parents come first, and most nodes continue their parent without a fork.
   for (NodeIndex node = 0; node < parent.size(); ++node) {
     if (parent[node] != kNoNode && tips[node] == tips[parent[node]]) {
       radius[node] = radius[parent[node]];
@@ -47,14 +47,14 @@ void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model) {
 }
 
 void assign_axes(Skeleton& skeleton) {
-  // Find for each node the child that continues its axis.
+  // Find, for each node, the child that continues its axis.
   std::vector<NodeIndex> heir(skeleton.node_count(), kNoNode);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
     if (parent == kNoNode) continue;
     if (heir[parent] == kNoNode || skeleton.radius[node] > skeleton.radius[heir[parent]]) heir[parent] = node;
   }
-  // Continue the parent's axis there, and begin new ones elsewhere.
+  // Continue the parent's axis in that child, and begin new axes in the others.
   AxisIndex axes = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];

@@ -8,29 +8,29 @@
 
 namespace meristem {
 
-/// How thick wood is for the tips that it bears, in all models of growth.
+/// Parameters of the pipe model: the thickness of wood by the number of tips that it bears. All growth models use it.
 struct PipeModel {
-  double tip_radius = 0.004;  ///< metres; raised, all wood gets thicker in proportion
-  double exponent = 2.4;      ///< raised, trunks get thinner; 2 keeps the cross-section's area, 3 its cube
-  double memory = 1;          ///< 0 to 1: how far wood keeps the share of branches it has shed; raised, thicker
+  double tip_radius = 0.004;  ///< radius of tips, metres; all radii are proportional to it
+  double exponent = 2.4;      ///< larger: thinner trunks; at forks, 2 preserves the sum of r^2 (area), 3 the sum of r^3
+  double memory = 1;          ///< 0 to 1: share of the tips of shed branches that still count; larger: thicker wood
 };
 
-/// The tips at or beyond each node of a forest, by its parents. `lost` says how many are lost at each node, or is
-/// empty; wood remembers `memory` of them. A node that bears nothing counts one tip, or all it remembers.
+/// Returns the number of tips at or beyond each node of a forest, given the parent of each node. `lost` is the number
+/// of tips lost at each node, or empty; each lost tip counts `memory`. A node without children counts one tip, or its
+/// remembered lost tips if they are more.
 std::vector<double> count_tips(std::span<const NodeIndex> parent, std::span<const float> lost, double memory = 1);
 
-/// The radius at each node of a forest by the pipe model, from its parents and lost tips as in count_tips(). Throws
-/// std::invalid_argument unless tip radius and exponent are above 0.
+/// Returns the radius of each node of a forest in metres, by the pipe model. `parent` and `lost` are as in
+/// count_tips(). Throws std::invalid_argument unless tip radius and exponent are above 0.
 std::vector<float> pipe_radii(std::span<const NodeIndex> parent, std::span<const float> lost, const PipeModel& model);
 
-/// Sets all radii by the pipe model: at a fork the parent's radius to the power of the exponent is the sum of its
-/// children's; tips have the tip radius. Tips that the column `shed` counts are borne as far as memory goes. Throws
-/// std::invalid_argument unless tip radius and exponent are above 0.
-/// (Murray's rule with exponent 3, da Vinci's with 2.)
+/// Sets all radii by the pipe model: at a fork, the parent's radius to the power of the exponent is the sum over the
+/// children; tips have the tip radius. Exponent 3 is Murray's rule, 2 is da Vinci's. Tips counted in the column `shed`
+/// contribute by the model's memory. Throws std::invalid_argument unless tip radius and exponent are above 0.
 void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model);
 
-/// Sets `axis` and `order` from radii: the child with the largest radius continues its parent's axis (tie: the lower
-/// index), every other child starts a lateral axis of the next order.
+/// Sets `axis` and `order` from the radii. The child with the largest radius continues its parent's axis (tie: the
+/// lower index). Every other child starts a lateral axis of the next order.
 void assign_axes(Skeleton& skeleton);
 
 }  // namespace meristem

@@ -11,7 +11,7 @@
 
 namespace meristem::pipe_radii_test {
 
-// Every node but the root springs from a random earlier one among the last few.
+// A tree in which each node grows from a random node among the last few.
 Skeleton random_tree(NodeIndex nodes, RandomKey key) {
   Skeleton skeleton;
   skeleton.add_node(kNoNode, Vec3(0), 0);
@@ -77,7 +77,7 @@ TEST(Axes, TheThickestChildContinuesItsParent) {
   skeleton.add_node(2, {1, 2, 0}, 2);
   assign_pipe_radii(skeleton, {});
   assign_axes(skeleton);
-  // Node 2 bears two tips and goes on; at its fork both are equal, and the lower index goes on.
+  // Node 2 bears two tips and continues the axis. At its fork both children are equal, and the lower index continues.
   EXPECT_EQ(skeleton.axis, (std::vector<AxisIndex>{0, 1, 0, 0, 2}));
   EXPECT_EQ(skeleton.order, (std::vector<std::uint16_t>{0, 1, 0, 0, 1}));
 }
@@ -94,7 +94,7 @@ TEST(Axes, EveryRootBeginsAStem) {
 }
 
 TEST(PipeRadii, AStumpStaysAsThickAsWhenItBoreWhatItLost) {
-  // A stem with three tips, and what is left of it when the upper two are cut.
+  // A stem with three tips, and the stump that is left when the upper two are cut.
   const std::vector<NodeIndex> whole{kNoNode, 0, 1, 1, 0};
   const std::vector<NodeIndex> cut{kNoNode, 0, 0};
   const std::vector<float> lost{0, 2, 0};

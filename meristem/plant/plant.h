@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the graph's expansion gives and everything downstream reads: stems as skeletons, organs as instances of shared
-// geometry.
+// The plant: the result of the graph's expansion and the input of all later stages. Stems are skeletons, organs are
+// instances of shared geometry.
 #pragma once
 
 #include <cstdint>
@@ -19,25 +19,25 @@ namespace meristem {
 
 class Deformation;
 
-/// How bodies grow together where they meet.
+/// How the surfaces of bodies blend at their joints.
 enum class BlendKind {
-  poly,   ///< a fillet of bounded reach
-  root,   ///< one that reaches everywhere and swells all bodies
-  pasko,  ///< a sharp union, filled where both surfaces are near
+  poly,   ///< a fillet of limited width
+  root,   ///< a fillet of unlimited width that swells all bodies
+  pasko,  ///< a sharp union, filled near both surfaces
 };
 
-/// A closed body about the ends of branches: balls that grow together.
+/// A closed crown surface: balls around the ends of branches, blended into one body.
 struct CrownBody {
   float diameter = 0.5F;  ///< diameter of the balls, metres
-  float offset = 0;       ///< metres: height of each above its branch's end
-  float fuse = 0.1F;  ///< metres over which they grow together; raised, smoother and fuller; 0: they meet in creases
+  float offset = 0;       ///< height of each ball's centre above its branch's end, metres
+  float fuse = 0.1F;      ///< blend width, metres; larger: smoother and fuller; 0: creases
   BlendKind blend = BlendKind::poly;
-  int resolution = 40;               ///< cells along its longest side
-  std::optional<int> triangles;      ///< simplified to this number, if its holes let it
+  int resolution = 40;               ///< cells along the longest side; larger: finer
+  std::optional<int> triangles;      ///< target number of triangles after simplification; holes may prevent it
   Vec3 colour{0.36F, 0.48F, 0.24F};  ///< sRGB
-  bool hidden = false;               ///< the stem holds leaves and is not seen itself
+  bool hidden = false;               ///< true: the surface carries leaves but is not drawn
 
-  /// As it is in a frame that scales by `factor`.
+  /// Scales all lengths by `factor`.
   void scale(float factor) {
     diameter *= factor;
     offset *= factor;
@@ -47,11 +47,11 @@ struct CrownBody {
   bool operator==(const CrownBody&) const = default;
 };
 
-/// How stems want to be clothed; `meristem/shape` does it.
+/// Surface options of a stem; `meristem/shape` makes the surface.
 struct Surface {
   enum class Style {
-    tubes,  ///< one along each axis
-    blend,  ///< one closed body of all axes
+    tubes,  ///< one tube along each axis
+    blend,  ///< one closed body around all axes
   };
   enum class Shading { smooth, flat };
   enum class Cap { pointed, round, flat };
@@ -60,73 +60,76 @@ struct Surface {
   std::optional<CrownBody> crown;
 
   // Tubes.
-  int sides = 8;        ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
-  float error = 0.03F;  ///< tolerance of a tube along its skeleton, in radii; raised, fewer rings; 0: one per node
+  int sides = 8;        ///< sides of the thickest tube; thinner tubes have fewer; larger: rounder, more triangles
+  float error = 0.03F;  ///< tolerance of a tube's shape, in radii; larger: fewer rings; 0: one ring per node
   float uv_scale = 1;   ///< metres of bark that one texture tile covers
-  float smooth = 3;  ///< radii along the axis to both sides over which a tube's radius is levelled; 0: as the skeleton
-  float collar = 0.8F;     ///< radii over which branches grow out of their parent; 0: they start with a crease
-  float flare = 0.5F;      ///< how much wider roots are at the ground than above it
-  Cap cap = Cap::pointed;  ///< how tips end
+  /// Radii along the axis, in both directions, over which the radius is smoothed; 0: the skeleton's radii.
+  float smooth = 3;
+  float collar = 0.8F;     ///< radii over which a branch widens toward its parent; 0: it starts with a crease
+  float flare = 0.5F;      ///< relative widening of roots at the ground; 0: none
+  Cap cap = Cap::pointed;  ///< shape of the tips
 
   // Blended bodies.
-  int resolution = 100;  ///< cells along the longest side; raised, finer, and triangles grow with its square
-  float blend = 0.5F;    ///< radii of a branch over which it grows together with its parent; 0: they meet in a crease
-  bool thicken = true;   ///< twigs thinner than the cells can hold are as thick as they can; else they vanish
-  std::optional<int> triangles;  ///< simplified to this number, if its twigs and holes let it
+  int resolution = 100;  ///< cells along the longest side; larger: finer, and triangles grow with its square
+  float blend = 0.5F;    ///< blend width at forks, in radii of the branch; 0: creases
+  bool thicken = true;   ///< true: thickens twigs that are too thin for the cells; false: they vanish
+  /// Target number of triangles after simplification; thin twigs and holes may prevent it.
+  std::optional<int> triangles;
 
   bool operator==(const Surface&) const = default;
 };
 
-inline constexpr std::uint32_t kNoStem = 0xffffffffU;        ///< in place of a stem's number
-inline constexpr std::uint32_t kNoIndividual = 0xffffffffU;  ///< in place of an individual's number
+inline constexpr std::uint32_t kNoStem = 0xffffffffU;        ///< marks a missing stem index
+inline constexpr std::uint32_t kNoIndividual = 0xffffffffU;  ///< marks a missing individual index
 
-/// One of the plants that a document grows: what stands on one root, or, without a root, on one site of the camera or
-/// of a field. Each instance directly under the camera or under a component that bears plants
-/// (ComponentTraits::bears_plants) is an individual; where its skeleton has several roots, each root is one.
+/// One of the plants that a document grows. It stands on one root or, without a root, on one site of the camera or of a
+/// field. Each instance directly under the camera or under a component that bears plants
+/// (ComponentTraits::bears_plants) is an individual. If its skeleton has several roots, each root is an individual.
 struct Individual {
-  std::string component;       ///< id of the instance that stands there
-  std::uint32_t number = 0;    ///< among the individuals of that component
-  Vec3 foot{0};                ///< where it stands
-  std::uint32_t row = kNoRow;  ///< of the table that has placed it, from 0
+  std::string component;       ///< id of the component of that instance
+  std::uint32_t number = 0;    ///< index among the individuals of that component
+  Vec3 foot{0};                ///< position of its base, metres
+  std::uint32_t row = kNoRow;  ///< row of the table that placed it, from 0; kNoRow: none
 };
 
-/// What one component's instance has given to a skeleton.
+/// The part of a skeleton that one instance of a component made.
 struct StemPart {
-  std::string component;       ///< id in the document
-  std::uint32_t instance = 0;  ///< which instance of that component
+  std::string component;       ///< id of the component in the document
+  std::uint32_t instance = 0;  ///< number among the instances of that component
   std::uint32_t material = 0;  ///< index into Plant::materials
   Surface surface;
   Vec3 tint{1};                                      ///< linear factors on the material's colour
-  std::shared_ptr<const Deformation> deformation{};  ///< of its surface, once that is made; null: none
+  std::shared_ptr<const Deformation> deformation{};  ///< applied to the finished surface; null: none
 };
 
-/// One grown skeleton with its looks. Where stems grow on stems, whatever made them, they are one skeleton.
+/// One grown skeleton with its surface options. Stems that grow on other stems are joined into one skeleton.
 struct Stem {
-  std::vector<StemPart> parts{1};           ///< the first is the root's
-  std::vector<std::uint32_t> part_of_axis;  ///< index into parts, one per axis; empty where there is one part
+  std::vector<StemPart> parts{1};           ///< the first one contains the root
+  std::vector<std::uint32_t> part_of_axis;  ///< index into `parts`, one per axis; empty if there is one part
   Skeleton skeleton;                        ///< in world space
-  /// What its surface is made of where parts have a deformation, which then takes that to where `skeleton` lies; null:
-  /// `skeleton` itself. It differs from that in positions and radii only.
+  /// The skeleton that the surface is made of if parts have a deformation. The deformation moves that surface to
+  /// `skeleton`, which differs only in positions and radii. Null: the surface is made of `skeleton`.
   std::shared_ptr<const Skeleton> undeformed{};
-  /// Index into Plant::individuals for each root of the skeleton, in the order of nodes; empty: all stand on the first.
+  /// Index into Plant::individuals of each root of the skeleton, in the order of nodes. Empty: all roots belong to the
+  /// first individual.
   std::vector<std::uint32_t> individual_of_root{};
-  /// What each axis is called at all times of its document, and nothing else is; empty where nobody has named them.
+  /// A unique name of each axis that stays the same at all times of the document. Empty if axes have no names.
   std::vector<std::uint64_t> axis_names{};
 
   std::size_t part_index(AxisIndex axis) const { return part_of_axis.empty() ? 0 : part_of_axis[axis]; }
   const StemPart& part(AxisIndex axis) const { return parts[part_index(axis)]; }
   const Skeleton& skeleton_of_surface() const { return undeformed != nullptr ? *undeformed : skeleton; }
-  /// The individual of all roots, or kNoIndividual where they differ.
+  /// Returns the individual of all roots, or kNoIndividual if they differ.
   std::uint32_t individual() const;
-  /// The individual of each axis.
+  /// Returns the individual of each axis.
   std::vector<std::uint32_t> individual_of_axis() const;
 };
 
-/// Geometry that many organs share.
+/// Geometry that several organs share.
 struct OrganPrototype {
   std::string component;
   std::uint32_t material = 0;
-  std::shared_ptr<const Mesh> mesh;  ///< in the organ's own frame: y along its heading, z its upper face
+  std::shared_ptr<const Mesh> mesh;  ///< in the organ's own frame: y along its heading, z out of its upper face
 };
 
 /// One instance of a prototype.
@@ -136,7 +139,7 @@ struct Organ {
   Vec3 tint{1};                  ///< linear factors on the material's colour
   float birth = 0;               ///< growth step at which it appeared
   std::uint32_t individual = 0;  ///< index into Plant::individuals, or kNoIndividual
-  std::uint64_t name = 0;        ///< at all times of its document, and no other organ's; 0 where nobody has named it
+  std::uint64_t name = 0;        ///< unique, and the same at all times of the document; 0: no name
 };
 
 struct Plant {
@@ -144,9 +147,8 @@ struct Plant {
   std::vector<Stem> stems;
   std::vector<OrganPrototype> prototypes;
   std::vector<Organ> organs;
-  std::vector<Individual> individuals;  ///< in the order in which they were placed; empty: all is one
-  std::vector<Planting>
-      plantings;  ///< whole plants; what reads stems and organs alone reads expanded() (plant_variant.h)
+  std::vector<Individual> individuals;  ///< in the order of placement; empty: the whole plant is one individual
+  std::vector<Planting> plantings;  ///< whole plants; to read all stems and organs, use expanded() (plant_variant.h)
 
   std::uint64_t node_count() const;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much room a plant takes, before its stems have meshes.
+// Bounding boxes of plants without making meshes for their stems.
 #pragma once
 
 #include "meristem/base/frame.h"
@@ -8,11 +8,11 @@
 
 namespace meristem {
 
-/// The box around the corners of a box in a frame: what is in the one is in the other.
+/// Returns the box around the transformed corners of `box`. It contains the transformed content of `box`.
 Box box_in(const Box& box, const Frame& frame);
 
-/// A box that holds all nodes with their radii, the meshes of all organs, and the plants of all plantings. It is the
-/// smallest one where nothing is turned. Linear in nodes, organs and places.
+/// Returns a box that contains all nodes with their radii, the meshes of all organs, and the plants of all plantings.
+/// It is the smallest such box if no instance is rotated. Cost: linear in nodes, organs and places.
 Box bounds(const Plant& plant);
 
 }  // namespace meristem

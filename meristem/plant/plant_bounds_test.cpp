@@ -10,7 +10,7 @@
 
 namespace meristem::plant_bounds_test {
 
-/// A stem of one metre and 0.1 m radius, and a leaf that reaches from its tip to x = 0.5.
+/// A stem of length 1 m and radius 0.1 m, and a leaf that reaches from its tip to x = 0.5.
 Plant stem_with_leaf() {
   Plant plant;
   Stem& stem = plant.stems.emplace_back();

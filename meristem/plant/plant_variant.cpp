@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variants may have plantings of their own. A list of the variants ahead, each with the frame that leads to it,
-// replaces recursion; their depth is bounded where documents are read.
+// Copies of planted variants. A variant may have plantings of its own: a list of pending variants, each with its frame,
+// replaces recursion. The reader of documents limits the depth.
 #include "meristem/plant/plant_variant.h"
 
 #include <algorithm>
@@ -20,14 +20,14 @@ namespace meristem {
 
 namespace {
 
-/// In doubles, as plantings in plantings multiply.
+/// Numbers of a plant as doubles, because nested plantings multiply them.
 struct Totals {
   double stems = 0;
   double nodes = 0;
   double organs = 0;
 };
 
-/// What a plant has when all of its plantings are copied out; `known` holds what has been counted of its variants.
+/// Counts the stems, nodes and organs of a plant with all plantings copied out. `known` caches the counts of variants.
 Totals totals_of(const Plant& plant, std::map<const PlantVariant*, Totals>& known) {
   Totals sum{static_cast<double>(plant.stems.size()), static_cast<double>(plant.node_count()),
              static_cast<double>(plant.organs.size())};
@@ -81,14 +81,15 @@ class Expander {
       for (const StemPart& part : stem.parts) count(part.component, part.instance);
     }
     const bool is_bare = to.stems.empty() && to.organs.empty();
-    if (to.individuals.empty() && !is_bare) to.individuals.emplace_back();  // of all that there is without plantings
+    // the individual of everything outside plantings
+    if (to.individuals.empty() && !is_bare) to.individuals.emplace_back();
     for (std::uint32_t k = 0; k < to.individuals.size(); ++k) {
       individuals_.emplace(std::pair(to.individuals[k].component, to.individuals[k].number), k);
     }
   }
 
-  /// Adds copies of all that stands on the plantings of a plant whose world lies at `frame`.
-  /// `row` has placed that plant itself, which has the `name` that its place has.
+  /// Adds copies of everything on the plantings of a plant whose world lies at `frame`. `row` is the table row that
+  /// placed that plant, and `name` is the name of its place.
   void add_plantings(const std::vector<Planting>& plantings, const Frame& frame, const std::string& prefix,
                      std::uint32_t row = kNoRow, RandomKey name = RandomKey()) {
     for (const Planting& planting : plantings) {
@@ -108,7 +109,7 @@ class Expander {
   }
 
  private:
-  /// What a plant's materials and prototypes are called here.
+  /// First indices of a variant's materials and prototypes in the result.
   struct Numbers {
     std::uint32_t material = 0;
     std::uint32_t prototype = 0;
@@ -119,7 +120,7 @@ class Expander {
     const Plant& plant = *variant.plant;
     const std::uint32_t individual = individual_;
     const Numbers first = numbers_of(variant, prefix);
-    std::map<std::string, std::uint32_t> next;  // instances of this site begin here
+    std::map<std::string, std::uint32_t> next;  // first instance number of each component in this copy
     for (const Stem& stem : plant.stems) {
       Stem& copy = to_.stems.emplace_back(stem);
       move(copy, frame);
@@ -147,7 +148,7 @@ class Expander {
     add_plantings(plant.plantings, frame, prefix, row, name);
   }
 
-  /// Deforms what has been added since there were that many stems and organs.
+  /// Deforms the stems and organs with indices from `stems` and `organs` on.
   void deform_from(std::size_t stems, std::size_t organs, const std::shared_ptr<const Deformation>& deformation) {
     for (std::size_t k = stems; k < to_.stems.size(); ++k) {
       deform(to_.stems[k], std::vector(to_.stems[k].parts.size(), deformation));
@@ -158,7 +159,7 @@ class Expander {
     for (std::size_t k = prototypes; k < to_.prototypes.size(); ++k) mesh_bytes_ += to_.prototypes[k].mesh->bytes();
   }
 
-  /// A variant that the same way of components leads to has its materials and prototypes once.
+  /// Returns the numbers of a variant's materials and prototypes. Adds them once for each path of component ids.
   Numbers numbers_of(const PlantVariant& variant, const std::string& prefix) {
     const auto [found, is_new] = numbers_.try_emplace({&variant, prefix});
     if (!is_new) return found->second;
@@ -176,7 +177,8 @@ class Expander {
     return found->second;
   }
 
-  /// Each place is a plant; those of the document's own components are known as such.
+  /// Returns the individual at a place, and adds it if it is new. A component of the document keeps its instance
+  /// number; nested components are numbered in order.
   std::uint32_t individual_at(const std::string& component, std::uint32_t instance, Vec3 foot, std::uint32_t row) {
     const auto next = static_cast<std::uint32_t>(to_.individuals.size());
     const std::uint32_t number = component.find('.') == std::string::npos ? instance : nested_[component]++;
@@ -193,12 +195,12 @@ class Expander {
   Plant& to_;
   const Limits& limits_;
   const Progress& progress_;
-  std::uint64_t mesh_bytes_ = 0;  // of what has been deformed
+  std::uint64_t mesh_bytes_ = 0;  // bytes of the deformed meshes
   std::map<std::pair<const PlantVariant*, std::string>, Numbers> numbers_;
   std::map<std::string, std::uint32_t> instances_;                              // the next number of each component
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> individuals_;  // by component and number
-  std::map<std::string, std::uint32_t> nested_;  // the next number of plants within placed plants
-  std::uint32_t individual_ = 0;                 // of what is added
+  std::map<std::string, std::uint32_t> nested_;  // the next number of plants inside placed plants
+  std::uint32_t individual_ = 0;                 // individual of the stems and organs that are being added
 };
 
 }  // namespace

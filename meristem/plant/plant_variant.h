@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole plants that stand in several places: each grown once, of a document of its own.
+// Whole plants that stand in several places. Each is grown once, from its own document.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,21 @@
 
 namespace meristem {
 
-/// One plant that others show as a whole: what a document has grown with some values and one seed.
+/// A plant that other documents place as a whole: the result of one document with certain values and one seed.
 struct PlantVariant {
   std::shared_ptr<const Plant> plant;
-  std::uint64_t key = 0;  ///< hash of all that it was grown of: equal keys, equal plants
-  /// Replaces the sketches of the plant's own textures in `materials`, which begin with the plant's, by pictures.
+  std::uint64_t key = 0;  ///< hash of all inputs of the growth: equal keys mean equal plants
+  /// Paints the plant's own textures: replaces their sketches in `materials` by pictures. The plant's materials come
+  /// first in `materials`.
   std::function<void(std::vector<Material>& materials, Progress& progress, Cache* cache)> paint;
-  std::shared_ptr<const std::vector<Material>> painted{};  ///< what that has made of the plant's materials; or null
+  std::shared_ptr<const std::vector<Material>> painted{};  ///< the painted materials; null until painted
 
-  /// The plant's materials, with pictures where they have been painted.
+  /// Returns the plant's materials, with pictures if they have been painted.
   const std::vector<Material>& materials() const;
   std::uint64_t bytes() const;
 };
 
-/// What a plant has with all of its plantings' places.
+/// Numbers of stems, nodes and organs, with all places of plantings counted.
 struct PlantTotals {
   std::uint64_t stems = 0;
   std::uint64_t nodes = 0;
@@ -36,25 +37,25 @@ struct PlantTotals {
 };
 PlantTotals totals_of(const Plant& plant);
 
-/// Whether a plant has plantings; if not, it is its own expansion.
+/// Returns true if the plant has plantings. A plant without plantings is its own expansion.
 bool has_plantings(const Plant& plant);
 
-/// The plant with a copy of each variant's stems and organs at each of its sites, and no plantings: what tables and
-/// measures read. A component within a variant is called by both ids, as in "oak.leaf", and its instances are numbered
-/// on from place to place. Throws InputError where the copies pass the limits on nodes or instances, before they are
-/// made, and Cancelled.
+/// Returns the plant with a copy of each variant's stems and organs at each of its places, and without plantings.
+/// Tables and measures read this form. A component within a variant is named by both ids, such as "oak.leaf", and its
+/// instances are numbered on from place to place. Throws InputError before copying if the copies exceed the limits of
+/// nodes or instances. Throws Cancelled.
 Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress);
 
-/// Whether a plant has plantings that are deformed, each place in its own way.
+/// Returns true if the plant has plantings whose places are deformed, each in its own way.
 bool has_deformed_plantings(const Plant& plant);
-/// The plant with copies at the sites of those plantings alone; the others stay plantings.
+/// Like expanded(), but copies only deformed plantings. The others stay plantings.
 Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progress& progress);
 
-/// The plant itself, or its expansion where it has plantings.
+/// Access to a plant's expansion. Refers to the plant itself if it has no plantings.
 class ExpandedPlant {
  public:
-  /// `plant` must outlive this object, unless `plant` has plantings. `limits` are those of the document that the plant
-  /// has grown from. Throws as expanded().
+  /// `plant` must outlive this object unless it has plantings. `limits` must be those of the plant's document. Throws
+  /// as expanded() does.
   ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress);
   const Plant& operator*() const { return *plant_; }
   const Plant* operator->() const { return plant_; }

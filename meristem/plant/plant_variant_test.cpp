@@ -101,7 +101,7 @@ TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
   EXPECT_EQ(expanded(plant, limits, Progress()).stems.size(), 1000U);
 }
 
-/// Half as much to the side as a point is high.
+/// Moves each point to the side by half its height.
 std::shared_ptr<const Deformation> lean(DeformedPart part) {
   auto map = std::make_shared<const FunctionMap>(functions("x + y/2", "", ""));
   return std::make_shared<const Deformation>(

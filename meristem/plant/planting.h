@@ -13,7 +13,7 @@ namespace meristem {
 class Deformation;
 struct PlantVariant;
 
-inline constexpr std::uint32_t kNoRow = 0xffffffffU;  ///< in place of the number of a table's row
+inline constexpr std::uint32_t kNoRow = 0xffffffffU;  ///< marks a missing row number of a table
 
 /// The places of one variant.
 struct Planting {
@@ -21,13 +21,14 @@ struct Planting {
     Frame frame;                 ///< from the variant's world to the world; may scale
     std::uint32_t instance = 0;  ///< number among the instances of the component that places the plant
     float birth = 0;             ///< growth step at which it appeared
-    std::uint32_t row = kNoRow;  ///< of the table that has placed it, from 0
-    std::uint64_t name = 0;      ///< of what stands there, at all times of its document; 0 where nobody has named it
+    std::uint32_t row = kNoRow;  ///< row of the table that placed it, from 0
+    /// unique name of the plant at this place, the same at all times of the document; 0: no name
+    std::uint64_t name = 0;
   };
   std::string component;  ///< id of the component that places it
   std::shared_ptr<const PlantVariant> variant;
   std::vector<Place> places;
-  /// Deformation of what stands on the places, which then differs from place to place; null: none.
+  /// Deformation of the plants at the places, which makes each place differ. Null: none.
   std::shared_ptr<const Deformation> deformation{};
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The middles of the segments are halved as a PointTree does it; each node of the tree then gets the box around its
-// segments' axes and their largest radius. A surface cannot be nearer than the box less that radius.
+// Finds the nearest round segment with a hierarchy of boxes. A PointTree divides the midpoints of the segments. Each
+// tree node stores the box of its segments' axes and their largest radius. The distance to the box minus that radius is
+// a lower bound for the distance to a surface.
 #include "meristem/plant/segment_tree.h"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kLeafSegments = 16;
-constexpr std::size_t kDeepestStack = 80;  // two nodes per level
-constexpr float kSlack = 2e-6F;            // of all that goes into a bound: it and the distances are rounded
+constexpr std::size_t kDeepestStack = 80;  // two entries per level
+constexpr float kSlack = 2e-6F;            // relative margin for the rounding of bounds and distances
 
 }  // namespace
 
@@ -42,7 +43,7 @@ void append_segments(const Skeleton& skeleton, std::uint32_t first_axis, std::ve
 struct SegmentTree::Boxes {
   std::vector<RoundSegment> segments;  // in the order of the tree
   std::unique_ptr<const PointTree> tree;
-  std::vector<Box> box;  // of each node
+  std::vector<Box> box;  // one for each tree node
   std::vector<float> thickest;
 };
 
@@ -57,7 +58,7 @@ SegmentTree::SegmentTree(std::vector<RoundSegment> segments, const Progress& pro
   made->segments.reserve(segments.size());
   for (const NumberedPoint& middle : middles) made->segments.push_back(segments[middle.number]);
 
-  // Leaves from their segments, all above from their two halves.
+  // Compute the leaves from their segments, then each higher node from its two halves.
   const PointTree& tree = *made->tree;
   made->box.resize(tree.node_count());
   made->thickest.resize(tree.node_count(), 0);

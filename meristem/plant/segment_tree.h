@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which segment of a plant's skeletons has its surface nearest to a position.
+// Finds the segment of a plant's skeletons whose surface is nearest to a position.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +12,35 @@
 
 namespace meristem {
 
-/// A cone between two nodes, closed by half a ball at both ends.
+/// A cone between two nodes, closed by a half ball at each end.
 struct RoundSegment {
   Vec3 begin{0};  ///< metres
   Vec3 end{0};
   float begin_radius = 0;  ///< metres
   float end_radius = 0;
-  std::uint32_t number = 0;  ///< what the caller knows it by
+  std::uint32_t number = 0;  ///< number assigned by the caller
 
-  /// Metres from a position to its surface, from inside as from outside.
+  /// Returns the distance in metres from a position to the surface. It is positive inside and outside.
   float distance(Vec3 position) const;
 };
 
-/// In place of a segment's number.
+/// Marks a missing segment number.
 inline constexpr std::uint32_t kNoSegment = 0xffffffffU;
 
-/// The segments of a skeleton, numbered by `first_axis` plus their axis, appended to a list. The first segment of a
-/// lateral axis is as thick as its own first node along its whole length.
+/// Appends the segments of a skeleton to a list. The number of a segment is `first_axis` plus its axis. The first
+/// segment of a lateral axis has the radius of the lateral's first node along its whole length.
 void append_segments(const Skeleton& skeleton, std::uint32_t first_axis, std::vector<RoundSegment>& segments);
 
-/// A hierarchy of boxes over segments.
+/// A hierarchy of boxes around segments.
 class SegmentTree {
  public:
-  /// Throws std::invalid_argument for coordinates that are not finite, Cancelled. Cost n log n.
+  /// Throws std::invalid_argument for coordinates that are not finite. Throws Cancelled. Cost: n log n.
   SegmentTree(std::vector<RoundSegment> segments, const Progress& progress);
   ~SegmentTree();
   SegmentTree(SegmentTree&&) noexcept;
 
-  /// The number of the segment whose surface is nearest to a position (tie: the smallest number); kNoSegment without
-  /// segments. May be called from many threads.
+  /// Returns the number of the segment whose surface is nearest to a position (tie: the smallest number). Returns
+  /// kNoSegment if there are no segments. Thread-safe.
   std::uint32_t nearest(Vec3 position) const;
 
  private:

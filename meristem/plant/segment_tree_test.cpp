@@ -9,7 +9,7 @@
 
 namespace meristem::segment_tree_test {
 
-/// The nearest surface by asking every segment.
+/// Finds the nearest surface by testing every segment.
 std::uint32_t nearest_of_all(const std::vector<RoundSegment>& segments, Vec3 position) {
   float best = std::numeric_limits<float>::infinity();
   std::uint32_t number = kNoSegment;

@@ -11,7 +11,7 @@
 namespace meristem {
 namespace {
 
-/// Where each node stands in the result; kNoNode for those that go.
+/// Returns the new index of each node, and kNoNode for removed nodes.
 std::vector<NodeIndex> place_survivors(const Skeleton& skeleton, std::span<const std::uint8_t> marked) {
   std::vector<NodeIndex> place(skeleton.node_count(), kNoNode);
   NodeIndex survivors = 0;
@@ -34,11 +34,11 @@ Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> m
   Skeleton kept;
   std::vector<float>& lost = kept.extra[std::string(kShedColumn)];
   for (const auto& [name, values] : skeleton.extra) kept.extra[name];
-  std::map<AxisIndex, AxisIndex> axes;  // the numbers of those that stay
+  std::map<AxisIndex, AxisIndex> axes;  // new numbers of the axes that stay
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
     if (place[node] == kNoNode) {
-      // The node where a branch was keeps count of it.
+      // The node that bore a shed branch counts the lost tips.
       if (parent != kNoNode && place[parent] != kNoNode) {
         lost[place[parent]] += static_cast<float>(tips[node]);
       }

@@ -8,9 +8,9 @@
 
 namespace meristem {
 
-/// The skeleton without the branches whose first node is marked, nor what grows on them. A branch is a lateral axis;
-/// marks on other nodes mean nothing, so stems stay. The column `shed` says how many tips were lost at each node that
-/// stayed, on top of those lost there before. `marked` has one entry per node; axes and orders are assigned.
+/// Returns the skeleton without the branches whose first node is marked, and without everything that grows on them. A
+/// branch is a lateral axis. Marks on other nodes have no effect, so stems stay. The column `shed` counts the tips lost
+/// at each remaining node, including earlier losses. `marked` has one entry per node. Axes and orders must be assigned.
 Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> marked);
 
 }  // namespace meristem

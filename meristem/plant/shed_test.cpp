@@ -10,7 +10,7 @@
 
 namespace meristem::shed_test {
 
-// A stem of four nodes; from its second a lateral with a fork of its own, from its third a single twig.
+// A stem of four nodes. From the second grows a lateral with a fork, from the third a single twig.
 Skeleton small_tree() {
   Skeleton tree;
   tree.add_node(kNoNode, {0, 0, 0}, 0);
@@ -53,12 +53,12 @@ TEST(ShedBranches, LeavesStemsAndBranchesMarkedElsewhereThanAtTheirBase) {
 
 TEST(ShedBranches, CountsOnWhatWasLostBefore) {
   const Skeleton tree = small_tree();
-  const Skeleton once = shed_branches(tree, marks(tree, 5));  // or its twin, whichever is lateral
+  const Skeleton once = shed_branches(tree, marks(tree, 5));  // node 5 or its twin, whichever is the lateral
   const Skeleton twice = shed_branches(once, std::vector<std::uint8_t>(once.node_count(), 1));
   ASSERT_TRUE(check_skeleton(twice));
   float lost = 0;
   for (const float tips : twice.extra.at("shed")) lost += tips;
-  EXPECT_EQ(lost, 4);  // of five tips the stem's remains
+  EXPECT_EQ(lost, 4);  // of five tips, only the stem's tip remains
 }
 
 TEST(ShedBranches, WoodRemembersWhatItBoreAsFarAsItsMemoryGoes) {

@@ -80,9 +80,9 @@ Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 
   for (const NodeIndex parent : skeleton.parent) {
     if (parent != kNoNode) ++first[parent + 1];
   }
-  // Sum up, so that each entry is where a node's children begin.
+  // Sum up the counts, so that each entry is the begin of a node's children.
   for (std::size_t node = 0; node < nodes; ++node) first[node + 1] += first[node];
-  // Put every node in its parent's next free position.
+  // Write every node to the next free position of its parent.
   child.resize(first[nodes]);
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (NodeIndex node = 0; node < nodes; ++node) {

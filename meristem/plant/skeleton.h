@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meeting point of all growth models: a rooted forest of nodes, structure of arrays.
+// The common data structure of all growth models: a rooted forest of nodes, stored as one array per column.
 #pragma once
 
 #include <cstdint>
@@ -19,34 +19,34 @@ using AxisIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNode = 0xffffffffU;
 inline constexpr AxisIndex kNoAxis = 0xffffffffU;
 
-/// Nodes joined by segments from parent to child. All columns have one entry per node.
+/// Nodes joined by segments from parent to child. Every column has one entry per node.
 ///
-/// A parent's index is smaller than its children's, so plain loops run from root to tips and back, and nothing
-/// recurses. A node belongs to the axis on which it lies; the first node of a lateral axis is the first one after the
-/// fork, and its parent lies on the parent axis.
+/// A parent's index is smaller than the indices of its children. Plain loops therefore run from root to tips and back,
+/// without recursion. Each node belongs to the axis on which it lies. The first node of a lateral axis is the first
+/// node after the fork, and its parent lies on the parent axis.
 struct Skeleton {
   std::vector<NodeIndex> parent;     ///< kNoNode for roots
   std::vector<Vec3> position;        ///< metres
   std::vector<float> radius;         ///< metres, at the node
-  std::vector<AxisIndex> axis;       ///< rising from 0 in the order of the axes' first nodes
+  std::vector<AxisIndex> axis;       ///< axes are numbered from 0 in the order of their first nodes
   std::vector<std::uint16_t> order;  ///< branching order: 0 on the stem, one more at each lateral
   std::vector<float> birth;          ///< growth step at which the node appeared
-  std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns where known: light, resource, ...
-  std::vector<OperationRecord> operations;  ///< what people did to it as it grew, one tree after another
+  std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns, if known: light, resource, ...
+  std::vector<OperationRecord> operations;  ///< operations done to it as it grew, one tree after another
 
   std::size_t node_count() const { return parent.size(); }
   std::size_t axis_count() const;
-  std::uint64_t bytes() const;  ///< of memory, in all columns
+  std::uint64_t bytes() const;  ///< memory of all columns
   bool is_root(NodeIndex node) const { return parent[node] == kNoNode; }
 
   void reserve(std::size_t nodes);
   /// Appends a node with radius 0, axis 0 and order 0, and returns its index. `parent` is kNoNode or an earlier node.
   NodeIndex add_node(NodeIndex parent, Vec3 position, float birth);
-  /// Appends further trees, whose axes are numbered on. Extra columns that only one side has are 0 on the other.
+  /// Appends further trees and continues the numbering of axes. Extra columns that one side lacks are 0 on its nodes.
   void append(Skeleton more);
 };
 
-/// The children of every node, as one array: node k has `child[first[k] .. first[k+1])`, by rising index.
+/// The children of all nodes in one array: node k has `child[first[k] .. first[k+1])`, by rising index.
 struct Children {
   std::vector<std::uint32_t> first;
   std::vector<NodeIndex> child;
@@ -57,8 +57,8 @@ struct Children {
   }
 };
 
-/// The nodes of each axis from base to tip: axis a has `node[first[a] .. first[a+1])`. The parent node, from which a
-/// lateral axis springs, is not among them; it is the parent of the axis's first node.
+/// The nodes of each axis from base to tip: axis a has `node[first[a] .. first[a+1])`. The node that a lateral axis
+/// grows from is not included: it is the parent of the axis's first node.
 struct Axes {
   std::vector<std::uint32_t> first;
   std::vector<NodeIndex> node;
@@ -70,13 +70,13 @@ struct Axes {
   }
 };
 
-/// Metres along the skeleton from each node to the farthest tip beyond it (0 at tips).
+/// Returns, for each node, the distance in metres along the skeleton to the farthest tip beyond it (0 at tips).
 std::vector<float> tip_distance(const Skeleton& skeleton);
 
-/// The bounding box of all nodes, radii included.
+/// Returns the bounding box of all nodes with their radii.
 Box bounds(const Skeleton& skeleton);
 
-/// Hash of the bytes of all columns as 32 hexadecimal digits: equal for equal skeletons, whatever made them.
+/// Returns a hash of the bytes of all columns as 32 hexadecimal digits. Equal skeletons have equal hashes.
 std::string skeleton_hash(const Skeleton& skeleton);
 
 }  // namespace meristem

@@ -7,8 +7,8 @@ namespace meristem {
 
 std::vector<Skeleton> split_trees(const Skeleton& skeleton) {
   std::vector<Skeleton> trees;
-  std::vector<std::uint32_t> tree(skeleton.node_count());       // to which each node belongs
-  std::vector<NodeIndex> renumbered(skeleton.node_count());     // its index there
+  std::vector<std::uint32_t> tree(skeleton.node_count());       // index of each node's tree
+  std::vector<NodeIndex> renumbered(skeleton.node_count());     // index of each node in its tree
   std::vector<AxisIndex> axes(skeleton.node_count(), kNoNode);  // new number of each old axis
   std::vector<AxisIndex> axis_count;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {

@@ -7,8 +7,8 @@
 
 namespace meristem {
 
-/// One skeleton for each root, in the order of the roots; axes are numbered anew from 0, all else stays. A skeleton
-/// with one root comes back as a copy.
+/// Returns one skeleton for each root, in the order of the roots. Axes are renumbered from 0; everything else is
+/// unchanged. Returns a copy if the skeleton has one root.
 std::vector<Skeleton> split_trees(const Skeleton& skeleton);
 
 }  // namespace meristem

@@ -21,7 +21,7 @@ Skeleton fork() {
 }
 
 TEST(SplitTrees, AForestFallsIntoItsTrees) {
-  // Two trees whose nodes alternate, the second one moved.
+  // Two trees with alternating nodes; the second tree is moved.
   const Skeleton one = fork();
   Skeleton forest;
   for (NodeIndex node = 0; node < one.node_count(); ++node) {

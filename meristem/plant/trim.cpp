@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes come in their order, parents first, so one pass finds what is left: a node stays if its parent does and the way
-// from there stays inside; if the way leaves, a node on the boundary ends the axis. What grows on a node that is gone
-// is gone. A second pass gives shortened axes their taper.
+// Cuts a skeleton at the boundary of a region. Parents come before their children, so one pass finds what is left. A
+// node stays if its parent stays and the segment between them stays inside. If the segment leaves the region, a new
+// node on the boundary ends the axis. Everything beyond a removed node is removed, too. A second pass sets the taper of
+// shortened axes.
 #include "meristem/plant/trim.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-constexpr float kShortest = 1e-6F;  // metres: what is left of a segment is dropped where it is shorter
+constexpr float kShortest = 1e-6F;  // metres; a shorter rest of a segment is dropped
 
 class Trimmer {
  public:
@@ -53,7 +54,7 @@ class Trimmer {
 
   bool is_lateral_base(NodeIndex node) const { return whole_.axis[whole_.parent[node]] != whole_.axis[node]; }
 
-  /// Sets what of each segment is left.
+  /// Computes the share of each segment that is left.
   void find_reach() {
     for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
       const bool is_root = whole_.is_root(node);
@@ -88,7 +89,7 @@ class Trimmer {
         skeleton.add_node(is_root ? kNoNode : trimmed_.node[begin],
                           glm::mix(whole_.position[begin], whole_.position[node], share), whole_.birth[node]);
     trimmed_.node[node] = made;
-    const bool is_between = share < 1 && !is_lateral_base(node);  // a lateral begins as thick as its first node
+    const bool is_between = share < 1 && !is_lateral_base(node);  // a lateral begins with the radius of its first node
     skeleton.radius[made] =
         is_between ? glm::mix(whole_.radius[begin], whole_.radius[node], share) : whole_.radius[node];
     skeleton.order[made] = whole_.order[node];
@@ -101,7 +102,7 @@ class Trimmer {
     }
   }
 
-  /// A cut axis ends where a segment of it has been cut or its next one has gone whole.
+  /// Marks cut axes: those with a shortened segment, and those whose next segment was removed completely.
   void mark_cuts() {
     std::vector<float>& cut = trimmed_.skeleton.extra[std::string(kCutColumn)];
     cut.resize(trimmed_.skeleton.node_count());
@@ -125,7 +126,7 @@ class Trimmer {
     for (AxisIndex axis = 0; axis < before.count(); ++axis) {
       if (axes_[axis] != kNoNode) whole_axis[axes_[axis]] = axis;
     }
-    // Axes are numbered in the order of their first nodes, so what bears an axis has its radii before.
+    // Axes are numbered in the order of their first nodes, so the radii of the bearing axis are already set.
     for (AxisIndex axis = 0; axis < after.count(); ++axis) {
       const std::span<const NodeIndex> nodes = after.of(axis);
       const std::span<const NodeIndex> old = before.of(whole_axis[axis]);
@@ -151,7 +152,7 @@ class Trimmer {
   const Skeleton& whole_;
   StayInside stays_inside_;
   TrimmedSkeleton trimmed_;
-  std::vector<AxisIndex> axes_;  // in the trimmed skeleton, by axis of the whole one
+  std::vector<AxisIndex> axes_;  // number in the trimmed skeleton of each axis of the whole one
   AxisIndex next_axis_ = 0;
 };
 

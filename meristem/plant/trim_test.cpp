@@ -8,7 +8,7 @@
 
 namespace meristem::trim_test {
 
-/// All that lies below a height.
+/// The region below a height.
 auto below(float height) {
   return [height](Vec3 from, Vec3 to) {
     if (from.y > height) return 0.0F;
@@ -69,7 +69,7 @@ TEST(TrimSkeleton, KeepsWhatWasDoneToTheTree) {
 
 TEST(TrimSkeleton, WhatGrowsBeyondIsGone) {
   const TrimmedSkeleton trimmed = trim_skeleton(ladder(), below(2.5F), TrimMode::cut);
-  // The stem to 2.5 m and two branches with two nodes each.
+  // The stem up to 2.5 m, and two branches with two nodes each.
   EXPECT_EQ(trimmed.skeleton.node_count(), 4U + 4U);
   EXPECT_EQ(Axes(trimmed.skeleton).count(), 3U);
 }

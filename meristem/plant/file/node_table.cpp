@@ -14,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-/// For each node the child that continues its axis, or kNoNode.
+/// Returns, for each node, the child that continues its axis, or kNoNode.
 std::vector<NodeIndex> continuations(const NodeTable& table) {
   const std::size_t count = table.node_count();
   std::vector<NodeIndex> next(count, kNoNode);
@@ -30,7 +30,7 @@ std::vector<NodeIndex> continuations(const NodeTable& table) {
   for (const double radius : table.radius) has_radii = has_radii && !std::isnan(radius);
   std::vector<double> weight = table.radius;
   if (!has_radii) {
-    // The way along the skeleton to the farthest tip, with the segment that leads to the node.
+    // Compute the length to the farthest tip, including the segment that ends in the node.
     weight.assign(count, 0);
     for (NodeIndex node = static_cast<NodeIndex>(count); node-- > 0;) {
       const NodeIndex parent = table.parent[node];
@@ -47,7 +47,7 @@ std::vector<NodeIndex> continuations(const NodeTable& table) {
   return next;
 }
 
-/// Where a position of the file lies in the world: metres, y up, north toward -z.
+/// Converts a position of the file to world axes: y up, north toward -z.
 DVec3 world(DVec3 position, bool is_y_up) { return is_y_up ? position : DVec3(position.x, position.z, -position.y); }
 
 }  // namespace
@@ -61,7 +61,7 @@ Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement
   skeleton.reserve(table.node_count());
   AxisIndex axes = 0;
   for (NodeIndex node = 0; node < table.node_count(); ++node) {
-    // The difference is taken before floats make it coarse, as map coordinates are large.
+    // Subtract in doubles first, because map coordinates are too large for floats.
     const DVec3 at = placement.unit * world(table.position[node] - origin, placement.is_y_up);
     if (!(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMaxCoordinate)) {
       throw InputError(Diagnostic{.message = "the node is too far away",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of a table become rows with numbers, which refer to their parents by the rows' own numbers; faults of these
-// numbers are reported by line. Rows are then ordered so that parents come before children, by a walk from the roots
-// whose levels keep the order of the lines.
+// Turns the lines of a table into rows with numbers. Rows refer to their parents by number, and errors in these numbers
+// are reported by line. The rows are then sorted so that parents come before children: a walk from the roots, level by
+// level, keeps the order of lines within each level.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -25,9 +25,9 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t kMostLetters = 100;
 
-/// A line of a table; a row of cylinders has both ends.
+/// A line of a table. A cylinder has both ends; a node has only `begin`.
 struct Row {
-  double number = 0;  ///< the number that other rows name it by
+  double number = 0;  ///< the number that refers to this row
   double parent = kNan;
   DVec3 begin{0};
   DVec3 end{0};
@@ -47,7 +47,7 @@ struct Row {
                               .column = column});
 }
 
-/// A name of a column without capitals, units and signs: "Radius (m)" -> "radius", "start_X" -> "startx".
+/// Returns the name of a column without capitals, units and signs: "Radius (m)" -> "radius", "start_X" -> "startx".
 std::string plain_name(std::string_view name) {
   std::string plain;
   for (const char c : name.substr(0, name.find('('))) {
@@ -58,11 +58,11 @@ std::string plain_name(std::string_view name) {
   return plain;
 }
 
-/// The columns that a table may have, by what they are called elsewhere; the first is how messages call them.
+/// The names of one column in different programs. Messages use the first name.
 struct ColumnNames {
   std::vector<std::string> names;
 
-  /// The name that the head line has for it.
+  /// Returns the name of this column in the head line.
   std::optional<std::string> in(const std::vector<std::string>& head) const {
     for (const std::string& name : names) {
       for (const std::string& given : head) {
@@ -96,7 +96,7 @@ std::string_view without_blanks(std::string_view text) {
                                          : text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
 }
 
-/// What stands in front of the head line: lines of comments, blanks and the mark of the byte order.
+/// The part before the head line: comments, blank lines and the byte order mark.
 struct Beginning {
   std::size_t offset = 0;
   int lines = 0;
@@ -132,8 +132,8 @@ std::vector<std::string> names_of_head(std::string_view line) {
   return names;
 }
 
-/// TreeQSM's text files name a point and a direction once, over three columns each. Each such name becomes three. Empty
-/// for all other heads.
+/// Returns the head line of a TreeQSM text file with three names for each point or direction, which TreeQSM names once
+/// over three columns. Returns an empty text for all other head lines.
 std::string expanded_head(std::string_view line, const std::vector<std::string>& names) {
   std::string head;
   bool is_expanded = false;
@@ -151,7 +151,7 @@ std::string expanded_head(std::string_view line, const std::vector<std::string>&
   return is_expanded ? head : std::string();
 }
 
-/// Which columns are read into what.
+/// Reads the rows of a table of nodes or cylinders.
 class TableReader {
  public:
   TableReader(std::string_view text, const std::string& file, const Limits& limits)
@@ -182,7 +182,7 @@ class TableReader {
       const auto value = [&](std::size_t at) { return at == kNone ? kNan : columns.numbers[at][k]; };
       Row& row = rows[k];
       row.line = columns.lines[k] + before_.lines;
-      // Cylinders count from 1, so that 0 is none; nodes from 0.
+      // Without a column of numbers, cylinders are counted from 1, so that 0 means no parent. Nodes are counted from 0.
       const double counted = static_cast<double>(k) + (form() == NodeTableForm::cylinders ? 1 : 0);
       row.number = number_ == kNone ? counted : value(number_);
       row.parent = value(parent_);
@@ -251,19 +251,19 @@ class TableReader {
   }
 
   std::string_view text_;
-  std::string rewritten_;  // the text with another head line
+  std::string rewritten_;  // the text with an expanded head line
   const std::string& file_;
   const Limits& limits_;
   Beginning before_;
   std::vector<std::string> head_;
   std::vector<ColumnRequest> requests_;
   std::array<std::size_t, 3> begin_{kNone, kNone, kNone};
-  std::array<std::size_t, 3> other_{kNone, kNone, kNone};  // of a cylinder's end or direction
+  std::array<std::size_t, 3> other_{kNone, kNone, kNone};  // columns of a cylinder's end or direction
   std::size_t length_ = kNone, number_ = kNone, parent_ = kNone, radius_ = kNone, branch_ = kNone, birth_ = kNone;
   bool is_diameter_ = false;
 };
 
-/// Puts rows into the order of a NodeTable.
+/// Sorts rows into the order of a NodeTable.
 class Sorter {
  public:
   Sorter(std::vector<Row> rows, NodeTableForm form, const std::string& file, const Limits& limits)
@@ -280,7 +280,8 @@ class Sorter {
  private:
   static constexpr std::uint32_t kNoRow = 0xffffffffU;
 
-  /// A row that has none names none, or by 0 or a negative number one that is not there.
+  /// Finds the row of each parent. A row has no parent if its cell is empty, negative, or 0 when no row has the number
+  /// 0.
   void find_parents() {
     std::unordered_map<double, std::uint32_t> row_of;
     row_of.reserve(rows_.size());
@@ -306,7 +307,7 @@ class Sorter {
     }
   }
 
-  /// From the roots level by level; who is not met goes round in a circle.
+  /// Orders the rows level by level from the roots. Reports rows that are never reached: their parents form a circle.
   void find_order() {
     std::vector<std::uint32_t> first(rows_.size() + 1, 0);
     for (const std::uint32_t parent : parent_) {
@@ -325,7 +326,7 @@ class Sorter {
       }
     }
     if (is_sorted) {
-      // Lines that have parents first stay as they are.
+      // Keep the order of lines if parents already come first.
       order_.clear();
       for (std::uint32_t k = 0; k < rows_.size(); ++k) order_.push_back(k);
       return;
@@ -353,7 +354,7 @@ class Sorter {
     const bool has_births = std::ranges::none_of(rows_, [](const Row& row) { return std::isnan(row.birth); });
     std::unordered_map<double, std::uint32_t> branches;
     std::vector<NodeIndex> node_of(rows_.size(), kNoNode);
-    std::map<std::array<double, 3>, NodeIndex> roots_at;  // where cylinders begin that have no parent
+    std::map<std::array<double, 3>, NodeIndex> roots_at;  // begins of cylinders without a parent
     for (const std::uint32_t k : order_) {
       const Row& row = rows_[k];
       NodeIndex parent = parent_[k] == kNoRow ? kNoNode : node_of[parent_[k]];
@@ -368,7 +369,8 @@ class Sorter {
         table_.line.push_back(row.line);
         return static_cast<NodeIndex>(table_.node_count() - 1);
       };
-      // A cylinder ends in its node; that of a root also begins in one, which all that begin there share.
+      // A cylinder ends in its node. A root cylinder also begins in a node, shared by all root cylinders that begin
+      // there.
       if (form_ == NodeTableForm::cylinders && parent == kNoNode) {
         const auto [root, is_new] = roots_at.try_emplace({row.begin.x, row.begin.y, row.begin.z}, kNoNode);
         if (is_new) root->second = add(row.begin);
@@ -382,12 +384,12 @@ class Sorter {
   NodeTableForm form_;
   const std::string& file_;
   const Limits& limits_;
-  std::vector<std::uint32_t> parent_;  // rows
-  std::vector<std::uint32_t> order_;   // of rows
+  std::vector<std::uint32_t> parent_;  // row of each row's parent
+  std::vector<std::uint32_t> order_;   // sorted row indices
   NodeTable table_;
 };
 
-/// Whether the first line below the head holds several segments, which a blank behind a comma parts.
+/// Returns true if the first line below the head contains several segments, separated by a comma and a blank.
 bool has_trees(std::string_view text) {
   const Beginning before = beginning_of(text);
   const std::string_view rest = text.substr(before.offset);
@@ -399,7 +401,7 @@ bool has_trees(std::string_view text) {
   return has_names && line.find(", ") != std::string_view::npos;
 }
 
-/// Reads a tree file into rows, whose numbers count on through the trees.
+/// Reads a tree file into rows. Row numbers continue from tree to tree.
 class TreeFileReader {
  public:
   TreeFileReader(std::string_view text, const std::string& file, const Limits& limits)
@@ -428,7 +430,8 @@ class TreeFileReader {
     return line;
   }
 
-  /// Names of what trees have as a whole stand before those of segments, which a blank parts from them.
+  /// Reads the head line. Names of values of whole trees come first, separated by a blank from the names of segments'
+  /// values.
   void read_head() {
     std::string_view head = take_line();
     const std::size_t segments = head.find("x,y,z,radius");
@@ -445,7 +448,7 @@ class TreeFileReader {
     if (branch != names.end()) branch_ = static_cast<std::size_t>(branch - names.begin());
   }
 
-  /// `text` is a part of the present line.
+  /// Reads a number. `text` must be a part of the current line.
   double number(std::string_view text, std::string_view what, const NumberLimit& limit = kFileNumber) {
     const std::string_view bare = without_blanks(text);
     double value = 0;
@@ -511,7 +514,7 @@ class TreeFileReader {
   const std::string& file_;
   const Limits& limits_;
   int line_ = 0;
-  const char* line_begin_ = nullptr;  // of the present line
+  const char* line_begin_ = nullptr;  // begin of the current line
   std::size_t skipped_ = 0;           // parts of a line before its segments
   std::size_t width_ = 0;
   static constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);

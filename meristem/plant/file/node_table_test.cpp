@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of nodes, cylinders and trees of others as skeletons.
+// Skeletons from tables of nodes, cylinders and trees that other programs wrote.
 #include "meristem/plant/file/node_table.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ using Nodes = std::vector<NodeIndex>;
 using Axes16 = std::vector<AxisIndex>;
 using Orders = std::vector<std::uint16_t>;
 
-// A trunk of two segments; a thinner branch leaves it at the middle. z is up.
+// A trunk of two segments with a thinner branch from its middle. z is up.
 const std::string kTree =
     "x,y,z,radius,parent\n"
     "0,0,0,0.1,-1\n"
@@ -93,7 +93,7 @@ TEST(NodeTable, MeristemsOwnTablesHaveYUpAndKeepAxesAndBirths) {
   EXPECT_EQ(tree.axis, (Axes16{0, 1, 0})) << "the file's axes, though the other child comes first";
 }
 
-// TreeQSM's columns; a cylinder of the stem, the next one, and a branch from the first.
+// TreeQSM's columns: a cylinder of the stem, the next one, and a branch from the first.
 const std::string kQsm =
     "radius (m)\tlength (m)\tstart_x\tstart_y\tstart_z\taxis_x\taxis_y\taxis_z\tparent\textension\tbranch\n"
     "0.1\t1\t5\t5\t0\t0\t0\t1\t0\t2\t1\n"

@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 7> kNoNames{
     "NAME", "CODE", "CODE:", "CLASSES:", "DESCRIPTION:", "FEATURES:", "MTG:"};
 constexpr std::uint64_t kMostColumns = 16;
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-constexpr double kMostWhole = 9'007'199'254'740'992;  // up to which doubles hold all whole numbers
-constexpr std::int32_t kMostMetamers = 16'777'216;    // up to which floats do
+constexpr double kMostWhole = 9'007'199'254'740'992;  // the largest n up to which doubles represent every whole number
+constexpr std::int32_t kMostMetamers = 16'777'216;    // the largest n up to which floats do
 
 bool is_whole(double number, double most) { return number >= 0 && number <= most && std::floor(number) == number; }
 
@@ -46,7 +46,7 @@ class ColumnReader {
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
 
-  /// The features that are numbers and that some node has.
+  /// Finds the numeric features that at least one node has.
   void find_columns() {
     std::vector<bool> is_present(tree_.features.size(), false);
     for (const MtgValues::Row& row : tree_.values.rows) {
@@ -97,7 +97,7 @@ class ColumnReader {
     }
   }
 
-  /// What has no age is as old as its parent.
+  /// Sets the births. A node without a birth has its parent's.
   void set_birth(const std::vector<float>& birth) {
     for (NodeIndex node = 0; node < skeleton_.node_count(); ++node) {
       if (!std::isnan(birth[node])) {
@@ -108,7 +108,8 @@ class ColumnReader {
     }
   }
 
-  /// The entities' own numbers, if they count every axis from 1. A root that is no entity is of no metamer.
+  /// Sets the metamer numbers to the entities' own numbers if these count every axis from 1. A root that is not an
+  /// entity has 0.
   void read_metamers() {
     int finest = 0;
     for (const MtgVertex vertex : made_.vertex) finest = std::max(finest, tree_.scale(vertex));
@@ -125,7 +126,7 @@ class ColumnReader {
     if (!metamer.empty()) skeleton_.extra.emplace(kMetamerColumn, std::move(metamer));
   }
 
-  /// Numbers of the nodes by a feature; empty where there is none.
+  /// Returns a feature's number for each node. Empty if there is no such feature.
   std::vector<double> node_numbers(std::string_view name) const {
     const auto feature = tree_.find_feature(name);
     if (!feature) return {};
@@ -136,7 +137,7 @@ class ColumnReader {
     return numbers;
   }
 
-  /// The nodes as the feature `node` numbers them, if it numbers all, each once and after its parent.
+  /// Returns the order of nodes by the feature `node`, if it numbers all nodes uniquely and parents before children.
   std::optional<std::vector<NodeIndex>> numbered_order() const {
     const std::vector<double> number = node_numbers("node");
     if (number.empty()) return {};
@@ -170,7 +171,7 @@ class ColumnReader {
     skeleton_.birth = reordered(skeleton_.birth);
     for (auto& [name, values] : skeleton_.extra) values = reordered(values);
     made_.vertex = reordered(made_.vertex);
-    // Axes rise in the order of their first nodes.
+    // Axes must be numbered in the order of their first nodes.
     std::vector<AxisIndex> renumbered(order.size(), kNoAxis);
     AxisIndex axes = 0;
     for (AxisIndex& axis : skeleton_.axis) {
@@ -179,7 +180,7 @@ class ColumnReader {
     }
   }
 
-  /// Axes and orders that do not follow from how entities are joined stand in features of their own.
+  /// Reads axes and orders from their own features. They are written if they do not follow from the joints of entities.
   void read_axes() {
     const std::vector<double> axis = node_numbers("axis");
     const std::vector<double> order = node_numbers("order");
@@ -201,7 +202,7 @@ class ColumnReader {
   MtgSkeleton& made_;
   Skeleton& skeleton_;
   std::vector<std::string> names_;      // of the columns that are read
-  std::vector<std::size_t> column_of_;  // of each feature, index into names_ or kNone
+  std::vector<std::size_t> column_of_;  // index into names_ for each feature, or kNone
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ class HeaderReader {
       if (const auto begun = section_of(words)) {
         section = *begun;
         if (section == "MTG") {
-          // Faults in the entities would only follow from these.
+          // Stop here on errors, because they would cause many errors in the entities.
           faults_.throw_if_any();
           return std::move(header_);
         }
@@ -61,7 +61,7 @@ class HeaderReader {
   }
 
  private:
-  /// The section that a line begins, whose colon may stand apart.
+  /// Returns the section that a line begins. A blank may precede its colon.
   static std::optional<std::string_view> section_of(const std::vector<MtgWord>& words) {
     const std::string_view word = words[0].text;
     if (word == "CODE") return word;
@@ -82,7 +82,7 @@ class HeaderReader {
     if (section == "CLASSES") {
       if (words[0].text != "SYMBOL") read_class(line, words);
     } else if (section == "DESCRIPTION") {
-      // Where a class could not be read, rules that name it are right.
+      // Do not check rules if a class could not be read: they may name it.
       if (words[0].text != "LEFT" && classes_are_known_) check_rule(line, words);
     } else if (section == "FEATURES") {
       if (words[0].text != "NAME") read_feature(line, words);
@@ -124,7 +124,7 @@ class HeaderReader {
     }
   }
 
-  /// A rule: LEFT, RIGHT (classes with commas), relation, number.
+  /// Checks a rule: LEFT, RIGHT (classes with commas), relation, number.
   void check_rule(const MtgLine& line, const std::vector<MtgWord>& words) {
     for (const MtgWord& word : words) {
       if (word.text == "<" || word.text == "+" || word.text == "/") return;

@@ -10,15 +10,15 @@
 
 namespace meristem {
 
-/// What an MTG file declares before its entities.
+/// The declarations of an MTG file before its entities.
 struct MtgHeader {
-  std::vector<MtgClass> classes;  ///< the first one is the scene's
+  std::vector<MtgClass> classes;  ///< the first class is the scene
   std::vector<MtgFeature> features;
   std::map<std::string, std::uint32_t, std::less<>> class_by_name;
   std::map<std::string, std::uint32_t, std::less<>> feature_by_name;
 };
 
-/// The name in a map that is nearest to one that is not; empty where there are too many to compare.
+/// Returns the name in a map that is nearest to an unknown name. Empty if the map is too large to compare.
 template <class Map>
 std::string nearest_known(std::string_view name, const Map& known) {
   constexpr std::size_t kMostCompared = 1000;
@@ -29,10 +29,10 @@ std::string nearest_known(std::string_view name, const Map& known) {
   return nearest_name(name, names);
 }
 
-/// The deepest scale that a file may have.
+/// The largest number of scales that a file may use.
 inline constexpr int kDeepestMtgScale = 32;
 
-/// Reads the sections CODE, CLASSES, DESCRIPTION and FEATURES up to the line `MTG:`, which is read as well.
+/// Reads the sections CODE, CLASSES, DESCRIPTION and FEATURES up to and including the line `MTG:`.
 MtgHeader read_mtg_header(MtgLines& lines, MtgFaults& faults);
 
 }  // namespace meristem

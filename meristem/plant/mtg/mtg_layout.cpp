@@ -7,9 +7,9 @@ namespace meristem {
 namespace {
 
 constexpr std::uint32_t kMostOrders = 64;
-constexpr NodeIndex kBetweenChecks = 65'536;  // nodes
+constexpr NodeIndex kBetweenChecks = 65'536;  // nodes between two checks of progress
 
-/// Branches one after the other from a root to the farthest node.
+/// Returns the largest number of branchings between a root and a node.
 std::uint32_t deepest_order(const Skeleton& skeleton) {
   const std::vector<bool> is_successor = find_successors(skeleton);
   std::vector<std::uint32_t> order(skeleton.node_count(), 0);
@@ -22,7 +22,7 @@ std::uint32_t deepest_order(const Skeleton& skeleton) {
   return deepest;
 }
 
-/// For each node the child that bears the most, the first of equals; kNoNode at tips.
+/// Returns, for each node, the child with the most descendants (tie: the first); kNoNode at tips.
 std::vector<NodeIndex> find_largest(const Skeleton& skeleton) {
   std::vector<std::uint32_t> size(skeleton.node_count(), 1);
   for (NodeIndex node = static_cast<NodeIndex>(skeleton.node_count()); node-- > 0;) {
@@ -70,7 +70,7 @@ void MtgLayout::add(const Skeleton& skeleton, bool by_order, const Progress& pro
   const auto stays = [&](NodeIndex node) {
     return by_order ? is_successor[node] : largest[skeleton.parent[node]] == node;
   };
-  std::vector<MtgEntry> waiting;  // the next one last
+  std::vector<MtgEntry> waiting;  // stack: the next entry is the last
   for (NodeIndex root = 0; root < skeleton.node_count(); ++root) {
     if (!skeleton.is_root(root)) continue;
     waiting.push_back({.node = root});

@@ -11,21 +11,21 @@
 
 namespace meristem {
 
-/// Whether each node continues its parent's axis: of a node's children on its own axis, the first does.
+/// Returns true for each node that continues its parent's axis. Among several children on the axis, the first one does.
 std::vector<bool> find_successors(const Skeleton& skeleton);
 
-/// A node's entry in an MTG file.
+/// The place of a node in an MTG file.
 struct MtgEntry {
   NodeIndex node = 0;
-  std::uint8_t column = 0;    ///< of its code, from 0
+  std::uint8_t column = 0;    ///< column of its code, from 0
   bool is_successor = false;  ///< it continues its parent's axis
-  bool stays = false;         ///< it stands in its parent's column
+  bool stays = false;         ///< it is written in its parent's column
 };
 
-/// The nodes of skeletons in the order of an MTG's lines, one skeleton after the other: each node before what it bears,
-/// and that which stays in its column last. Branches of order k stand in column k, unless orders go past 63; then the
-/// largest of those that a node bears stays in its column, so that there are never more than 32. So the lines' length
-/// is bounded. Throws Cancelled.
+/// Orders the nodes of skeletons as lines of an MTG, one skeleton after another. Each node comes before the nodes that
+/// it bears, and the child that stays in its column comes last. Branches of order k are in column k. If orders exceed
+/// 63, the largest child stays in the column of its parent instead, so that there are at most 32 columns and lines stay
+/// short. Throws Cancelled.
 class MtgLayout {
  public:
   MtgLayout(std::span<const Skeleton* const> skeletons, const Progress& progress);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entities are made in one pass. A code is walked from where it starts (the scene, the entity above in the same column
-// or in the column before, an alias), making one entity per label. An entity that begins a part of another (`/`) stands
-// on the parent of that other one: so a branch that starts a new axis starts its first internode as well.
+// Reads the entities of an MTG in one pass. A code is walked from its start (the scene, the entity above in the same
+// column or in the previous column, or an alias) and makes one entity per label. An entity that begins a part of
+// another (`/`) is joined to the parent of that other entity. A branch that starts a new axis therefore also starts its
+// first internode.
 //
-// What follows or branches at a scale finer than where a code stands goes on from the finer entity that this one was
-// set on: `S3`, `^+B31`, `^<S4` in one column, with B an axis that nothing more is coded of, is S4 after S3.
+// A successor or branch may have a finer scale than the current entity. The walk then continues from the finer entity
+// on which the current one was set. Example: in `S3`, `^+B31`, `^<S4` in one column, with B an axis without further
+// codes, S4 follows S3.
 //
 // Codes that start from the scene or an alias may repeat the names of entities on the way; only their last label is
-// always new. Codes that start from a column always make new entities, as digitised plants give twins the same name.
+// always new. Codes that start from a column always make new entities, because digitised plants use equal names for
+// twins.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -28,7 +31,7 @@ namespace {
 
 enum class Relation : std::uint8_t { part, successor, branch };
 
-/// A relation sign: a single step, or a run of entities that are named by its ends.
+/// A relation sign: a single step, or a run of entities given by its ends.
 struct Sign {
   std::string_view text;
   Relation relation;
@@ -36,7 +39,7 @@ struct Sign {
   bool shares_values = false;
 };
 
-// Longer signs before those that they begin with.
+// Longer signs come before their prefixes.
 constexpr std::array<Sign, 7> kSigns{{{"<.<", Relation::successor, true, true},
                                       {"+.+", Relation::branch, true, true},
                                       {"<<", Relation::successor, true},
@@ -50,10 +53,10 @@ struct Label {
   std::int32_t index = -1;
 };
 
-/// Finds entities by how they were named. It is filled when it is first asked: most files never do.
+/// Finds entities by name. The table is filled on first use, because most files never need it.
 class Names {
  public:
-  /// `from` is the entity at which a code stood when it came to the label.
+  /// Adds a name. `from` is the entity at which the code was before the label.
   void add(MtgVertex from, Relation relation, Label label) { keys_.push_back(key(from, relation, label)); }
 
   MtgVertex find(MtgVertex from, Relation relation, Label label) {
@@ -100,7 +103,7 @@ class TreeReader {
  private:
   // --- the table ---
 
-  /// The line that names the columns.
+  /// Reads the line with the names of the columns.
   void read_columns() {
     if (!lines_.next(line_)) {
       line_ = {{}, lines_.last_number()};
@@ -179,12 +182,12 @@ class TreeReader {
 
   // --- codes ---
 
-  /// A code under way.
+  /// The state of reading one code.
   struct Code {
     MtgWord cell;
     std::size_t at = 0;       ///< bytes read
-    MtgVertex position = 0;   ///< the entity that it has come to
-    bool may_repeat = false;  ///< whether it may go through entities named before
+    MtgVertex position = 0;   ///< the current entity
+    bool may_repeat = false;  ///< true: labels may name existing entities
 
     std::string_view rest() const { return cell.text.substr(at); }
     std::size_t offset() const { return cell.offset + at; }
@@ -204,7 +207,7 @@ class TreeReader {
     latest_[column] = code.position;
   }
 
-  /// Sets where a code starts. False, with a fault, where that is not known.
+  /// Sets the start of a code. Reports an error and returns false if it is unknown.
   bool find_start(Code& code, std::size_t column) {
     const std::string_view text = code.cell.text;
     if (text[0] == '^' || text == "*") {
@@ -216,7 +219,7 @@ class TreeReader {
       return false;
     }
     if (text[0] == '(') return find_alias(code);
-    // The next entity to the left that is above, else the scene.
+    // Start from the nearest column on the left that has an entity, or from the scene.
     code.position = 0;
     code.may_repeat = column == 0;
     for (std::size_t k = column; k-- > 0;) {
@@ -245,7 +248,7 @@ class TreeReader {
     return true;
   }
 
-  /// Reads a sign and a label and goes there. False, with a fault, where it cannot.
+  /// Reads a sign and a label and moves there. Reports an error and returns false if it cannot.
   bool read_step(Code& code) {
     const std::string_view rest = code.rest();
     const auto sign = std::find_if(kSigns.begin(), kSigns.end(),
@@ -294,7 +297,7 @@ class TreeReader {
     Label label;
     const auto found = header_.class_by_name.find(name);
     if (found == header_.class_by_name.end()) {
-      // Some programs name the scene without declaring it.
+      // Some programs name the scene without declaring its class.
       if (tree_.vertex_count() == 1 && sign.relation == Relation::part) return label;
       faults_.add(line_, offset,
                   {.message = fmt::format("{} is not a class", shown(name)),
@@ -316,7 +319,7 @@ class TreeReader {
 
   // --- entities ---
 
-  /// Where an entity was set on another of its own or a finer scale, and how.
+  /// The entity of an equal or finer scale on which another entity was set, and the kind of joint.
   struct Setting {
     MtgVertex base = kNoVertex;
     MtgEdge edge = MtgEdge::none;
@@ -331,14 +334,14 @@ class TreeReader {
     return vertex;
   }
 
-  /// The entity of at least the scale that `vertex` was set on, through others that were; else `vertex`.
+  /// Follows the bases of `vertex` to an entity of at least `scale`. Returns `vertex` if there is none.
   MtgVertex finer_base(MtgVertex vertex, int scale) const {
     MtgVertex base = vertex;
     while (base != kNoVertex && tree_.scale(base) < scale) base = finer_base_[base];
     return base == kNoVertex ? vertex : base;
   }
 
-  /// The entities from the one the code stands at, not included, up to `label`.
+  /// Makes the entities after the current one, up to `label`.
   bool make_run(Code& code, const Sign& sign, Label label, std::size_t offset) {
     code.position = finer_base(code.position, tree_.classes[label.type].scale);
     const Label from{tree_.type[code.position], tree_.index[code.position]};
@@ -355,7 +358,7 @@ class TreeReader {
     for (std::int32_t index = from.index; index < label.index; ++index) {
       if (!make_entity(code, sign.relation, {label.type, index + 1}, offset)) return false;
     }
-    // Shared values are the first entity's as well, if it was made by this code.
+    // Shared values also belong to the first entity if this code made it.
     if (sign.shares_values) named_.first = first + 1 == next ? first : next;
     return true;
   }
@@ -386,7 +389,8 @@ class TreeReader {
     return true;
   }
 
-  /// The first part of an entity hangs where that entity was set on, further ones on nothing.
+  /// Adds a part. The first part of an entity is joined to the base of that entity; further parts are joined to
+  /// nothing.
   MtgVertex add_part(Label label, MtgVertex whole) {
     const Setting setting = has_parts_[whole] ? Setting{} : settings_[whole];
     has_parts_[whole] = true;
@@ -427,15 +431,15 @@ class TreeReader {
   MtgHeader header_;
   MtgTree tree_;
   MtgLine line_;
-  std::size_t code_columns_ = 0;                  // those before the first feature's
-  std::vector<std::uint32_t> feature_of_column_;  // kNone for those without
-  std::vector<MtgVertex> latest_;                 // of each column
+  std::size_t code_columns_ = 0;                  // columns before the first feature's column
+  std::vector<std::uint32_t> feature_of_column_;  // kNone for columns without a feature
+  std::vector<MtgVertex> latest_;                 // latest entity of each column
   std::map<std::string, MtgVertex, std::less<>> aliases_;
   Names names_;
-  std::vector<Setting> settings_;      // of each vertex
-  std::vector<MtgVertex> finer_base_;  // the nearest of a finer scale along these, or kNoVertex
-  std::vector<bool> has_parts_;        // each vertex
-  VertexRange named_;                  // entities that the line's values speak of
+  std::vector<Setting> settings_;      // by vertex
+  std::vector<MtgVertex> finer_base_;  // the nearest entity of a finer scale along these, or kNoVertex
+  std::vector<bool> has_parts_;        // by vertex
+  VertexRange named_;                  // entities that get the values of this line
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ class SkeletonReader {
   }
 
  private:
-  /// The scale of the entities that become nodes.
+  /// Returns the scale of the entities that become nodes.
   int node_scale() const {
     const int finest = tree_.finest_scale();
     if (!geometry_.scale) return finest;
@@ -55,7 +55,7 @@ class SkeletonReader {
                                 .file = file_});
   }
 
-  /// The feature, which is not a further column then.
+  /// Returns the index of a feature and excludes it from the further columns.
   std::uint32_t feature_of(const std::string& name) {
     const auto feature = tree_.find_feature(name);
     taken_.push_back(name);
@@ -70,7 +70,7 @@ class SkeletonReader {
                                 .file = file_});
   }
 
-  /// Lengths of all vertices, NaN where there is none. Those that are metres already are rounded once.
+  /// Returns the lengths of all vertices in metres, NaN if missing. Lengths already in metres are rounded only once.
   std::vector<double> metres(std::uint32_t feature, double unit) const {
     constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> lengths;
@@ -102,7 +102,7 @@ class SkeletonReader {
                                 .line = static_cast<int>(tree_.line[vertex])});
   }
 
-  /// None unless all three coordinates are there.
+  /// Returns the position of an entity if all three coordinates are present.
   std::optional<Vec3> position(MtgVertex vertex) const {
     DVec3 given;
     for (int k = 0; k < 3; ++k) given[k] = position_.at(static_cast<std::size_t>(k))[vertex];
@@ -159,7 +159,7 @@ class SkeletonReader {
   void add_root(MtgVertex vertex, bool begins_complex) {
     std::optional<Vec3> base;
     MtgVertex whole = tree_.complex[vertex];
-    // The coordinates of what the entity begins, from the next coarser scale up.
+    // Find the coordinates of the coarser entity that this one begins, from the next scale up.
     for (; begins_complex && whole != kNoVertex; whole = tree_.complex[whole]) {
       base = position(whole);
       if (base) break;
@@ -185,8 +185,8 @@ class SkeletonReader {
   std::array<std::vector<double>, 3> position_;  // metres
   std::vector<double> diameter_;                 // metres
   std::vector<std::string> taken_;               // the features of both
-  std::vector<NodeIndex> node_;                  // of each vertex
-  std::vector<bool> continued_;                  // whether an axis goes on from a vertex
+  std::vector<NodeIndex> node_;                  // node of each vertex
+  std::vector<bool> continued_;                  // true if the axis of the vertex has been continued
   AxisIndex axes_ = 0;
   MtgSkeleton made_;
 };

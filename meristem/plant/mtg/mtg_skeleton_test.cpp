@@ -41,7 +41,7 @@ std::string fault(const std::string& codes, const MtgGeometry& geometry = {}) {
   return "no fault";
 }
 
-// A stem of two segments from a base, with a lateral of two.
+// A stem of two segments from a base, with a lateral of two segments.
 constexpr const char* kForked =
     "/P1\n"
     "^/A1\t\t100\t200\t0\t20\n"
@@ -108,7 +108,7 @@ TEST(MtgSkeleton, FaultsNameTheFeatureOrTheLine) {
   EXPECT_THROW(read(kForked, {.length_unit = 0}), std::invalid_argument);
 }
 
-/// A file with these features beside the positions, `columns` of their names, and codes that begin on line 11 or later.
+/// Returns a file with these features in addition to the positions. The codes begin on line 11 or later.
 std::string file_with(const std::vector<std::string>& features, const std::string& codes) {
   std::string text = "CODE:\tFORM-A\nCLASSES:\nP 1 FREE\nA 2 FREE\nS 3 FREE\nFEATURES:\nXX REAL\nYY REAL\nZZ REAL\n";
   std::string names = "TOPO\t\tXX\tYY\tZZ";
@@ -123,7 +123,7 @@ Skeleton read_with(const std::vector<std::string>& features, const std::string& 
   return skeleton_of(read_mtg(file_with(features, codes), "plant.mtg", {}), "plant.mtg", {}, limits).skeleton;
 }
 
-/// A stem of three segments from a base, with a lateral of one.
+/// A stem of three segments from a base, with a lateral of one segment.
 std::string forked_with(const std::array<std::string, 5>& values) {
   return "/P1\n^/A1\t\t0\t0\t0\t" + values[0] + "\n^/S1\t\t0\t0\t1\t" + values[1] + "\n\t+A1/S1\t1\t0\t1\t" +
          values[2] + "\n^<S2\t\t0\t0\t2\t" + values[3] + "\n^<S3\t\t0\t0\t3\t" + values[4] + '\n';
@@ -187,7 +187,7 @@ TEST(MtgSkeleton, NodesHaveTheOrderInWhichTheyAreNumbered) {
   EXPECT_EQ(numbered.extra.find("light")->second, (std::vector<float>{5, 6, 8, 9, 7}));
   EXPECT_FALSE(numbered.extra.contains("node"));
   EXPECT_FALSE(numbered.extra.contains("metamer")) << "what numbers its nodes says all it knows";
-  // A child before its parent, twins, none, a fraction.
+  // A child before its parent, duplicates, a missing number, a fraction.
   for (const std::array<std::string, 5>& wrong : {std::array<std::string, 5>{"0", "4", "3", "2", "1"},
                                                   {"0", "1", "2", "2", "3"},
                                                   {"0", "1", "", "2", "3"},
@@ -226,7 +226,7 @@ TEST(MtgSkeleton, MoreNumbersThanTheLimitAllowsAreRefused) {
 }
 
 TEST(MtgSkeleton, MetresAreRoundedToFloatsOnce) {
-  // Nearer to the float above, by less than a double can tell.
+  // The text is nearer to the upper float, by less than the precision of a double.
   const std::string tie = "1.00000005960464477540";
   const Skeleton skeleton = read_with({"light REAL"}, "/P1/A1/S1\t\t" + tie + "\t0\t1\t" + tie + "\n");
   EXPECT_EQ(skeleton.position[0].x, std::nextafter(1.0F, 2.0F));

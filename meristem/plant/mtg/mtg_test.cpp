@@ -34,7 +34,8 @@ constexpr const char* kHeader =
 
 MtgTree read(const std::string& codes) { return read_mtg(kHeader + codes, "plant.mtg", {}); }
 
-/// "S2<S1" for an entity that follows another, "S1/A1" for one without a bearer in A1; in the order of the file.
+/// Lists the joints in the order of the file: "S2<S1" for an entity that follows another, "S1/A1" for an entity in A1
+/// without a parent.
 std::string joints(const MtgTree& tree) {
   std::string text;
   for (MtgVertex vertex = 1; vertex < tree.vertex_count(); ++vertex) {
@@ -47,7 +48,7 @@ std::string joints(const MtgTree& tree) {
   return text;
 }
 
-/// The message of the only fault.
+/// Returns the message of the only error.
 std::string fault(const std::string& text) {
   try {
     read_mtg(text, "plant.mtg", {});
@@ -81,7 +82,7 @@ TEST(Mtg, ColumnsAndCaretsSayWhatFollowsWhat) {
 }
 
 TEST(Mtg, TheFirstPartHangsWhereItsWholeWasSetOn) {
-  // Also through two scales; further parts hang on nothing.
+  // This also works through two scales. Further parts are joined to nothing.
   const MtgTree tree = read("/P1/A1/S1+P2/A1/S5/S6\n");
   EXPECT_EQ(joints(tree), "P1/$ A1/P1 S1/A1 P2+P1 A1+A1 S5+S1 S6/A1");
 }
@@ -89,13 +90,13 @@ TEST(Mtg, TheFirstPartHangsWhereItsWholeWasSetOn) {
 TEST(Mtg, WhatIsFinerThanAnAxisWithoutPartsGoesOnWhereThatWasSetOn) {
   const std::string stem = "/P1/A1\n^/S1<<S3\n";
   const std::string begin = "P1/$ A1/P1 S1/A1 S2<S1 S3<S2 ";
-  // Axes that are only named, each in the column of what bears it.
+  // Axes without parts, each in the column of the entity that bears it.
   EXPECT_EQ(joints(read(stem + "^+A31\n^<S4\n")), begin + "A31+A1 S4<S3");
   EXPECT_EQ(joints(read(stem + "^+A31<S4\n")), begin + "A31+A1 S4<S3");
   EXPECT_EQ(joints(read(stem + "^+A31\n^+A32\n^<S4\n")), begin + "A31+A1 A32+A31 S4<S3");
   EXPECT_EQ(joints(read(stem + "\t+A31\n\t^<S4\n")), begin + "A31+A1 S4<S3");
   EXPECT_EQ(joints(read(stem + "^+A31\n^<<S5\n")), begin + "A31+A1 S4<S3 S5<S4");
-  // An axis with parts: they are coded in a further column.
+  // The parts of an axis are coded in a further column.
   EXPECT_EQ(joints(read(stem + "^+A31\n\t/S1\n^<S4\n")), begin + "A31+A1 S1+S3 S4<S3");
   const MtgTree tree = read(stem + "^+A31\n^<S4\n");
   EXPECT_EQ(tree.complex[7], 2U) << "S4 belongs to the axis of S3";

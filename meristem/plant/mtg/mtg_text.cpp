@@ -97,7 +97,7 @@ std::optional<double> to_number(std::string_view text) { return number_of<double
 
 std::optional<float> to_float(std::string_view text) {
   if (const auto number = number_of<float>(text)) return number;
-  // What is too small for 32 bits is 0 or nearly so.
+  // Values too small for a 32-bit float are 0 or nearly 0.
   const auto number = to_number(text);
   return number && std::abs(*number) < 1 ? std::optional(static_cast<float>(*number)) : std::nullopt;
 }

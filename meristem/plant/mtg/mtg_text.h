@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines, cells and faults of an MTG file, for its reader.
+// Lines, cells and errors of an MTG file, for its reader.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace meristem {
 /// A piece of a line without blanks at its ends.
 struct MtgWord {
   std::string_view text;
-  std::size_t offset = 0;  ///< bytes from the line's begin
+  std::size_t offset = 0;  ///< bytes from the begin of the line
 };
 
 /// A line without its comment.
@@ -23,13 +23,13 @@ struct MtgLine {
   std::string_view text;
   std::uint32_t number = 0;  ///< from 1
 
-  /// What blanks and tabs part.
+  /// Splits the line at blanks and tabs.
   std::vector<MtgWord> words() const;
-  /// What tabs part; cells may be empty.
+  /// Splits the line at tabs. Cells may be empty.
   std::vector<MtgWord> cells() const;
 };
 
-/// Goes through a text's lines, without empty ones.
+/// Iterates over the lines of a text, without empty ones.
 class MtgLines {
  public:
   explicit MtgLines(std::string_view text);
@@ -41,14 +41,14 @@ class MtgLines {
   std::uint32_t number_ = 0;
 };
 
-/// Collects faults, and throws them when there are too many to go on.
+/// Collects errors, and throws them if there are too many.
 class MtgFaults {
  public:
   MtgFaults(std::string file, std::uint64_t most) : file_(std::move(file)), most_(most) {}
 
-  /// At byte `offset` of a line. The diagnostic has neither file, line nor column yet.
+  /// Adds an error at byte `offset` of a line. The diagnostic must not yet have file, line or column.
   void add(const MtgLine& line, std::size_t offset, Diagnostic diagnostic);
-  /// Adds a fault at byte `offset` of a line and throws all faults.
+  /// Adds an error at byte `offset` of a line and throws all errors.
   [[noreturn]] void fail(const MtgLine& line, std::size_t offset, Diagnostic diagnostic);
   void throw_if_any() const;
 
@@ -58,13 +58,13 @@ class MtgFaults {
   std::vector<Diagnostic> faults_;
 };
 
-/// A text as a message shows it, cut where it is long.
+/// Returns a text as messages show it, shortened if it is long.
 std::string shown(std::string_view text);
 
-/// The whole text as a finite number.
+/// Parses the whole text as a finite number.
 std::optional<double> to_number(std::string_view text);
 
-/// The number, rounded once to 32 bits: so a float's shortest digits give that float.
+/// Parses the number and rounds it once to 32 bits. The shortest digits of a float therefore give that float.
 std::optional<float> to_float(std::string_view text);
 
 }  // namespace meristem

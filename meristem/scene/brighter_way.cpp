@@ -6,7 +6,8 @@
 namespace meristem {
 namespace {
 
-/// Away from an obstacle at right angles to the light; straight toward the light where that leaves nothing.
+/// Returns the unit vector away from an obstacle and at right angles to the light. Returns the direction to the light
+/// if the light passes through the obstacle's centroid.
 DVec3 out_of_shade(DVec3 position, DVec3 centroid, DVec3 toward_light) {
   const DVec3 away = position - centroid;
   const DVec3 across = away - toward_light * glm::dot(away, toward_light);

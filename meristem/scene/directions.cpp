@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Combines the light and gravity that plants perceive from the scene's own and from added fields, and turns stems away
+// from bodies that they must keep out of.
 #include "meristem/scene/directions.h"
 
 #include <algorithm>
@@ -14,10 +16,10 @@ namespace meristem {
 
 namespace {
 
-constexpr float kUnitSlack = 1e-6F;  // within which a squared length counts as 1
-constexpr float kNoPull = 1e-24F;    // squared length of what pulls nothing
+constexpr float kUnitSlack = 1e-6F;  // tolerance for squared lengths that count as 1
+constexpr float kNoPull = 1e-24F;    // squared length below which there is no pull
 
-/// Unit vectors stay as they are, to the last bit.
+/// Splits a vector into direction and length. Unit vectors are returned unchanged, to the last bit.
 Pulling pulling(Vec3 vector) {
   const float squared = glm::dot(vector, vector);
   if (std::abs(squared - 1) < kUnitSlack) return {vector, 1};
@@ -26,7 +28,7 @@ Pulling pulling(Vec3 vector) {
   return {vector / length, length};
 }
 
-/// The light of lamps and of what shines from one direction, as a unit vector.
+/// Direction of the light of lamps and directional light together, as a unit vector.
 class LampField : public VectorField {
  public:
   LampField(std::vector<Lamp> lamps, DVec3 directional) : lamps_(std::move(lamps)), directional_(directional) {}
@@ -46,7 +48,7 @@ class LampField : public VectorField {
 };
 
 Vec3 toward_directional_light(const Light& light, SkyDirection shown) {
-  if (light.sun.size() == 1) return light.sun[0].toward;  // to the last bit
+  if (light.sun.size() == 1) return light.sun[0].toward;  // exact, without rounding
   if (!light.sun.empty()) {
     DVec3 sum(0);
     for (const DirectionalLight& sun : light.sun) sum += sun.strength * DVec3(sun.toward);

@@ -12,55 +12,56 @@
 
 namespace meristem {
 
-/// How something pulls at a position.
+/// The direction and strength of a pull at a position.
 struct Pulling {
-  Vec3 toward{0};      ///< unit vector; 0 where nothing pulls
-  float strength = 1;  ///< 1: as a scene's own light and gravity do
+  Vec3 toward{0};      ///< unit vector; 0 if nothing pulls
+  float strength = 1;  ///< 1: like the scene's own light or gravity
 
   Vec3 vector() const { return strength * toward; }
 };
 
-/// What is left to do of a turn by `share` toward what pulls with `strength`: two pulls of strength 1, one after the
-/// other, turn as much as one of strength 2.
+/// Returns the share of a turn toward a pull of the given strength, if strength 1 turns by `share`. Two pulls of
+/// strength 1 in sequence turn as much as one pull of strength 2.
 double share_pulled(double share, float strength);
 
-/// A field that plants perceive: the scene's own, and what is added to it or stands for it.
+/// A field that plants perceive: the scene's own field, with added or replacing fields.
 class Sense {
  public:
   Sense() = default;
-  /// A unit vector, the same everywhere.
+  /// A uniform field with this unit vector.
   explicit Sense(Vec3 toward) : uniform_{toward, 1} {}
-  /// The scene's own where that varies.
+  /// A field that varies in space.
   explicit Sense(FieldPointer own) : own_(std::move(own)), varies_(true) {}
 
   Pulling at(Vec3 position) const { return varies_ ? sum_at(position) : uniform_; }
-  /// What other fields than the scene's pull there: 0 where there are none.
+  /// Returns the sum of the fields that were added to the scene's own, at a position; 0 without such fields.
   Vec3 given_at(Vec3 position) const { return given_ == nullptr ? Vec3(0) : given_->at(position); }
   bool is_uniform() const { return !varies_; }
 
-  /// With another field added, or in place of all there is.
+  /// Returns a copy with another field. If `adds` is false, the field replaces all others.
   Sense with(FieldPointer field, bool adds) const;
 
  private:
   Pulling sum_at(Vec3 position) const;
 
-  Pulling uniform_{kUp, 1};  // all of it, where that is the same everywhere
-  FieldPointer own_;         // the scene's own where it varies or is not all; else null
+  Pulling uniform_{kUp, 1};  // the whole field if it is uniform
+  FieldPointer own_;         // the scene's own field if it varies or if others were added; else null
   FieldPointer given_;
   bool varies_ = false;
 };
 
-/// Which ways a plant feels at a position: toward the light, and down. Whatever turns by light or gravity asks here, at
-/// the position where it turns. Without lamps and fields both are the same everywhere, and asking costs nothing; what
-/// shares a result between positions goes by key_at all the same.
+/// The directions that a plant perceives at a position: toward the light and down. All growth that turns by light or
+/// gravity asks this class at the position of the turn. Without lamps and fields the directions are uniform, and
+/// queries cost nothing. Code that shares results between positions must use key_at().
 class Directions {
  public:
   Directions() = default;  ///< light from the zenith
-  /// Unit vectors.
+  /// Both arguments are unit vectors.
   explicit Directions(Vec3 toward_light, Vec3 down = -kUp) : light_(toward_light), gravity_(down) {}
-  /// Toward the middle of the sun's positions, each by its strength; where the sun gives no light (under a sky without
-  /// a sun) toward the one in pictures, `shown`, and up where that is below the horizon, as all light comes from the
-  /// sky then. Lamps pull as strongly as they shine, against the strength of all directional light.
+  /// Light comes from the mean of the sun's positions, weighted by strength. If the sun gives no light (an overcast
+  /// sky), light comes from the sun in pictures, `shown`. If `shown` is below the horizon, light comes from the zenith,
+  /// because then only the sky gives light. Lamps pull in proportion to their strength, relative to the strength of all
+  /// directional light.
   Directions(const Light& light, SkyDirection shown);
   Directions(Sense light, Sense gravity) : light_(std::move(light)), gravity_(std::move(gravity)) {}
 
@@ -71,18 +72,18 @@ class Directions {
 
   const Sense& light_sense() const { return light_; }
   const Sense& gravity_sense() const { return gravity_; }
-  /// With other ones.
+  /// Returns a copy with other fields of light and gravity.
   Directions with(Sense light, Sense gravity) const;
 
-  /// With a body more that stems keep out of.
+  /// Returns a copy with one more body that stems keep out of.
   Directions with(std::shared_ptr<const KeptOut> body) const;
-  /// Where a section of a stem heads that keeps out of all these bodies; the first of them is the last to say.
+  /// Returns the heading of a section of a stem that keeps out of all these bodies. The first body is applied last.
   Vec3 open_heading(const KeptOut::Section& section) const {
     return kept_out_ == nullptr ? section.heading : kept_out(section);
   }
   bool keep_out() const { return kept_out_ != nullptr; }
 
-  /// Equal for positions about which all are the same.
+  /// Returns a key that is equal for positions with equal directions.
   std::uint64_t key_at(Vec3 position) const;
 
  private:
@@ -90,7 +91,7 @@ class Directions {
 
   Sense light_{kUp};
   Sense gravity_{-kUp};
-  std::shared_ptr<const std::vector<std::shared_ptr<const KeptOut>>> kept_out_;  // null where there are none
+  std::shared_ptr<const std::vector<std::shared_ptr<const KeptOut>>> kept_out_;  // null if there are no such bodies
 };
 
 }  // namespace meristem

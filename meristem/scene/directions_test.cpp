@@ -29,7 +29,7 @@ TEST(Directions, OnePositionOfTheSunIsTheWayToTheLastBit) {
 TEST(Directions, OverADayItIsTheMiddleOfTheSunsPositions) {
   const std::vector<DirectionalLight> day = sun_of_day(radians(50), 172, 1);
   const Vec3 found = scene_under(day, kMorning).directions().toward_light(Vec3(0));
-  EXPECT_NEAR(found.x, 0, 1e-6);  // as much morning as evening
+  EXPECT_NEAR(found.x, 0, 1e-6);  // symmetric about noon
   EXPECT_GT(found.z, 0.1);        // toward the south
   EXPECT_GT(found.y, 0.5);
 }
@@ -40,7 +40,7 @@ TEST(Directions, ASunBelowTheHorizonPullsNothing) {
   Scene cloudy = scene_under({}, night);
   cloudy.light.sky = even_sky(1);
   EXPECT_EQ(cloudy.directions().toward_light(Vec3(0)), kUp);
-  // Under clouds by day it is where the sun stands behind them.
+  // Under clouds by day, the light comes from the sun behind them.
   cloudy.sun = kMorning;
   EXPECT_EQ(cloudy.directions().toward_light(Vec3(0)), unit_vector(kMorning));
 }
@@ -57,7 +57,7 @@ TEST(Directions, ALampPullsByNightAndTheNearestMost) {
 TEST(Directions, ByDayALampPullsByItsStrength) {
   Scene day;
   day.light.lamps = {{.position = {2, 0, 0}, .strength = 4}};
-  // At two metres it is as strong as the zenith's light.
+  // At two metres, the lamp is as strong as the light from the zenith.
   expect_near(day.directions().toward_light(Vec3(0)), glm::normalize(Vec3(1, 1, 0)));
   EXPECT_EQ(Scene().directions().key_at({0, 2, 0}), Scene().directions().key_at({2, 2, 0}));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points are seen along each light's direction: laid out in a plane at right angles to it, nearest to the light first,
-// each counts those that came before it and lie near, in a grid of counters.
+// Computes the light of points that shade each other. For each light, the points are projected onto a plane at right
+// angles to the light and sorted by distance, nearest to the light first. Each point then counts earlier points near
+// it, in a grid of counters.
 #include "meristem/scene/light_of_points.h"
 
 #include <algorithm>
@@ -24,17 +25,17 @@ constexpr std::size_t kLightsAtOnce = 16;
 constexpr std::size_t kPointsPerBlock = 64;
 constexpr std::uint32_t kPointsPerCheck = 1024;
 
-/// The half widths of the rows of a disc, from its middle outward.
+/// The half widths of the rows of a disc, from its middle row outward.
 using HalfWidths = std::array<int, kCellsPerRadius + 1>;
 
-/// Counters in a plane, cell by cell, kept in bricks where there are any.
+/// Counters of cells in a plane, stored in sparse bricks.
 class CellCounts {
  public:
   void add(std::int64_t x, std::int64_t y) { ++bricks_[key(x >> kBrickBits, y >> kBrickBits)][place(x, y)]; }
 
-  /// All within a disc whose rows reach `half_widths[|dy|]` cells to both sides of the middle.
+  /// Returns the sum over a disc whose rows extend `half_widths[|dy|]` cells to both sides of the centre.
   std::uint64_t in_disc(std::int64_t x, std::int64_t y, const HalfWidths& half_widths) const {
-    // It lies in nine bricks at most.
+    // The disc overlaps at most nine bricks.
     std::uint64_t count = 0;
     for (std::int64_t by = (y - kCellsPerRadius) >> kBrickBits; by <= (y + kCellsPerRadius) >> kBrickBits; ++by) {
       for (std::int64_t bx = (x - kCellsPerRadius) >> kBrickBits; bx <= (x + kCellsPerRadius) >> kBrickBits; ++bx) {
@@ -49,7 +50,7 @@ class CellCounts {
  private:
   using Brick = std::array<std::uint32_t, std::size_t{kBrickSide} * kBrickSide>;
 
-  /// The part of a disc about (x, y), counted from the brick's corner, that lies in it.
+  /// Returns the sum over the part of a disc in this brick. (x, y) is the disc's centre relative to the brick's corner.
   static std::uint64_t in_brick(const Brick& brick, std::int64_t x, std::int64_t y, const HalfWidths& half_widths) {
     std::uint64_t count = 0;
     const std::int64_t last = std::min<std::int64_t>(y + kCellsPerRadius, kBrickSide - 1);
@@ -68,7 +69,7 @@ class CellCounts {
     return static_cast<std::size_t>((y & (kBrickSide - 1)) * kBrickSide + (x & (kBrickSide - 1)));
   }
 
-  // Looked up only, so its order does not matter.
+  // Iteration order does not matter, because the map is only used for lookups.
   std::unordered_map<std::uint64_t, Brick> bricks_;
 };
 
@@ -81,7 +82,8 @@ HalfWidths disc_half_widths() {
   return half_widths;
 }
 
-/// For each point how many others lie between it and a directional light toward `toward`, within `radius` to the side.
+/// Returns, for each point, how many other points lie between the point and a directional light toward `toward`, within
+/// `radius` of the ray.
 std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 toward, double radius,
                                         const Progress& progress) {
   const auto half_widths = disc_half_widths();
@@ -91,7 +93,7 @@ std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 to
   const DVec3 way(toward);
   const DVec3 origin(points[0]);
   struct Seen {
-    double depth;  // toward the light
+    double depth;  // position along the direction to the light
     std::int64_t x, y;
     std::uint32_t point;
   };

@@ -11,14 +11,15 @@
 
 namespace meristem {
 
-/// Which points are left, by rising index, when `share` (0 to 1) of all, rounded down, is removed, the darkest first;
-/// among equally dark points the lot decides.
+/// Returns the indices of the points that remain, in rising order, if the darkest `share` (0 to 1) of the points is
+/// removed. The number is rounded down. Ties are broken at random.
 std::vector<std::uint32_t> brightest(std::span<const double> light, double share);
 
-/// The light of each of `points` (world space), 0 to 1 without lamps: over the scene's lights, weighted by strength,
-/// the mean of exp(-k c), 0 in the shade of obstacles, with c the number of other points between it and the light and
-/// within `radius` of that way. Points do not dim lamps. c is counted in cells of a sixth of the radius. Costs in
-/// proportion to points and lights; the same on any number of threads. Throws Cancelled.
+/// Returns the light of each of `points` (world space), 0 to 1 without lamps. The light is the mean of exp(-k c) over
+/// the scene's lights, weighted by strength; it is 0 in the shade of obstacles. c is the number of other points between
+/// the point and the light, within `radius` of the ray. Points do not dim lamps. c is counted in cells of a sixth of
+/// the radius. Cost: proportional to points times lights. The result does not depend on the number of threads. Throws
+/// Cancelled.
 std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene& scene, double radius, double k,
                                     const Progress& progress);
 

@@ -42,7 +42,7 @@ TEST(LightOfPoints, IsNoneInTheShadeOfAWall) {
   EXPECT_EQ(light[1], 1);
 }
 
-// All pairs, with the lateral distance itself: cells of a sixth of the radius differ by what lies about its edge.
+// Tests all pairs with the exact lateral distance. Cells of a sixth of the radius may differ near its edge.
 TEST(LightOfPoints, AgreesWithAllPairs) {
   std::vector<Vec3> points;
   const RandomKey key(7);

@@ -16,21 +16,21 @@
 
 namespace meristem {
 
-inline constexpr Vec3 kGroundColour{0.50F, 0.54F, 0.37F};  ///< sRGB, of the ground in pictures unless named
+inline constexpr Vec3 kGroundColour{0.50F, 0.54F, 0.37F};  ///< default colour of the ground in pictures, sRGB
 
-/// What surrounds plants and what they perceive. Growth models ask it and test nothing on their own.
+/// The surroundings of plants: light, obstacles and supports. Growth models query it and make no tests of their own.
 struct Scene {
-  Light light;                         ///< that plants grow in
-  Obstacles obstacles;                 ///< that shade them and that they do not enter
-  SkyDirection sun{0, kPi / 2};        ///< in pictures; unless named, in the zenith
+  Light light;                         ///< light that plants grow in
+  Obstacles obstacles;                 ///< bodies that shade plants and that plants do not enter
+  SkyDirection sun{0, kPi / 2};        ///< sun in pictures; default: at the zenith
   Vec3 ground_colour = kGroundColour;  ///< sRGB
-  std::optional<double> latitude{};    ///< radians, north positive, if it is known
-  std::optional<ClockZone> clock{};    ///< where the sun is given by a clock
-  /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
+  std::optional<double> latitude{};    ///< radians, positive to the north, if known
+  std::optional<ClockZone> clock{};    ///< set if a clock defines the sun
+  /// Hash of all inputs of the scene, if known. Growth in scenes with equal fingerprints can be reused.
   std::optional<std::uint64_t> fingerprint{};
-  std::map<std::string, std::vector<Vec3>> supports{};  ///< lines by name that shoots may be tied to, metres
+  std::map<std::string, std::vector<Vec3>> supports{};  ///< named lines that shoots may be tied to, metres
 
-  /// Which ways plants feel in it. To be asked once, and then at every position.
+  /// Returns the directions that plants perceive. Call it once, and then query it at every position.
   Directions directions() const { return Directions(light, sun); }
 };
 

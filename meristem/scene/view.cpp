@@ -8,7 +8,7 @@
 namespace meristem {
 
 std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg) {
-  const bool is_known = std::abs(azimuth_deg) <= 360 && std::abs(altitude_deg) <= 89;  // NaN is not
+  const bool is_known = std::abs(azimuth_deg) <= 360 && std::abs(altitude_deg) <= 89;  // false for NaN
   if (!is_known) return std::nullopt;
   view.position.reset();
   view.azimuth = radians(azimuth_deg);
@@ -18,7 +18,7 @@ std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg
 
 View turned(View view, Vec3 middle, double angle) {
   view.azimuth += angle;
-  // Azimuths run clockwise seen from above, rotations about the upward axis the other way.
+  // Azimuths run clockwise seen from above; rotations about the upward axis run counter-clockwise.
   const Vec3 centre = view.target.value_or(middle);
   if (view.position) view.position = centre + rotation(kUp, -angle) * (*view.position - centre);
   return view;

@@ -8,28 +8,28 @@
 
 namespace meristem {
 
-/// From where and how the scene is seen. What is unset is chosen so that the whole plant is in the picture.
+/// The camera of a picture. Unset values are chosen so that the whole plant is visible.
 struct View {
   std::optional<Vec3> position;    ///< position of the camera, metres
-  std::optional<Vec3> target;      ///< what it looks at, metres; the middle of the plant
-  double azimuth = 2.6;            ///< azimuth of the camera as seen from the target where it has no position; radians
-  double altitude = 0.1;           ///< altitude of the camera over the horizon as seen from the target, radians
+  std::optional<Vec3> target;      ///< point that the camera looks at, metres; default: the centre of the plant
+  double azimuth = 2.6;            ///< azimuth of the camera seen from the target, if `position` is unset; radians
+  double altitude = 0.1;           ///< altitude of the camera above the horizon seen from the target, radians
   double field_of_view = 0.6;      ///< vertical, radians; larger: wider and more perspective
-  std::optional<Vec3> background;  ///< sRGB; the sky if unset
-  std::optional<double> haze;      ///< metres over which haze hides two thirds of what is seen; unset: none
-  double clouds = 0;               ///< share of the sky that clouds cover, where it is seen
+  std::optional<Vec3> background;  ///< sRGB; default: the sky
+  std::optional<double> haze;      ///< metres over which haze hides two thirds of the scene; unset: no haze
+  double clouds = 0;               ///< share of the visible sky that clouds cover
 };
 
-/// The sides that seen_from knows, in words for messages.
+/// The ranges of angles that seen_from() accepts, in words for messages.
 inline constexpr std::string_view kKnownSides = "an azimuth from -360 to 360 and an altitude from -89 to 89 degrees";
 
-/// The view from another side: from an azimuth (-360 to 360 degrees, from north over east) and an altitude over the
-/// horizon (-89 to 89 degrees), both as seen from the target, and as far away as shows the whole plant. Nothing for
-/// other angles.
+/// Returns the view from another side, at a distance that shows the whole plant. The azimuth is -360 to 360 degrees,
+/// from north over east; the altitude over the horizon is -89 to 89 degrees. Both are seen from the target. Returns
+/// nothing for other angles.
 std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg);
 
-/// The view with the camera moved on around the vertical through its target (`middle` where it has none), by an angle
-/// in radians from north over east. Turning it all around in equal steps shows the plant from every side.
+/// Returns the view with the camera rotated about the vertical through its target (`middle` if it has no target).
+/// `angle` is in radians, from north over east. A full turn in equal steps shows the plant from every side.
 View turned(View view, Vec3 middle, double angle);
 
 }  // namespace meristem

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dart throwing: a trial is kept if no point kept before is nearer than the spacing. The spacing begins at the distance
-// at which random spheres would fill 0.3 of the crown (they jam at 0.38, and close to that nearly all trials fail) and
-// shrinks a little whenever many trials in a row fail, so that the wanted number is always reached.
+// Places points with a minimum distance by dart throwing: a trial is kept if no kept point is nearer than the spacing.
+// The initial spacing is the distance at which random spheres would fill 0.3 of the crown. (They jam at 0.38, and close
+// to that nearly all trials fail.) The spacing shrinks a little whenever many trials in a row fail, so the requested
+// number is always reached.
+//
 // Based on: R. Cook, Stochastic sampling in computer graphics (1986); B. Widom, Random sequential addition of hard
 // spheres to a volume (1966).
 #include "meristem/scene/crown/blue_noise.h"
@@ -17,12 +19,13 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = 0xffffffffU;
 constexpr double kFilled = 0.3;
-constexpr int kMostMisses = 40;  // in a row
+constexpr int kMostMisses = 40;  // consecutive failed trials before the spacing shrinks
 constexpr float kShrink = 0.97F;
 constexpr std::size_t kLeastBatch = 256;
 constexpr std::size_t kMostBatch = 1U << 16;
 
-/// The 27 cells around a point, its own first, then those that share a side, an edge and a corner with it.
+/// The 27 cells around a point, nearest first: its own cell, then those that share a side, an edge and a corner with
+/// it.
 constexpr std::array<std::array<int, 3>, 27> kNeighbours = [] {
   std::array<std::array<int, 3>, 27> cells{};
   std::size_t count = 0;
@@ -38,7 +41,7 @@ constexpr std::array<std::array<int, 3>, 27> kNeighbours = [] {
   return cells;
 }();
 
-/// The cube root, by Newton's steps from above: exact arithmetic only, and not in any inner loop.
+/// Returns the cube root by Newton's method from above. It uses exact arithmetic only and is too slow for inner loops.
 double cube_root(double x) {
   double root = std::max(1.0, x);
   for (int k = 0; k < 200; ++k) {
@@ -82,7 +85,7 @@ bool BlueNoise::append(CrownSampler& sampler, std::uint64_t count, Progress& pro
   return true;
 }
 
-/// Sorts all points so far into cells that fit the new group's spacing.
+/// Sorts all points so far into cells that fit the spacing of the new group.
 void BlueNoise::begin_group(double spacing, std::size_t expected) {
   present_spacing_ = static_cast<float>(spacing);
   cell_size_ = std::max(spacing, 1e-9);
@@ -105,7 +108,7 @@ bool BlueNoise::is_free(Vec3 point) const {
   const DVec3 cell = glm::floor(in_cells);
   const DVec3 within = in_cells - cell;
   const double reach = present_spacing_ / cell_size_;
-  // From the point's own cell outward, as most darts are too near to a point there.
+  // Search from the point's own cell outward, because most rejected darts are too near to a point there.
   for (const std::array<int, 3>& step : kNeighbours) {
     double squared = 0;
     for (int k = 0; k < 3; ++k) {
@@ -114,7 +117,7 @@ bool BlueNoise::is_free(Vec3 point) const {
       squared += gap * gap;
     }
     if (squared > reach * reach) continue;
-    // A point may be met in several buckets that cells share; that costs time and nothing else.
+    // Cells may share a bucket, so a point may be tested several times. This costs time but does not change the result.
     std::uint32_t other =
         first_[bucket(static_cast<std::int64_t>(cell.x) + step[0], static_cast<std::int64_t>(cell.y) + step[1],
                       static_cast<std::int64_t>(cell.z) + step[2])];

@@ -10,19 +10,19 @@
 
 namespace meristem {
 
-/// Points that keep their distance. Groups of different density may follow each other in one space: a point of one and
-/// a point of another keep the smaller of their groups' distances.
+/// Places points with a minimum distance. Groups of different density may follow each other in one space. Points of two
+/// groups keep the smaller of the two groups' distances.
 class BlueNoise {
  public:
-  /// Appends `count` points of the sampler's crown to `points`.
-  /// Returns false if the crown fills too little of its bounds. About 10 trials a point, in time linear in the points.
+  /// Appends `count` points of the sampler's crown to `points`. Returns false if the crown fills too little of its
+  /// bounds. Needs about 10 trials per point. Cost: linear in the points.
   bool append(CrownSampler& sampler, std::uint64_t count, Progress& progress, std::vector<Vec3>& points);
 
  private:
   struct Kept {
     Vec3 point;
-    float spacing;       // its group's, at the time
-    std::uint32_t next;  // another of its bucket
+    float spacing;       // spacing of its group when it was placed
+    std::uint32_t next;  // next point in the same bucket
   };
 
   void begin_group(double spacing, std::size_t expected);
@@ -31,7 +31,7 @@ class BlueNoise {
   std::size_t bucket(std::int64_t x, std::int64_t y, std::int64_t z) const;
 
   std::vector<Kept> kept_;            // in the order of the points
-  std::vector<std::uint32_t> first_;  // of each bucket, one of them; kNone ends a chain
+  std::vector<std::uint32_t> first_;  // one point of each bucket; kNone ends a chain
   double cell_size_ = 1;
   float present_spacing_ = 0;
 };

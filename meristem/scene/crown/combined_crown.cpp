@@ -9,7 +9,7 @@ namespace meristem {
 
 namespace {
 
-/// What two boxes share; empty where they do not meet.
+/// Returns the intersection of two boxes, or an empty box if they do not overlap.
 Box common(const Box& a, const Box& b) {
   const Box shared{.low = glm::max(a.low, b.low), .high = glm::min(a.high, b.high)};
   const bool meets = shared.low.x <= shared.high.x && shared.low.y <= shared.high.y && shared.low.z <= shared.high.z;
@@ -37,7 +37,8 @@ bool CombinedCrown::contains(Vec3 point) const {
   const bool in_first = is_in(0);
   if (in_first == (kind_ == CombineKind::unite)) return in_first;
   for (std::size_t k = 1; k < crowns_.size(); ++k) {
-    // A union ends with the first crown that has the point, a difference too, an intersection with the first without.
+    // The first crown that decides ends the loop: one that contains the point for a union or a difference, one that
+    // does not for an intersection.
     if (is_in(k) != (kind_ == CombineKind::intersect)) return kind_ == CombineKind::unite;
   }
   return kind_ != CombineKind::unite;

@@ -7,24 +7,24 @@
 
 namespace meristem {
 
-/// What of several crowns makes one.
+/// The set operation that combines several crowns into one.
 enum class CombineKind {
-  unite,      ///< what is in any of the crowns
-  intersect,  ///< what is in all of them
-  subtract,   ///< what is in the first and in none of the others
+  unite,      ///< points in any crown
+  intersect,  ///< points in all crowns
+  subtract,   ///< points in the first crown and in no other
 };
 
-/// Crowns combined into one.
+/// Several crowns combined into one.
 class CombinedCrown : public Crown {
  public:
-  /// At least one crown, none of them null; throws std::invalid_argument otherwise.
+  /// Throws std::invalid_argument for an empty list or a null crown.
   CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns);
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
-  /// The axis of the first crown, also of what remains of it after a subtraction.
+  /// Returns the axis of the first crown, also after a subtraction.
   Vec2 axis() const override;
-  /// Where convex crowns are intersected.
+  /// Returns true for an intersection of convex crowns.
   bool is_convex() const override;
 
  private:

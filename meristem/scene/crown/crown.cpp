@@ -8,11 +8,11 @@ namespace meristem {
 
 namespace {
 
-constexpr float kStepsAcross = 64;  // of the crown's size, in which it is asked along a way
+constexpr float kStepsAcross = 64;  // tests per crown size along a straight way
 constexpr int kReachHalvings = 16;
 constexpr int kDistanceHalvings = 40;
 
-/// The share of the way from a point outside to one inside at which the surface lies.
+/// Returns the position of the surface as a share of the way from a point outside to a point inside.
 double share_outside(const Crown& crown, DVec3 outside, DVec3 inside) {
   double low = 0, high = 1;
   for (int k = 0; k < kDistanceHalvings; ++k) {
@@ -59,7 +59,7 @@ double Crown::distance(Vec3 point) const {
   const DVec3 away = DVec3(point) - middle;
   const double length = std::sqrt(squared_length(away));
   if (!contains(point)) return length * share_outside(*this, DVec3(point), middle);
-  // From beyond the bounds back.
+  // Search the surface from a point beyond the bounds.
   const double size = std::sqrt(squared_length(DVec3(box.size())));
   const DVec3 beyond = DVec3(point) + (length > 0 ? size / length * away : DVec3(size, 0, 0));
   return -size * (1 - share_outside(*this, beyond, DVec3(point)));

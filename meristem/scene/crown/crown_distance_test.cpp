@@ -18,7 +18,7 @@ Vec3 random_point(std::uint64_t k) {
   return Vec3(key.uniform(0, -3, 3), key.uniform(1, -3, 3), key.uniform(2, -3, 3));
 }
 
-/// A distance is negative inside, and no nearer point of the other side than it says is there.
+/// Checks that the distance is negative inside and that no point on the other side is nearer than the distance.
 void check_distance(const Crown& crown, double slack) {
   for (std::uint64_t k = 0; k < 500; ++k) {
     const Vec3 point = random_point(k);
@@ -71,7 +71,7 @@ TEST(CrownDistance, OfMeshesCombinationsAndTurnedBodies) {
   check_distance(PlacedCrown(box, Frame{1.5F * rotation({0, 0, 1}, 0.7), {0.2F, 0.1F, 0}}), 0);
 }
 
-/// Only says what it contains.
+/// A crown that implements only the required functions.
 class Unknown : public Crown {
  public:
   bool contains(Vec3 point) const override { return ball_.contains(point); }

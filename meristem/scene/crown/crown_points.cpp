@@ -14,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kBatch = 1U << 16;  // points between two reports
+constexpr std::size_t kBatch = 1U << 16;  // points between two progress reports
 
 [[noreturn]] void throw_empty(const std::string& path, bool is_zone) {
   throw InputError(Diagnostic{
@@ -27,7 +27,7 @@ constexpr std::size_t kBatch = 1U << 16;  // points between two reports
 }  // namespace
 
 std::vector<std::uint64_t> share_counts(const PointDistribution& distribution) {
-  // Every part is rounded down; what is missing goes to the largest remainders, the first of equal ones.
+  // Round every part down, and give the missing points to the largest remainders (tie: the first).
   const auto total = static_cast<double>(distribution.count);
   std::vector<double> parts;
   double rest = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The attraction points in a crown.
+// Places the attraction points in a crown.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,30 @@
 
 namespace meristem {
 
-/// How points are spread over a crown.
+/// The distribution of points in a crown.
 struct PointDistribution {
   struct Share {
-    double share = 0;  ///< share of the points, in (0, 1]; all shares together at most 1
+    double share = 0;  ///< share of the points, in (0, 1]; the shares sum to at most 1
     CrownZone zone;
   };
   std::uint64_t count = 0;
-  std::vector<Share> shares;  ///< the rest is uniform in the whole crown
-  bool blue_noise = false;    ///< neighbours keep the distance that their density allows, instead of falling at random
+  std::vector<Share> shares;  ///< the remaining points are uniform in the whole crown
+  /// True: points keep the distance that their density allows; false: independent random points.
+  bool blue_noise = false;
 };
 
-/// How many points each share gets, and at the end the rest: whole numbers that sum to the count.
+/// Returns the number of points of each share, followed by the number of remaining points. The numbers sum to
+/// `distribution.count`.
 std::vector<std::uint64_t> share_counts(const PointDistribution& distribution);
 
-/// The points, relative to the root, share after share; within a share uniform in volume. They are equal on any number
-/// of threads. Throws InputError where the crown or a zone is (nearly) empty, at `crown_path` or
-/// `points_path`.shares[k].
+/// Returns the points relative to the root, share after share. The points of a share are uniform in volume. The result
+/// does not depend on the number of threads. Throws InputError, at `crown_path` or `points_path`.shares[k], if the
+/// crown or a zone is empty or nearly empty.
 std::vector<Vec3> place_points(const Crown& crown, const PointDistribution& distribution, RandomKey key,
                                Progress& progress, const std::string& crown_path = "crown",
                                const std::string& points_path = "points");
 
-/// `count` points uniform in the crown's volume; the k-th does not depend on the count.
+/// Returns `count` points uniform in the crown's volume. The k-th point does not depend on `count`.
 std::vector<Vec3> sample_crown(const Crown& crown, std::uint64_t count, RandomKey key, Progress& progress);
 
 }  // namespace meristem

@@ -27,11 +27,12 @@ std::vector<Vec3> place(const Crown& crown, const PointDistribution& distributio
   return place_points(crown, distribution, RandomKey(seed), progress);
 }
 
-// Coordinates in [0, 1] in which equal volumes are equal.
+// Maps a point to coordinates in [0, 1] that preserve ratios of volumes.
 using EqualVolume = std::function<DVec3(Vec3)>;
 
-// Points fall evenly into 10 x 10 x 10 cells of equal volume. With 100 points per cell on average the statistic has 999
-// degrees of freedom: it exceeds 999 + 3.29 sqrt(2 * 999) = 1146, or stays below 852, by chance once in two thousand.
+// Checks that points are uniform in 10 x 10 x 10 cells of equal volume. With 100 points per cell on average, the
+// chi-squared statistic has 999 degrees of freedom. It exceeds 999 + 3.29 sqrt(2 * 999) = 1146, or stays below 852, by
+// chance once in two thousand.
 void expect_uniform(const std::vector<Vec3>& points, const EqualVolume& cell_of) {
   constexpr int kParts = 10;
   std::vector<double> hits(kParts * kParts * kParts);
@@ -55,7 +56,7 @@ constexpr std::uint64_t kMany = 100'000;
 
 double turn_of(double x, double z) { return std::atan2(x, z) / (2 * kPi) + 0.5; }
 
-// Below a height, the share of a volume that its cross-sections fill.
+// Returns a function of height: the share of the volume below it, computed from the areas of cross-sections.
 template <class Section>
 std::function<double(double)> share_below(double low, double high, Section section) {
   constexpr int kSlices = 20'000;
@@ -68,7 +69,8 @@ std::function<double(double)> share_below(double low, double high, Section secti
   };
 }
 
-// Height, ring and sector of a body of revolution, the ring from `hollow` of the radius to all of it.
+// Coordinates of a body of revolution: height, radius and azimuth. Radii start at the share `hollow` of the full
+// radius.
 EqualVolume revolved(const ProfileCrown& crown, double from, double hollow = 0) {
   const auto height = share_below(from, crown.highest(), [&](double y) { return std::pow(crown.radius_at(y), 2); });
   return [=, &crown](Vec3 p) {
@@ -84,8 +86,8 @@ TEST(CrownPoints, AreUniformInProfiles) {
 }
 
 TEST(CrownPoints, AreUniformBetweenProfilesAtAzimuths) {
-  // Radius 1 in the north and 2 in the south, evenly between: the area up to azimuth a of half a turn is the integral
-  // of (1 + a / pi)^2, or ((1 + t)^3 - 1) / 7 of it with t = a / pi.
+  // The radius is 1 in the north and 2 in the south, linear in between. The area up to azimuth a of the half turn is
+  // the integral of (1 + a / pi)^2. As a share this is ((1 + t)^3 - 1) / 7 with t = a / pi.
   const ProfileCrown crown(ProfileCrown::Sides{{0, {{1, 0}, {1, 2}}}, {kPi, {{2, 0}, {2, 2}}}});
   expect_uniform(place(crown, {.count = kMany}), [&](Vec3 p) {
     const double azimuth = std::atan2(p.x, -p.z);
@@ -115,12 +117,12 @@ TEST(CrownPoints, AreUniformInSolids) {
 
 TEST(CrownPoints, AreUniformInCombinations) {
   const auto box = [](Vec3 low, Vec3 high) { return std::make_shared<BoxCrown>(Box{low, high}); };
-  // Two boxes that overlap, end to end.
+  // Two overlapping boxes, end to end.
   const CombinedCrown both(CombineKind::unite, {box({0, 0, 0}, {2, 1, 1}), box({1, 0, 0}, {5, 1, 1})});
   expect_uniform(place(both, {.count = kMany}), [](Vec3 p) { return DVec3(p.x / 5, p.y, p.z); });
   const CombinedCrown common(CombineKind::intersect, {box({0, 0, 0}, {2, 1, 1}), box({1, 0, 0}, {5, 1, 1})});
   expect_uniform(place(common, {.count = kMany}), [](Vec3 p) { return DVec3(p.x - 1, p.y, p.z); });
-  // A ball with a hollow.
+  // A hollow ball.
   const auto ball = [](float radius) { return std::make_shared<EllipsoidCrown>(Vec3(0), Vec3(radius)); };
   const CombinedCrown shell(CombineKind::subtract, {ball(2), ball(1)});
   expect_uniform(place(shell, {.count = kMany}), [](Vec3 p) {
@@ -165,7 +167,7 @@ TEST(CrownPoints, SharesAreExact) {
             (std::vector<std::uint64_t>{3, 2, 5}));
   EXPECT_EQ(share_counts({.count = 1, .shares = {{.share = 0.3}, {.share = 0.4}}}),
             (std::vector<std::uint64_t>{0, 1, 0}));
-  // Tenths do not sum to exactly 1; the rest gets nothing all the same.
+  // Ten tenths do not sum to exactly 1 in floating point, but no point must remain.
   const std::vector<std::uint64_t> tenths =
       share_counts({.count = 7, .shares = std::vector(10, PointDistribution::Share{.share = 0.1})});
   EXPECT_EQ(std::accumulate(tenths.begin(), tenths.end(), std::uint64_t{0}), 7U);
@@ -234,7 +236,7 @@ TEST(CrownPoints, EmptyCrownsAndZonesAreRejectedAtTheirPlace) {
   EXPECT_EQ(fault(cone, tip).path, "points.shares[1]");
 }
 
-// Mean and least distance to the nearest neighbour.
+// Returns the mean and the smallest distance to the nearest neighbour.
 std::array<double, 2> neighbour_distances(const std::vector<Vec3>& points) {
   double sum = 0;
   double least = 1e9;
@@ -268,7 +270,7 @@ TEST(BlueNoise, GivesTheExactNumberInEveryShare) {
 }
 
 TEST(BlueNoise, StaysUniformInVolume) {
-  // Sums over large cells vary less than at random, so only the upper bound means something: 8 cells of equal volume.
+  // Sums over large cells vary less than for random points, so only the upper bound is tested: 8 cells of equal volume.
   const BoxCrown box({Vec3(0), Vec3(2)});
   std::array<int, 8> hits{};
   for (const Vec3 point : place(box, {.count = 8000, .blue_noise = true})) {
@@ -278,7 +280,7 @@ TEST(BlueNoise, StaysUniformInVolume) {
 }
 
 TEST(BlueNoise, EndsWhereOnlyFewPlacesAreLeft) {
-  // Far from the origin floats are so coarse that not every point finds a position of its own.
+  // Far from the origin, floats are so coarse that not every point can have its own position.
   const BoxCrown box({Vec3(90'000), Vec3(90'000.03F)});
   EXPECT_EQ(place(box, {.count = 2000, .blue_noise = true}).size(), 2000U);
 }

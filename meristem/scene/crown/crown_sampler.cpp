@@ -10,10 +10,11 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kTrialsPerBlock = 4096;
-constexpr std::size_t kMostTrials = 1U << 20;  // at once
+constexpr std::size_t kMostTrials = 1U << 20;  // trials in one parallel loop
 constexpr std::uint64_t kCheckTrials = 1U << 16;
 constexpr std::uint64_t kCheckHits = 32;
-// While growing a crown must be far worse than the check asks, so that none passes that and then fails by chance.
+// During growth, a crown fails only if it is much emptier than the check allows. A crown that passes the check
+// therefore never fails by chance.
 constexpr std::uint64_t kTrialsPerHit = 4 * kCheckTrials / kCheckHits;
 
 Vec3 trial(const Box& box, RandomKey plan, RandomKey height, std::uint64_t index) {
@@ -59,7 +60,7 @@ bool CrownSampler::append(std::size_t count, Progress& progress, std::vector<Vec
     count -= taken;
     if (count == 0) break;
 
-    // Make about as many trials as the rest needs, as far as is known.
+    // Estimate the number of trials for the remaining points from the trials so far.
     if (box_.is_empty() || (trials_ >= kMostTrials && accepted_ < trials_ / kTrialsPerHit)) return false;
     const double fill = static_cast<double>(accepted_ + 1) / static_cast<double>(trials_ + 2);
     const double wanted = 1.05 * static_cast<double>(count) / fill;

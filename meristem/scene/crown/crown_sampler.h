@@ -10,17 +10,17 @@
 
 namespace meristem {
 
-/// A part of a crown: its upper part, its outer part, or what is both.
+/// A part of a crown: its upper part, its outer part, or the intersection of both.
 struct CrownZone {
-  double above = 0;  ///< share of the crown's height that lies below the zone, in [0, 1)
-  double outer = 1;  ///< share of the radius at each height that the zone takes from outside, in (0, 1]
+  double above = 0;  ///< share of the crown's height below the zone, in [0, 1)
+  double outer = 1;  ///< share of the radius, at each height, that belongs to the zone, from outside, in (0, 1]
 };
 
-/// The points of a crown that lie in a zone. Outer are those that leave the crown when their distance from its axis is
-/// stretched by 1 / (1 - outer).
+/// The points of a crown that lie in a zone. A point is in the outer part if it leaves the crown when its distance from
+/// the axis is multiplied by 1 / (1 - outer).
 class ZonedCrown : public Crown {
  public:
-  ZonedCrown(const Crown& crown, CrownZone zone);  ///< `crown` must outlive it
+  ZonedCrown(const Crown& crown, CrownZone zone);  ///< `crown` must outlive this object
   bool contains(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
   Vec2 axis() const override { return axis_; }
@@ -32,21 +32,20 @@ class ZonedCrown : public Crown {
   Vec2 axis_;
 };
 
-/// Whether a crown fills enough of its bounds, about a two-thousandth, that points can be placed. Quick for crowns that
-/// fill more.
+/// Returns true if a crown fills enough of its bounds (about 1/2000) to place points. Fast for crowns that fill more.
 bool is_fillable(const Crown& crown);
 
-/// Points uniform in a crown's volume, one after another: the k-th is the k-th trial in the crown's bounds that the
-/// crown contains, and the j-th trial is a function of (key, j) alone.
+/// Generates points uniform in a crown's volume. Trial j is a uniform point of the crown's bounds and a function of
+/// (key, j) alone. The k-th point is the k-th trial that the crown contains.
 class CrownSampler {
  public:
-  /// `crown` must outlive it.
+  /// `crown` must outlive this object.
   CrownSampler(const Crown& crown, RandomKey key);
 
-  /// Appends the next `count` points. Trials are made in parallel; the points do not depend on the threads, nor on the
-  /// counts of the calls before. Returns false, with fewer points, if the crown fills too little of its bounds.
+  /// Appends the next `count` points. Trials run in parallel. The points depend neither on the number of threads nor on
+  /// the counts of earlier calls. Returns false, with fewer points, if the crown fills too little of its bounds.
   bool append(std::size_t count, Progress& progress, std::vector<Vec3>& points);
-  /// Cubic metres of the crown, estimated from the trials made so far.
+  /// Returns the volume of the crown in cubic metres, estimated from the trials so far.
   double volume() const;
 
  private:
@@ -58,8 +57,8 @@ class CrownSampler {
   RandomKey height_key_;
   std::uint64_t trials_ = 0;
   std::uint64_t accepted_ = 0;
-  std::vector<Vec3> waiting_;  // accepted but not given out
-  std::size_t given_ = 0;      // points of `waiting_` that were given out
+  std::vector<Vec3> waiting_;  // accepted points that have not been returned yet
+  std::size_t given_ = 0;      // number of points of `waiting_` that have been returned
 };
 
 }  // namespace meristem

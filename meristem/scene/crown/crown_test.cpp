@@ -16,7 +16,7 @@
 
 namespace meristem::crown_test {
 
-// Two points make a straight spline: a cylinder and a cone.
+// Two points make a straight spline: a cylinder or a cone.
 const ProfileCrown::Profile kCylinder{{0.5F, 1}, {0.5F, 3}};
 const ProfileCrown::Profile kRoundCrown{{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}};
 
@@ -42,8 +42,7 @@ void expect_bounds_hold(const Crown& crown, float reach) {
 }
 
 TEST(ProfileCrown, ThreePointsMakeTheNaturalSpline) {
-  // Through (0, 0), (1, 1), (2, 0) with no curvature at the ends: f(y) = 1.5 y - 0.5 y^3 up to the middle, and
-  // mirrored.
+  // The natural spline through (0, 0), (1, 1), (2, 0) is f(y) = 1.5 y - 0.5 y^3 up to the middle, and mirrored beyond.
   const ProfileCrown crown(ProfileCrown::Profile{{0, 0}, {1, 1}, {0, 2}});
   for (const double y : {0.1, 0.4, 0.9}) {
     EXPECT_NEAR(crown.radius_at(y), 1.5 * y - 0.5 * y * y * y, 1e-6);
@@ -232,7 +231,7 @@ TEST(PlacedCrown, HoldsWhatItsCrownHoldsBeforeItTurns) {
   const PlacedCrown turned(crown, Frame{axes});
   for_points_around(4, [&](Vec3 point) {
     if (turned.contains(axes * point) != crown->contains(point)) {
-      // Only rounding may part them.
+      // Only rounding may cause a difference.
       EXPECT_NE(crown->contains(0.9999F * point), crown->contains(1.0001F * point));
     }
   });

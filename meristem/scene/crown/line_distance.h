@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// The squared distance of a point from the line between two others.
+/// Returns the squared distance of `point` from the segment between `from` and `to`.
 inline double squared_distance_to_line(glm::dvec2 point, glm::dvec2 from, glm::dvec2 to) {
   const glm::dvec2 way = to - from;
   const double squared = glm::dot(way, way);

@@ -12,7 +12,7 @@ namespace meristem {
 MeshCrown::MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const DFrame& frame)
     : mesh_(std::move(mesh)), origin_(frame.origin), back_(glm::inverse(frame.axes)), axes_(frame.axes) {
   for (const DVec3 position : mesh_->positions()) bounds_.add(Vec3(frame.point(position)));
-  // Rounding must not cut anything off.
+  // Enlarge the bounds, so that rounding cuts nothing off.
   for (int k = 0; k < 3; ++k) {
     bounds_.low[k] = std::nextafter(bounds_.low[k], -std::numeric_limits<float>::infinity());
     bounds_.high[k] = std::nextafter(bounds_.high[k], std::numeric_limits<float>::infinity());

@@ -11,20 +11,21 @@
 
 namespace meristem {
 
-/// The inside of a closed mesh, placed by a frame.
+/// The interior of a closed mesh, placed by a frame.
 class MeshCrown : public Crown {
  public:
-  /// `frame` takes the mesh's coordinates to those of the crown; its axes must be independent.
+  /// `frame` maps the mesh's coordinates to the crown's; its axes must be linearly independent.
   MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const DFrame& frame);
   bool contains(Vec3 point) const override;
-  /// The first call makes what finds the nearest triangle: about 300 bytes and a microsecond for each.
+  /// Returns the distance as Crown::distance does. The first call builds a search tree for the nearest triangle. The
+  /// tree costs about 300 bytes and one microsecond per triangle.
   double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
 
  private:
   std::shared_ptr<const ClosedMesh> mesh_;
   DVec3 origin_;
-  DMat3 back_;  // from the crown's directions to the mesh's
+  DMat3 back_;  // maps the crown's directions to the mesh's
   Box bounds_;
   DMat3 axes_;
   mutable std::once_flag is_searchable_;

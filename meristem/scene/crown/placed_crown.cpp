@@ -19,7 +19,7 @@ PlacedCrown::PlacedCrown(CrownPointer crown, const Frame& frame)
     bounds_.add(frame.point({(corner & 1) != 0 ? own.high.x : own.low.x, (corner & 2) != 0 ? own.high.y : own.low.y,
                              (corner & 4) != 0 ? own.high.z : own.low.z}));
   }
-  // Rounding takes nothing away.
+  // Enlarge the bounds, so that rounding cuts nothing off.
   const Vec3 edge = 1e-5F * bounds_.size();
   bounds_ = {bounds_.low - edge, bounds_.high + edge};
 }

@@ -6,10 +6,10 @@
 
 namespace meristem {
 
-/// A crown that is turned, scaled and moved by a frame.
+/// A crown that is rotated, scaled and moved by a frame.
 class PlacedCrown : public Crown {
  public:
-  /// `frame` takes the crown's coordinates to those of the space around it; its axes must be independent.
+  /// `frame` maps the crown's coordinates to those of the surrounding space; its axes must be linearly independent.
   PlacedCrown(CrownPointer crown, const Frame& frame);
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
@@ -19,8 +19,8 @@ class PlacedCrown : public Crown {
  private:
   CrownPointer crown_;
   DVec3 origin_;
-  DMat3 back_;    // from the directions around it to the crown's
-  double scale_;  // the least of the axes
+  DMat3 back_;    // maps directions of the surrounding space to the crown's
+  double scale_;  // the smallest scale of the axes
   Box bounds_;
 };
 

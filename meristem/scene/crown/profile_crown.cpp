@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Crowns given by profiles: the radius at each height is a natural cubic spline, and between profiles at different
+// azimuths it is linear.
+//
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 3.3 (equations 3.8 to 3.13; 3.12 with the height where it prints x).
 #include "meristem/scene/crown/profile_crown.h"
@@ -28,8 +31,8 @@ double radius_on(const Curve& side, double height) {
   return std::max(0.0, side(height));
 }
 
-/// An upper bound of a spline: a cubic piece stays below its Bézier control values. Pieces are cut into eight, so that
-/// the bound is close.
+/// Returns an upper bound of a spline. A cubic piece stays below its largest Bézier control value. Each piece is
+/// divided into eight, so that the bound is close.
 double greatest(const Curve& curve) {
   constexpr int kParts = 8;
   double bound = 0;
@@ -95,7 +98,7 @@ bool ProfileCrown::contains(Vec3 point) const {
   return radius > 0 && squared <= radius * radius;
 }
 
-/// From the outline at the point's azimuth, which is cut into even pieces.
+/// Returns the distance to the outline at the point's azimuth, approximated by straight pieces.
 double ProfileCrown::distance(Vec3 point) const {
   constexpr int kPieces = 64;
   const double x = point.x;

@@ -8,12 +8,13 @@
 
 namespace meristem {
 
-/// A crown given by how far it reaches from the vertical through the root: a profile, or several at azimuths, between
-/// which the radius at each height goes linearly, and from the last on to the first.
+/// A crown given by its radius around the vertical through the root. It has one profile, or several profiles at
+/// different azimuths. Between neighbouring azimuths, also from the last to the first, the radius at each height is
+/// linear.
 class ProfileCrown : public Crown {
  public:
-  /// Marked points (radius, height) in metres, at least two, heights strictly rising, joined by a natural cubic spline.
-  /// Radii below 0 count as 0.
+  /// Points (radius, height) in metres: at least two, with strictly rising heights, joined by a natural cubic spline.
+  /// Negative radii count as 0.
   using Profile = std::vector<Vec2>;
   struct AtAzimuth {
     double azimuth = 0;  ///< radians from north (-z) over east (+x), any number
@@ -21,11 +22,12 @@ class ProfileCrown : public Crown {
   };
   using Sides = std::vector<AtAzimuth>;
 
-  /// Throws std::invalid_argument for other profiles, none, or two at one azimuth; documents are checked before.
+  /// Throws std::invalid_argument for invalid profiles, for an empty list, and for two profiles at one azimuth.
+  /// Documents are checked earlier.
   explicit ProfileCrown(const Profile& profile) : ProfileCrown(Sides{{0, profile}}) {}
   explicit ProfileCrown(const Sides& sides);
 
-  double radius_at(double height, double azimuth = 0) const;  ///< 0 outside the marked heights
+  double radius_at(double height, double azimuth = 0) const;  ///< metres; 0 outside the profile's heights
   double lowest() const { return lowest_; }                   ///< metres above the root
   double highest() const { return highest_; }
   bool contains(Vec3 point) const override;
@@ -38,13 +40,13 @@ class ProfileCrown : public Crown {
     double azimuth;  // in [0, 2 pi)
     Curve radius;    // radius over height
   };
-  std::vector<Side> sides_;  // by azimuth
+  std::vector<Side> sides_;  // sorted by azimuth
   double lowest_ = 0;
   double highest_ = 0;
-  double reach_ = 0;  // no radius is larger
+  double reach_ = 0;  // upper bound of all radii
 };
 
-/// The azimuth in [0, 2 pi) that is the same direction.
+/// Returns the equivalent azimuth in [0, 2 pi).
 double wrapped_azimuth(double azimuth);
 
 }  // namespace meristem

@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-/// The box between two corners in double, grown by the rounding to float.
+/// Returns the box between two corners, enlarged by the rounding from double to float.
 Box outward(DVec3 low, DVec3 high) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   Box box{.low = Vec3(low), .high = Vec3(high)};
@@ -30,7 +30,7 @@ bool EllipsoidCrown::contains(Vec3 point) const {
   return glm::dot(scaled, scaled) <= 1;
 }
 
-/// To first order of the distance over the radii; exact for spheres.
+/// Approximates the distance to first order. Exact for spheres.
 double EllipsoidCrown::distance(Vec3 point) const {
   const DVec3 way = DVec3(point) - centre_;
   const double share = glm::length(way / radii_);
@@ -44,7 +44,7 @@ Box EllipsoidCrown::bounds() const { return outward(centre_ - radii_, centre_ + 
 bool ConeCrown::contains(Vec3 point) const {
   const DVec3 from_base = DVec3(point) - base_;
   if (from_base.y < 0 || from_base.y > height_) return false;
-  // r / radius <= 1 - y / height, without dividing.
+  // r / radius <= 1 - y / height, without a division.
   const double reach = radius_ * (height_ - from_base.y);
   return (from_base.x * from_base.x + from_base.z * from_base.z) * height_ * height_ <= reach * reach;
 }
@@ -84,7 +84,8 @@ bool PyramidCrown::contains(Vec3 point) const {
   return std::max(std::abs(from_base.x), std::abs(from_base.z)) * height_ <= reach;
 }
 
-/// From the nearest of its planes: exact but beyond edges and corners, which are farther than it says.
+/// Returns the largest distance to a plane of the pyramid. This is exact near faces. Beyond edges and corners it is too
+/// small.
 double PyramidCrown::distance(Vec3 point) const {
   const DVec3 way = DVec3(point) - base_;
   const double side = std::max(std::abs(way.x), std::abs(way.z));

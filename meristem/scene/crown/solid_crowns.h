@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simple bodies that serve as crowns. Sizes are metres, at least 0; a body without volume contains nothing useful.
+// Simple bodies that serve as crowns. Sizes are in metres and at least 0. A body without volume has no useful interior.
 #pragma once
 
 #include "meristem/scene/crown/crown.h"
 
 namespace meristem {
 
-/// An ellipsoid with its axes along x, y and z; a sphere where the radii are equal.
+/// An ellipsoid with its axes along x, y and z; a sphere if the radii are equal.
 class EllipsoidCrown : public Crown {
  public:
   EllipsoidCrown(Vec3 centre, Vec3 radii) : centre_(centre), radii_(radii) {}
@@ -23,7 +23,7 @@ class EllipsoidCrown : public Crown {
 /// A cone on a horizontal disc.
 class ConeCrown : public Crown {
  public:
-  /// `base` is the middle of the disc; the apex stands `height` over it.
+  /// `base` is the centre of the disc; the apex is `height` above it.
   ConeCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
@@ -39,7 +39,7 @@ class ConeCrown : public Crown {
 /// An upright cylinder on a horizontal disc.
 class CylinderCrown : public Crown {
  public:
-  /// `base` is the middle of the lower disc.
+  /// `base` is the centre of the lower disc.
   CylinderCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
@@ -55,7 +55,7 @@ class CylinderCrown : public Crown {
 /// A pyramid on a horizontal square with its sides along x and z.
 class PyramidCrown : public Crown {
  public:
-  /// `base` is the middle of the square, whose sides are `width` long; the apex stands `height` over it.
+  /// `base` is the centre of the square with sides of length `width`; the apex is `height` above it.
   PyramidCrown(Vec3 base, double width, double height) : base_(base), half_width_(width / 2), height_(height) {}
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
@@ -68,14 +68,14 @@ class PyramidCrown : public Crown {
   double height_;
 };
 
-/// All that lies on one side of a plane.
+/// All points on one side of a plane.
 class HalfSpaceCrown : public Crown {
  public:
-  /// `normal`, of any length above 0, points out of the half space; `point` lies on the plane.
+  /// `point` lies on the plane. `normal` points out of the half space and has any length above 0.
   HalfSpaceCrown(Vec3 point, Vec3 normal) : point_(point), normal_(normal) {}
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
-  /// A box with sides of 2 kEndlessReach.
+  /// Returns a box with sides of 2 kEndlessReach.
   Box bounds() const override;
   bool is_convex() const override { return true; }
 

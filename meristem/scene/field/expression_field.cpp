@@ -12,8 +12,8 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLongest = 1e6;     // beyond it squares of lengths lose themselves
-constexpr double kNoLength = 1e-12;  // what rounding leaves of nothing
+constexpr double kLongest = 1e6;     // beyond this length, squares lose precision
+constexpr double kNoLength = 1e-12;  // lengths below this are rounding errors of 0
 
 std::string told(Vec3 position) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", position.x, position.y, position.z); }
 

@@ -10,23 +10,25 @@
 
 namespace meristem {
 
-/// The names that a field's expressions may use: x, y, z (metres) and t (seconds).
+/// Returns the names that a field's expressions may use: x, y, z (metres) and t (seconds).
 const std::vector<std::string>& field_variables();
 
-/// A field by three expressions over them.
+/// A vector field given by three expressions in the variables of field_variables().
 class ExpressionField : public VectorField {
  public:
   struct Options {
-    double time = 0;             ///< t
-    bool must_point = true;      ///< a position where it vanishes is a fault
-    std::string path{};          ///< of the three in the document, for errors: "components.world.light"
-    std::string what = "field";  ///< what it is called there
+    double time = 0;         ///< value of t, seconds
+    bool must_point = true;  ///< true: a position where the field vanishes is an error
+    /// Path of the three expressions in the document, for error messages: "components.world.light".
+    std::string path{};
+    std::string what = "field";  ///< name of the field in messages
   };
-  /// Compiled over field_variables(); they draw nothing.
+  /// The expressions must be compiled with field_variables() and draw no random numbers.
   ExpressionField(std::array<Expression, 3> components, Options options)
       : components_(std::move(components)), options_(std::move(options)) {}
 
-  /// Throws InputError at the component that is not finite, or where all three vanish, with the position.
+  /// Throws InputError with the position if a component is not finite, or if all three vanish and Options::must_point
+  /// is set.
   Vec3 at(Vec3 position) const override;
   bool is_uniform() const override;
 

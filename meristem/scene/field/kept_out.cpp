@@ -18,7 +18,7 @@ KeptOut::KeptOut(CrownPointer body, const Frame& frame, double reach)
 
 double KeptOut::distance(Vec3 position) const { return scale_ * body_->distance(back_ * (position - origin_)); }
 
-/// By differences, since only distances are known of every body.
+/// Computes the gradient by finite differences, because bodies only provide distances.
 Vec3 KeptOut::outward(Vec3 position) const {
   const auto step = static_cast<float>(1e-3 * reach_);
   Vec3 slope(0);
@@ -38,7 +38,7 @@ Vec3 KeptOut::open_heading(const Section& section) const {
   const double wanted = glm::dot(section.heading, out);
   const double least = std::min(1.0, -away / near);
   if (wanted >= least) return section.heading;
-  // Take the nearest direction that rises enough, in the plane of heading and way out.
+  // Take the nearest direction that rises enough, in the plane of the heading and the outward direction.
   const Vec3 along = normalized_or(section.heading - static_cast<float>(wanted) * out, any_perpendicular(out));
   return glm::normalize(static_cast<float>(std::sqrt(1 - least * least)) * along + static_cast<float>(least) * out);
 }

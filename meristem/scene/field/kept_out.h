@@ -6,22 +6,22 @@
 
 namespace meristem {
 
-/// A body that stems keep out of. They slow down as they come near to it, and go along it: at a distance d from the
-/// surface they head toward it by a share d / reach of their way at most, so their distance never falls faster than by
-/// exp(-way / reach). Out of a body that they begin in, they grow the same way.
+/// A body that stems keep out of. Near the body, stems slow their approach and turn along the surface. At distance d,
+/// they head toward the surface by at most the share d / reach of their way. Their distance therefore falls no faster
+/// than exp(-way / reach). Stems that begin inside the body grow out of it by the same rule.
 class KeptOut {
  public:
-  /// `frame` takes the body's coordinates to the world's and has one scale; `reach` is above 0, metres in the world.
+  /// `frame` maps the body's coordinates to the world's and scales uniformly. `reach` is above 0, metres in the world.
   KeptOut(CrownPointer body, const Frame& frame, double reach);
 
-  /// The next section of a stem: `step` metres from a position, in the direction of a unit vector.
+  /// The next section of a stem: `step` metres from `position` in the direction of the unit vector `heading`.
   struct Section {
     Vec3 position{0};
     Vec3 heading = kUp;
     double step = 0;
-    double radius = 0;  ///< of the stem, all of which stays outside
+    double radius = 0;  ///< radius of the stem, whose whole cross-section stays outside
   };
-  /// The unit vector nearest to the section's heading that the body leaves open. A convex body is never entered.
+  /// Returns the unit vector nearest to the section's heading that the body allows. A convex body is never entered.
   Vec3 open_heading(const Section& section) const;
 
  private:

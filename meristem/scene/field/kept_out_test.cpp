@@ -9,7 +9,7 @@
 
 namespace meristem::kept_out_test {
 
-/// Where a stem goes that wants to go straight on.
+/// Returns the way of a stem that would grow straight without the body.
 std::vector<Vec3> way_past(const KeptOut& body, Vec3 position, Vec3 heading, double step, int steps,
                            double radius = 0) {
   std::vector<Vec3> way{position};
@@ -53,7 +53,7 @@ TEST(KeptOut, FarAwayNothingHappensAndTheStemPassesWithAllOfItsThickness) {
   const KeptOut body(ball, Frame{}, 0.3);
   const Vec3 slanted = glm::normalize(Vec3(1, 0.2F, 0));
   EXPECT_EQ(body.open_heading({{-4, 0, 0}, slanted, 0.01, 0}), slanted);
-  EXPECT_EQ(body.open_heading({{-1.1F, 0, 0}, {-1, 0, 0}, 0.01, 0}), Vec3(-1, 0, 0));  // it leads away
+  EXPECT_EQ(body.open_heading({{-1.1F, 0, 0}, {-1, 0, 0}, 0.01, 0}), Vec3(-1, 0, 0));  // it leads away from the body
   for (const Vec3 at : way_past(body, {-4, 0.1F, 0}, {1, 0, 0}, 0.02, 400, 0.25)) EXPECT_GE(glm::length(at), 1.2499);
 }
 
@@ -67,7 +67,7 @@ TEST(KeptOut, ItsFrameTurnsMovesAndScalesTheBody) {
   const auto box = std::make_shared<BoxCrown>(Box{{0, 0, 0}, {1, 1, 1}});
   const KeptOut body(box, Frame{2.0F * rotation({0, 1, 0}, kPi / 2), {10, 0, 0}}, 0.1);
   EXPECT_EQ(body.open_heading({{0.5F, 0.5F, -0.05F}, {0, 0, 1}, 0.01, 0}), Vec3(0, 0, 1));
-  // From (10, 0, 0) the box reaches 2 m along y, -z and +x.
+  // From (10, 0, 0), the box extends 2 m along y, -z and +x.
   const Vec3 aside = body.open_heading({{11, 1, 0.05F}, {0, 0, -1}, 0.01, 0});
   EXPECT_NEAR(aside.z, -0.5, 1e-3);
 }

@@ -12,9 +12,9 @@ namespace meristem {
 
 namespace {
 
-constexpr double kCore = 1e-3;  // metres around a point or line without a direction
+constexpr double kCore = 1e-3;  // radius in metres around a point or line where the field has no direction
 
-/// From the axis to a position, at right angles to the axis.
+/// Returns the vector from the axis to a position, at right angles to the axis.
 DVec3 from_axis(const FieldAxis& axis, Vec3 position) {
   const DVec3 way = DVec3(position) - DVec3(axis.point);
   const DVec3 direction(axis.direction);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields that need no formula. Lengths are metres. Where a field has no direction, as in the point that it leads to, it
-// is 0, and grows from there within a thousandth of a metre, or as its own form says.
+// Fields that need no formula. Lengths are in metres. At positions without a defined direction, such as the target
+// point, a field is 0. From there it grows to its full value within a thousandth of a metre, or as its own formula
+// says.
 //
 // Based on: the world component of O. Deussen, Computergenerierte Pflanzen, 2003, sections 6.2 and 6.5, which names the
-// cylinder field, the wind and the field that keeps plants out of a region; their forms are our own.
+// cylinder field, the wind and the field that keeps plants out of a region; the formulas are our own.
 #pragma once
 
 #include "meristem/base/frame.h"
@@ -12,7 +13,7 @@
 
 namespace meristem {
 
-/// The same everywhere.
+/// A field that is equal at all positions.
 class UniformField : public VectorField {
  public:
   explicit UniformField(Vec3 pull) : pull_(pull) {}
@@ -23,7 +24,7 @@ class UniformField : public VectorField {
   Vec3 pull_;
 };
 
-/// Toward a point, of length 1; with a finite `reach` it falls with the distance and is half as long at `reach`.
+/// A field of length 1 toward a point. With a finite `reach`, its length falls with the distance and is 1/2 at `reach`.
 class PointField : public VectorField {
  public:
   PointField(Vec3 point, double reach) : point_(point), reach_(reach) {}
@@ -40,11 +41,12 @@ struct FieldAxis {
   Vec3 direction = kUp;
 };
 
-/// Toward the surface of an endless cylinder: inward outside it and outward inside, of length 1, which falls evenly to
-/// 0 over the last `edge` metres on both sides of the surface. So what follows the field comes to rest on the cylinder.
+/// A field toward the surface of an infinite cylinder, inward outside and outward inside. Its length is 1 and falls
+/// linearly to 0 over the last `edge` metres on both sides of the surface. Stems that follow the field come to rest on
+/// the cylinder.
 class CylinderField : public VectorField {
  public:
-  /// `axis.direction` is a unit vector, `radius` at least 0 and `edge` above 0.
+  /// `axis.direction` is a unit vector, `radius` is at least 0 and `edge` is above 0.
   CylinderField(FieldAxis axis, double radius, double edge) : axis_(axis), radius_(radius), edge_(edge) {}
   Vec3 at(Vec3 position) const override;
 
@@ -54,8 +56,8 @@ class CylinderField : public VectorField {
   double edge_;
 };
 
-/// Around an axis, counter-clockwise seen against its direction: of length 1 outside of the core, and rising evenly
-/// from the axis to there.
+/// A field around an axis, counter-clockwise when seen against the axis's direction. Its length is 1 outside the core
+/// and rises linearly from 0 at the axis.
 class VortexField : public VectorField {
  public:
   VortexField(FieldAxis axis, double core) : axis_(axis), core_(core) {}
@@ -66,10 +68,10 @@ class VortexField : public VectorField {
   double core_;  // metres, above 0
 };
 
-/// A wind: uniform but for gusts, which noise makes, of which one is about `size` metres long, and which drift with the
-/// wind by `drift` metres from where they were.
+/// Variation of a wind by noise. A gust is about `size` metres long. The noise is shifted along the wind by `drift`
+/// metres.
 struct Gusts {
-  double share = 0;  ///< by how much of its length the wind changes in each direction
+  double share = 0;  ///< largest change of the wind in each direction, as a share of its length
   double size = 1;   ///< metres, above 0
   double drift = 0;  ///< metres
   RandomKey key = RandomKey();
@@ -86,11 +88,11 @@ class WindField : public VectorField {
   Gusts gusts_;
 };
 
-/// A field of another frame, times `strength`. The frame turns and moves it; what the frame scales are the field's
-/// places, not its lengths.
+/// A field in another frame, times `strength`. The frame rotates and moves the field. Scaling changes positions, but
+/// not the lengths of vectors.
 class PlacedField : public VectorField {
  public:
-  /// The frame's axes are independent.
+  /// The frame's axes must be linearly independent.
   PlacedField(FieldPointer field, const Frame& frame, double strength);
   Vec3 at(Vec3 position) const override;
   bool is_uniform() const override { return field_->is_uniform(); }
@@ -98,11 +100,11 @@ class PlacedField : public VectorField {
  private:
   FieldPointer field_;
   Vec3 origin_;
-  Mat3 back_;  // from the world's directions to the field's
-  Mat3 turn_;  // and forth, with the strength
+  Mat3 back_;  // maps the world's directions to the field's
+  Mat3 turn_;  // maps the field's directions to the world's and applies the strength
 };
 
-/// Two fields together.
+/// The sum of two fields.
 class SumField : public VectorField {
  public:
   SumField(FieldPointer one, FieldPointer other) : one_(std::move(one)), other_(std::move(other)) {}

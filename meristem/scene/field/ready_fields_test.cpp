@@ -56,7 +56,7 @@ TEST(WindField, GustsHaveAMeanOfNothingAndDriftWithTheWind) {
 
 TEST(PlacedField, IsTurnedMovedAndScaledInItsPlacesAlone) {
   const auto pole = std::make_shared<CylinderField>(FieldAxis{}, 0.5, 0.25);
-  Frame frame{2.0F * rotation({0, 0, 1}, kPi / 2), {0, 10, 0}};  // the axis along -x, of radius 1
+  Frame frame{2.0F * rotation({0, 0, 1}, kPi / 2), {0, 10, 0}};  // axis along -x, radius 1
   const PlacedField placed(pole, frame, 3);
   expect_near(placed.at({7, 15, 0}), {0, -3, 0});
   expect_near(placed.at({-7, 10, 0.5F}), {0, 0, 3});
@@ -79,7 +79,7 @@ TEST(Sense, FieldsAddToTheScenesOwnOrTakeItsPlace) {
   const Sense point = scene.with(std::make_shared<PointField>(Vec3(0), kForEver), true);
   EXPECT_FALSE(point.is_uniform());
   expect_near(point.at({0, -5, 0}).vector(), {0, 2, 0});
-  EXPECT_EQ(point.at({0, 5, 0}).toward, Vec3(0));  // one pulls up, the other down
+  EXPECT_EQ(point.at({0, 5, 0}).toward, Vec3(0));  // one field pulls up, the other down
   EXPECT_EQ(point.at({0, 5, 0}).strength, 0);
 }
 

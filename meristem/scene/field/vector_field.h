@@ -7,16 +7,16 @@
 
 namespace meristem {
 
-/// Which way something pulls at a position of the world, and by its length how strongly: 1 is as strong as a scene's
-/// own light or gravity, 0 not at all.
+/// The direction and strength of a pull at each position of the world. A length of 1 is as strong as a scene's own
+/// light or gravity; 0 is no pull.
 class VectorField {
  public:
   virtual ~VectorField() = default;
 
-  /// Finite. May be called from many threads at once, and allocates nothing. Throws InputError where what it was made
-  /// of gives nothing that can be used there.
+  /// Returns the finite vector at a position. Thread-safe, and allocates nothing. Throws InputError if the definition
+  /// of the field gives no usable value there.
   virtual Vec3 at(Vec3 position) const = 0;
-  /// Whether it is the same everywhere.
+  /// Returns true if the field is equal at all positions.
   virtual bool is_uniform() const { return false; }
 };
 

@@ -18,9 +18,10 @@ constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-constexpr std::uint64_t kMostWhole = std::uint64_t{1} << 40;  // no sum or product of what is read can overflow
+// Larger numbers are rejected, so sums and products cannot overflow.
+constexpr std::uint64_t kMostWhole = std::uint64_t{1} << 40;
 
-/// Extensions that change nothing about where triangles are, or only what their numbers are stored as.
+/// Returns true for extensions that do not change the positions of triangles, or only the type of the stored numbers.
 bool is_harmless(const std::string& extension) {
   return extension == "KHR_mesh_quantization" || extension.starts_with("KHR_materials_") ||
          extension.starts_with("KHR_texture_") || extension.starts_with("EXT_texture_") ||
@@ -156,7 +157,7 @@ const GlbFile::Json& GlbFile::element(const char* key, std::uint64_t index, cons
 }
 
 GltfNumbers GlbFile::numbers(std::uint64_t accessor, std::string_view type, std::uint64_t components) const {
-  // What the accessor says.
+  // Read the accessor.
   const std::string place = fmt::format("accessors[{}]", accessor);
   const Json& said = element("accessors", accessor, place);
   const Json* given = find(said, "type", place);
@@ -170,7 +171,7 @@ GltfNumbers GlbFile::numbers(std::uint64_t accessor, std::string_view type, std:
   result.type_bytes = component_bytes(result.type, place);
   if (const Json* normalized = find(said, "normalized", place)) result.is_normalized = *normalized == true;
 
-  // Where its view has the bytes; all bytes have to be there.
+  // Find the bytes of its view, and check that all of them exist.
   const std::string view_place = fmt::format("bufferViews[{}]", *view_index);
   const Json& view = element("bufferViews", *view_index, place);
   const std::string_view bytes = view_bytes(view, view_place);

@@ -23,11 +23,11 @@ inline constexpr std::uint64_t kGltfUint16 = 5123;
 inline constexpr std::uint64_t kGltfUint32 = 5125;
 inline constexpr std::uint64_t kGltfFloat32 = 5126;
 
-/// A list of elements of a few numbers each in the binary chunk.
+/// A list of elements in the binary chunk, each with a few numbers.
 struct GltfNumbers {
   const char* begin = nullptr;
-  std::uint64_t count = 0;   ///< of elements
-  std::uint64_t stride = 0;  ///< bytes from one to the next
+  std::uint64_t count = 0;   ///< number of elements
+  std::uint64_t stride = 0;  ///< bytes from one element to the next
   std::uint64_t type = kGltfFloat32;
   std::uint64_t type_bytes = 4;
   bool is_normalized = false;
@@ -35,28 +35,28 @@ struct GltfNumbers {
   double number(std::uint64_t element, std::uint64_t component) const;
 };
 
-/// The two chunks of a binary glTF 2.0, and what its JSON says, checked member by member. Whatever is not as it has to
-/// be throws InputError with its place in the JSON; `place` arguments are for these messages.
+/// The two chunks of a binary glTF 2.0 file, with checked access to the members of its JSON. All functions throw
+/// InputError with the place in the JSON for invalid content. Arguments `place` are used for these messages.
 class GlbFile {
  public:
   using Json = nlohmann::json;
 
-  /// `bytes` and `file`, its name in messages, must outlive this.
+  /// `bytes` and `file`, its name in messages, must outlive this object.
   GlbFile(std::string_view bytes, const std::string& file, const Limits& limits);
 
   const Json& root() const { return root_; }
   [[noreturn]] void fail(const std::string& place, std::string message, std::string expected = {}) const;
 
-  /// A member of an object, or null.
+  /// Returns a member of an object, or null.
   const Json* find(const Json& object, const char* key, const std::string& place) const;
-  /// A member that is a list; empty where it is missing.
+  /// Returns a member that is a list, or an empty list if it is missing.
   const Json& list(const Json& object, const char* key, const std::string& place) const;
-  /// A whole number of at least 0; nothing where it is missing.
+  /// Returns a whole number of at least 0, or nothing if it is missing.
   std::optional<std::uint64_t> whole(const Json& object, const char* key, const std::string& place) const;
   std::uint64_t as_whole(const Json& value, const std::string& what, const std::string& place) const;
-  /// What has an index in one of the lists at the top.
+  /// Returns the element with an index in one of the top-level lists.
   const Json& element(const char* key, std::uint64_t index, const std::string& place) const;
-  /// Fills `numbers` from a list of as many; false where it is missing.
+  /// Fills `numbers` from a list of the same length. Returns false if the member is missing.
   template <std::size_t kCount>
   bool fill(const Json& from, const char* key, const std::string& place, std::array<double, kCount>& numbers) const {
     const Json* found = find(from, key, place);
@@ -68,7 +68,8 @@ class GlbFile {
     return true;
   }
 
-  /// An accessor of a type with this number of components, "VEC3" with 3; all of it lies in the binary chunk.
+  /// Returns the data of an accessor with this number of components (3 for "VEC3"). Checks that all data lie in the
+  /// binary chunk.
   GltfNumbers numbers(std::uint64_t accessor, std::string_view type, std::uint64_t components) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of the whole of glTF, a body needs nodes, meshes and two accessors per primitive. The file is read here and not by
-// tinygltf, which follows nested JSON by recursion, opens any file that a buffer names, and does not report where a
-// fault lies.
+// Reads the triangles of a binary glTF file: nodes, meshes and two accessors per primitive. The project does not use
+// tinygltf here, because it reads nested JSON by recursion, opens any file that a buffer names, and does not report the
+// place of an error.
 //
 // Based on: Khronos Group, glTF 2.0 Specification (2021), sections 3.5 to 3.7 and 4.
 #include "meristem/scene/file/glb_mesh.h"
@@ -27,12 +27,12 @@ using Json = GlbFile::Json;
 
 constexpr std::uint64_t kMostVertices = 4294967295;
 
-// Modes of primitives; those below are points and lines.
+// Modes of primitives with triangles. Smaller values are points and lines.
 constexpr std::uint64_t kTriangles = 4;
 constexpr std::uint64_t kStrip = 5;
 constexpr std::uint64_t kFan = 6;
 
-/// Goes through the nodes of the scene and gathers their triangles.
+/// Visits the nodes of the scene and collects their triangles.
 class SceneReader {
  public:
   SceneReader(const GlbFile& glb, const std::string& file, const Limits& limits)
@@ -67,7 +67,7 @@ class SceneReader {
 
   void add_nodes(const Json& parent, const char* key, const std::string& place, const glm::dmat4& outer) {
     const Json& nodes = glb_.list(parent, key, place);
-    // The last one waits on top, so they are put there from behind.
+    // Push in reverse order, because the last entry is processed first.
     for (std::size_t k = nodes.size(); k-- > 0;) {
       const std::uint64_t node = glb_.as_whole(nodes[k], "a node", place);
       if (node >= is_seen_.size()) glb_.fail(place, fmt::format("there is no nodes[{}]", node));
@@ -145,7 +145,7 @@ class SceneReader {
     return glb_.numbers(*index, "VEC3", 3);
   }
 
-  /// Nothing where the positions are taken in order.
+  /// Returns nothing if the positions are used in order.
   std::optional<GltfNumbers> indices_of(const Json& primitive, const std::string& place) const {
     const auto index = glb_.whole(primitive, "indices", place);
     if (!index) return std::nullopt;
@@ -158,7 +158,7 @@ class SceneReader {
     return indices;
   }
 
-  /// The positions of a triangle's corners in the list of indices.
+  /// Returns the corners of a triangle as positions in the list of indices.
   static std::array<std::uint64_t, 3> corners_of(std::uint64_t mode, std::uint64_t triangle) {
     if (mode == kStrip) return {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
     if (mode == kFan) return {triangle + 1, triangle + 2, 0};
@@ -192,9 +192,9 @@ class SceneReader {
   const GlbFile& glb_;
   const std::string& file_;
   const Limits& limits_;
-  std::vector<bool> is_seen_;  // of the nodes
+  std::vector<bool> is_seen_;  // one flag per node
   std::vector<Waiting> waiting_;
-  std::uint64_t placed_ = 0;  // primitives
+  std::uint64_t placed_ = 0;  // number of primitives so far
   TriangleMesh mesh_;
 };
 

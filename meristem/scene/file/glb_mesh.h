@@ -9,12 +9,13 @@
 
 namespace meristem {
 
-/// Whether a file begins like a binary glTF.
+/// Returns true if the bytes begin like a binary glTF file.
 bool begins_glb(std::string_view bytes);
 
-/// All triangles that the default scene of a binary glTF 2.0 shows, where its nodes place them. Only what lies open in
-/// the file itself is read: other files, sparse and compressed data, and instances by extensions are faults. `file` is
-/// its name in messages. Throws InputError, before memory is spent on what a file only promises.
+/// Returns all triangles that the default scene of a binary glTF 2.0 file shows, placed by its nodes. Reads only
+/// uncompressed data within the file. References to other files, sparse or compressed data, and instances by extensions
+/// are errors. `file` is the name in messages. Throws InputError before allocating memory for data that the file does
+/// not contain.
 TriangleMesh parse_glb(std::string_view bytes, const std::string& file, const Limits& limits);
 
 }  // namespace meristem

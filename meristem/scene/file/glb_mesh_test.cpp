@@ -38,7 +38,7 @@ std::string glb(const std::string& json, const std::string& binary) {
   return bytes + chunks;
 }
 
-// Positions and then indices of type T, of one primitive.
+// The binary data of one primitive: positions, then indices of type T.
 template <class T>
 std::string data_of(const TriangleMesh& mesh) {
   std::string bytes;
@@ -51,7 +51,7 @@ std::string data_of(const TriangleMesh& mesh) {
 
 constexpr const char* kOneNode = R"([{"mesh": 0}])";
 
-// The JSON for data_of a box: 8 vertices, 36 indices.
+// The JSON for data_of(box()): 8 vertices, 36 indices.
 std::string box_json(int index_type, int index_bytes, const std::string& nodes = kOneNode,
                      const std::string& roots = "[0]") {
   return fmt::format(
@@ -84,7 +84,7 @@ std::string box_glb(const std::string& nodes = kOneNode, const std::string& root
   return glb(box_json(5123, 2, nodes, roots), data_of<std::uint16_t>(box()));
 }
 
-// The fault of the box's JSON where one part is written otherwise.
+// Returns the error message for the box's JSON with one part replaced.
 std::string fault_with(const std::string& part, const std::string& otherwise, const Limits& limits = {}) {
   std::string json = box_json(5123, 2);
   const std::size_t at = json.find(part);
@@ -103,14 +103,14 @@ TEST(GlbMesh, TakesEveryTypeOfIndex) {
 }
 
 TEST(GlbMesh, NodesPlaceTheirMeshes) {
-  // A child of a moved node, turned a quarter about y and doubled; and a mirrored one by its matrix.
+  // A child of a moved node, rotated by a quarter turn about y and scaled by 2, and a node with a mirroring matrix.
   const TriangleMesh mesh = parse(box_glb(
       R"([{"translation": [10, 0, 0], "children": [1]},
           {"mesh": 0, "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476], "scale": [2, 2, 2]},
           {"mesh": 0, "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-20,1]}, {"mesh": 0}])",
       "[0, 2]"));
   ASSERT_EQ(mesh.positions.size(), 16U);
-  // (x, y, z) goes to (10 + 2 z, 2 y, -2 x).
+  // (x, y, z) is mapped to (10 + 2 z, 2 y, -2 x).
   EXPECT_LT(glm::distance(mesh.positions[7], DVec3(16, 4, -2)), 1e-12);
   EXPECT_LT(glm::distance(mesh.positions[15], DVec3(-1, 2, -17)), 1e-12);
   EXPECT_TRUE(closedness_faults(mesh).empty());

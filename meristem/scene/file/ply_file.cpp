@@ -19,7 +19,7 @@ namespace meristem {
 
 namespace {
 
-/// The types' names by PlyType, old and new.
+/// The old and new names of types, indexed by PlyType.
 constexpr std::array<std::array<std::string_view, 2>, 8> kTypeNames{{{"char", "int8"},
                                                                      {"uchar", "uint8"},
                                                                      {"short", "int16"},
@@ -88,7 +88,7 @@ double decode(PlyType type, const char* bytes, bool is_swapped) {
   return 0;
 }
 
-/// The values of a body, one after another; each call gives nothing where the file ends.
+/// Reads the values of a body in sequence. Each call returns nothing at the end of the file.
 class Values {
  public:
   virtual ~Values() = default;
@@ -137,7 +137,7 @@ class AsciiValues : public Values {
   int first_line_;
 };
 
-/// Reads one row; false where the file ends.
+/// Reads one row. Returns false at the end of the file.
 bool read_row(const PlyElement& element, Values& values, PlyRow& row) {
   for (std::size_t k = 0; k < element.properties.size(); ++k) {
     const PlyProperty& property = element.properties[k];
@@ -149,7 +149,7 @@ bool read_row(const PlyElement& element, Values& values, PlyRow& row) {
       continue;
     }
     row.lists[k].clear();
-    // A list cannot be longer than the bytes that are left.
+    // A list cannot have more entries than bytes are left.
     if (!(*value >= 0 && *value <= static_cast<double>(values.bytes_left()) && *value == std::floor(*value))) {
       throw InputError(
           Diagnostic{.message = fmt::format("the list '{}' has {:.12g} entries, which the file cannot hold",
@@ -240,7 +240,8 @@ std::size_t PlyFile::need(const PlyElement& element, std::string_view property) 
 }
 
 void PlyFile::check_size(const PlyElement& element, std::uint64_t bytes_left) const {
-  // The fewest bytes of a row; in text a digit and a blank each, and the last blank may be missing.
+  // The smallest size of a row. In text, each value takes at least a digit and a blank, and the last blank may be
+  // missing.
   std::uint64_t row = 0;
   for (const PlyProperty& property : element.properties) {
     row += format_ == PlyFormat::ascii ? 2 : size_of(property.count_type.value_or(property.type));
@@ -262,7 +263,7 @@ void PlyFile::read(FunctionRef<void(const PlyElement&, const PlyRow&)> take) con
   AsciiValues ascii(body, file_, body_line_);
   Values& values = format_ == PlyFormat::ascii ? static_cast<Values&>(ascii) : binary;
   for (const PlyElement& element : elements_) {
-    // Rows without properties take no bytes and say nothing.
+    // Rows without properties take no bytes.
     if (element.properties.empty()) continue;
     check_size(element, values.bytes_left());
     PlyRow row;

@@ -17,7 +17,7 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::float32;
-  std::optional<PlyType> count_type;  ///< of a list
+  std::optional<PlyType> count_type;  ///< type of the length; set for lists only
 };
 
 struct PlyElement {
@@ -32,29 +32,31 @@ struct PlyRow {
   std::uint64_t index = 0;                 ///< from 0, within its element
   int line = 0;                            ///< in ASCII files
   std::vector<double> values;              ///< by property; 0 for lists
-  std::vector<std::vector<double>> lists;  ///< by property; empty for others
+  std::vector<std::vector<double>> lists;  ///< by property; empty for scalar properties
 };
 
-/// A file of Stanford's polygon format: whatever elements and properties its header names.
-/// Based on: G. Turk, The PLY polygon file format (1994).
+/// Reads a file in the Stanford polygon format (PLY) with any elements and properties. Based on: G. Turk, The PLY
+/// polygon file format (1994).
 class PlyFile {
  public:
-  /// Whether a file begins like one.
+  /// Returns true if the bytes begin like a PLY file.
   static bool begins(std::string_view bytes);
 
-  /// Reads the header of a whole file's bytes, which must outlive this; `file` is its name in messages. Throws
-  /// InputError, also where a header promises more rows than the bytes can hold, before anything is allocated.
+  /// Reads the header. `bytes` are the whole file and must outlive this object; `file` is its name in messages. Throws
+  /// InputError for an invalid header, and before allocating memory if the header declares more rows than the bytes can
+  /// hold.
   PlyFile(std::string_view bytes, std::string file);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
   const PlyElement* find(std::string_view element) const;
-  /// The position of a property; throws InputError, with the nearest name, where the element does not have it.
+  /// Returns the index of a property. Throws InputError with the nearest name if the element does not have the
+  /// property.
   std::size_t need(const PlyElement& element, std::string_view property) const;
 
-  /// Calls `take` for each row of each element, in the order of the file. Throws InputError where the file ends too
-  /// early or a value cannot be read.
+  /// Calls `take` for each row of each element, in the order of the file. Throws InputError if the file ends too early
+  /// or a value cannot be read.
   void read(FunctionRef<void(const PlyElement&, const PlyRow&)> take) const;
-  /// Throws InputError at a row.
+  /// Throws InputError with the place of a row.
   [[noreturn]] void fail(const PlyElement& element, const PlyRow& row, const std::string& message,
                          std::string expected = {}) const;
 

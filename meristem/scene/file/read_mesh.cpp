@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OBJ is read here and not by a library: of its many statements a closed body needs `v` and `f` only, and the libraries
-// at hand (tinyobjloader's callbacks among them) do not say in which line a fault lies.
+// Reads closed meshes from files. OBJ has its own parser here, because a closed body needs only the statements `v` and
+// `f`, and common libraries (such as tinyobjloader) do not report the line of an error.
 #include "meristem/scene/file/read_mesh.h"
 
 #include <charconv>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLastIndex = 4294967295.0;
 
-/// Adds a polygon as a fan around its first vertex.
+/// Adds a polygon as a fan of triangles around its first vertex.
 void add_polygon(const std::vector<std::uint32_t>& corners, const std::string& file, const Limits& limits,
                  TriangleMesh& mesh) {
   const std::size_t count = mesh.triangles.size() + corners.size() - 2;
@@ -79,7 +79,7 @@ class ObjReader {
     add_polygon(corners_, file_, limits_, mesh_);
   }
 
-  /// The vertex of "7", "7/2", "7//3" or, counted from the last one back, "-1".
+  /// Returns the vertex index of "7", "7/2", "7//3" or, counted from the end, "-1".
   std::uint32_t corner(std::string_view word) {
     const std::string_view digits = word.substr(0, word.find('/'));
     std::int64_t number = 0;
@@ -103,7 +103,7 @@ class ObjReader {
   const Limits& limits_;
   TriangleMesh mesh_;
   std::vector<std::uint32_t> corners_;
-  // Faces may come before their vertices, so the greatest index is judged at the end.
+  // The largest index so far. It is checked at the end, because faces may come before their vertices.
   std::uint32_t greatest_ = 0;
   TextScanner greatest_at_ = text_;
 };

@@ -9,13 +9,13 @@
 
 namespace meristem {
 
-/// The triangles of an OBJ, PLY or binary glTF (GLB) file; larger polygons become fans. Materials, normals and texture
-/// coordinates are passed over. Throws InputError with file and line, row or path.
+/// Returns the triangles of an OBJ, PLY or binary glTF (GLB) file. Polygons with more corners become fans. Ignores
+/// materials, normals and texture coordinates. Throws InputError with file and line, row or path.
 TriangleMesh read_mesh(const std::string& path, const Limits& limits);
-/// The triangles of a file's bytes, as `read_mesh` gives them; `file` is the file's name in messages.
+/// Like read_mesh(), for the bytes of a file. `file` is the file's name in messages.
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const Limits& limits);
 
-/// A closed mesh from a file; throws InputError that says where it is not closed.
+/// Returns the closed mesh in a file. Throws InputError with the place where the mesh is not closed.
 ClosedMesh read_closed_mesh(const std::string& path, const Limits& limits);
 
 }  // namespace meristem

@@ -107,7 +107,7 @@ TEST(ReadMesh, ARealBuildingIsClosedAndHasItsVolume) {
   for (const DVec3 position : closed.positions()) box.add(Vec3(position));
   EXPECT_LT(glm::length(box.size() - Vec3(13.49F, 18.69F, 9.41F)), 0.02F);
 
-  // The inside's share of the bounds is the volume's, within three standard deviations for this number of trials.
+  // The inside's share of the bounds matches the volume within three standard deviations for this number of trials.
   constexpr int kParts = 60;
   int inside = 0;
   for (int k = 0; k < kParts * kParts * kParts; ++k) {

@@ -10,14 +10,14 @@
 
 namespace meristem {
 
-/// Points as a file has them; in double, because scans may carry the coordinates of a whole country.
+/// Points of a file, in double precision, because scans may use coordinates of a national grid.
 using PointCloud = std::vector<DVec3>;
 
-/// The points of a PLY file (properties x, y and z of its element `vertex`), or of a text with a point per line: its
-/// first three numbers, between blanks, commas or semicolons. In a text, lines that begin with # or // are comments,
-/// and the first other line may be a heading. Throws InputError with file and line or row.
+/// Returns the points of a PLY file (properties x, y and z of its element `vertex`) or of a text. A text has one point
+/// per line: its first three numbers, separated by blanks, commas or semicolons. Lines that begin with # or // are
+/// comments, and the first other line may be a heading. Throws InputError with file and line or row.
 PointCloud read_points(const std::string& path, const Limits& limits);
-/// The points of a file's bytes, as `read_points` gives them; `file` is the file's name in messages.
+/// Like read_points(), for the bytes of a file. `file` is the file's name in messages.
 PointCloud parse_points(std::string_view bytes, const std::string& file, const Limits& limits);
 
 }  // namespace meristem

@@ -45,7 +45,7 @@ void append(std::string& bytes, T value, bool is_big) {
   bytes.append(raw.data(), raw.size());
 }
 
-// A scan with another element before, a list in each vertex, and every type.
+// A scan with another element first, a list in each vertex, and every type.
 std::string binary_ply(bool is_big) {
   std::string bytes =
       "ply\r\nformat binary_" + std::string(is_big ? "big" : "little") +
@@ -149,7 +149,7 @@ TEST(ReadPoints, AHeaderThatPromisesTooMuchIsRefusedBeforeTheMemoryIsSpent) {
   const std::string other =
       replaced(kAscii, "element vertex", "element strip 99999999999\nproperty int a\nelement vertex");
   EXPECT_NE(fault(other).find("declares 99999999999 rows of 'strip'"), std::string::npos);
-  // Rows without properties are nothing, however many.
+  // Rows without properties take no space, for any number of rows.
   expect_two(replaced(kAscii, "element vertex", "element strip 99999999999\nelement vertex"));
 }
 

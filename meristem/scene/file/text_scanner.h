@@ -9,25 +9,27 @@
 
 namespace meristem {
 
-/// A finite or infinite number, or NaN, however large and in any locale; nothing for other texts.
+/// Returns the number (finite, infinite or NaN) that a text contains, independent of the locale. Returns nothing for
+/// other texts.
 std::optional<double> parse_number(std::string_view text);
 
-/// Goes through a text word by word and knows the line and column of the last word.
+/// Iterates over the words of a text and keeps the line and column of the last word.
 class TextScanner {
  public:
-  /// `file` is for messages; `separators` stand between words besides blanks.
+  /// `file` is used in messages. `separators` are characters that separate words in addition to blanks.
   TextScanner(std::string_view text, std::string file, std::string_view separators = "")
       : text_(text), file_(std::move(file)), separators_(separators) {}
 
-  /// The next word of this line; empty at its end. A backslash at the end of a line continues it.
+  /// Returns the next word of this line, or an empty text at its end. A backslash at the end of a line continues the
+  /// line.
   std::string_view word();
-  /// The next word on this line or a later one; empty at the end of the text.
+  /// Returns the next word on this or a later line, or an empty text at the end of the text.
   std::string_view word_anywhere();
-  /// Goes to the next line. False at the end of the text.
+  /// Moves to the next line. Returns false at the end of the text.
   bool next_line();
 
-  std::size_t offset() const { return at_; }  ///< of the byte after the last word or line
-  int line() const { return word_line_; }     ///< of the last word
+  std::size_t offset() const { return at_; }  ///< offset of the byte after the last word or line
+  int line() const { return word_line_; }     ///< line of the last word
 
   /// Throws InputError at the last word.
   [[noreturn]] void fail(std::string message, std::string expected, std::string nearest = {}) const;

@@ -22,7 +22,7 @@ int days_of_month(int year, int month) {
   return kDays[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
 }
 
-/// A whole number of exactly `digits` digits, or of at most that number of digits; nothing for other texts.
+/// Returns the whole number with `least` to `most` digits that a text contains, or nothing for other texts.
 std::optional<int> whole_number(std::string_view text, std::size_t least, std::size_t most) {
   if (text.size() < least || text.size() > most) return std::nullopt;
   int number = 0;
@@ -33,10 +33,10 @@ std::optional<int> whole_number(std::string_view text, std::size_t least, std::s
   return number;
 }
 
-/// Days since 1 January 2000.
+/// Returns the number of days since 1 January 2000.
 int day_number(const Date& date) {
   const int years = date.year - 2000;
-  // Leap days of the years from 2000 up to the one before, which 2000 itself is the first of.
+  // Leap days from 2000 up to the previous year. 2000 is itself a leap year.
   const auto leaps_before = [](int year) {
     const int y = year - 1;
     return y / 4 - y / 100 + y / 400;
@@ -44,7 +44,7 @@ int day_number(const Date& date) {
   return 365 * years + leaps_before(date.year) - leaps_before(2000) + day_of_year(date) - 1;
 }
 
-/// An angle in (-pi, pi].
+/// Returns the equivalent angle in (-pi, pi].
 double half_turn(double angle) {
   const double turns = angle / (2 * kPi);
   return 2 * kPi * (turns - std::ceil(turns - 0.5));

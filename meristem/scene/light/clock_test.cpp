@@ -5,7 +5,7 @@
 
 namespace meristem::clock_test {
 
-constexpr double kAngleError = 0.012;  // degrees: what the Almanac states, and the rounding of published figures
+constexpr double kAngleError = 0.012;  // degrees: accuracy of the Almanac, plus the rounding of published figures
 
 TEST(Clock, ReadsDatesAndRefusesDaysThatAreNone) {
   EXPECT_EQ(parse_date("2026-06-21"), (Date{2026, 6, 21}));
@@ -22,7 +22,7 @@ TEST(Clock, CountsDaysThroughTheCalendar) {
   EXPECT_EQ(day_of_year({2026, 6, 21}), 172);
   EXPECT_EQ(day_of_year({2024, 12, 31}), 366);
   EXPECT_EQ(date_text({2026, 6, 1}), "2026-06-01");
-  // Every day of two centuries follows the one before.
+  // Each day of two centuries follows the previous one.
   Date date{1900, 1, 1};
   for (int k = 1; k <= 73413; ++k) {
     const Date next = later(date, 1);
@@ -57,7 +57,7 @@ TEST(Clock, AgreesWithThePublishedSolarPosition) {
   EXPECT_NEAR(degrees(sun.declination), -9.31434, kAngleError);
 }
 
-// Extremes and zeros of the equation of time as almanacs list them, to the day.
+// Extremes and zeros of the equation of time, as listed in almanacs, to the day.
 TEST(Clock, EquationOfTimeHasTheKnownExtremes) {
   const auto minutes = [](const Date& date) { return sun_by_clock(0, {}, date, 12).equation_of_time; };
   EXPECT_NEAR(minutes({2026, 2, 11}), -14.2, 0.1);
@@ -73,7 +73,7 @@ TEST(Clock, TheSunIsHighestAtSolarNoon) {
   const ClockZone berlin{.longitude = radians(13.4), .utc_offset = 2};
   const double latitude = radians(52.5);
   const ClockSun sun = sun_by_clock(latitude, berlin, {2026, 6, 21}, 12);
-  // Summer time is an hour ahead, and Berlin lies 1.6° west of its meridian: noon is past 13 h.
+  // Summer time is one hour ahead, and Berlin lies 1.6° west of the meridian of its zone, so noon is after 13 h.
   EXPECT_NEAR(sun.solar_hour, 12 - 1 - 1.6 / 15 - 1.8 / 60, 0.01);
   const double noon = 12 + (12 - sun.solar_hour);
   const ClockSun high = sun_by_clock(latitude, berlin, {2026, 6, 21}, noon);
@@ -81,7 +81,7 @@ TEST(Clock, TheSunIsHighestAtSolarNoon) {
   EXPECT_NEAR(degrees(high.position.altitude), 90 - 52.5 + 23.437, kAngleError);
 }
 
-// The clock's offset and the date's turn at midnight are only names for the same moment.
+// Time zone and date only name the moment: equal moments give equal suns.
 TEST(Clock, OneMomentIsOneSun) {
   const double latitude = radians(-33.9);
   const ClockSun a = sun_by_clock(latitude, {.longitude = radians(151.2), .utc_offset = 10}, {2026, 3, 1}, 9.5);
@@ -90,7 +90,7 @@ TEST(Clock, OneMomentIsOneSun) {
   EXPECT_NEAR(a.position.azimuth, b.position.azimuth, 1e-12);
 }
 
-// In solar time the project's own formula is said to be within half a degree of ephemerides.
+// The simpler formula for solar time must be within half a degree.
 TEST(Clock, TheSolarFormulaIsWithinHalfADegree) {
   const double latitude = radians(51.51494);
   for (int k = 0; k < 365; k += 5) {

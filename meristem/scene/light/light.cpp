@@ -12,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNearest = 0.1;  // metres: a lamp is no point, so nearer to it light does not grow for ever
+constexpr double kNearest = 0.1;  // metres; the light of a lamp does not increase at smaller distances
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::vector<DirectionalLight> sun_of_day(double latitude, double day, double eve
 std::vector<DirectionalLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours) {
   std::vector<DirectionalLight> positions;
   double sum = 0;
-  // From midnight to midnight, the second one left out: on the polar day it is the first one again.
+  // Iterate from midnight to midnight without the second one, which equals the first on the polar day.
   const auto steps = static_cast<int>(std::floor(12 / every_hours));
   for (const double day : days) {
     for (int k = -steps; k <= steps; ++k) {
@@ -56,17 +56,18 @@ std::vector<DirectionalLight> sun_of_days(double latitude, const std::vector<dou
 }
 
 std::vector<DirectionalLight> even_sky(double strength) {
-  // Rings of equal solid angle a patch, which on a sphere is equal height; the patches are about as high as wide.
+  // Rings with equal solid angle per patch, which means equal height on the sphere. The patches are about as wide as
+  // high.
   constexpr std::array<int, 4> kPatches = {16, 12, 8, 4};
   constexpr int kCount = 40;
   std::vector<DirectionalLight> sky;
-  double low = 0;  // sine of the altitude at the ring's lower edge
+  double low = 0;  // sine of the altitude of the ring's lower edge
   for (const int patches : kPatches) {
     const double high = low + static_cast<double>(patches) / kCount;
     const double sine = (low + high) / 2;
     for (int k = 0; k < patches; ++k) {
       const SkyDirection middle{2 * kPi * (k + 0.5) / patches, math::asin(sine)};
-      // Over all patches the sines have the mean 1/2.
+      // The mean of the sines over all patches is 1/2.
       sky.push_back({unit_vector(middle), strength * sine / (0.5 * kCount)});
     }
     low = high;

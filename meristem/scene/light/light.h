@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that plants grow in: the sun over a day or a season, the sky, lamps. Growth and measures ask it which
-// directions light reaches a position from, and how strong it is; whether anything stands in the way they ask the
-// obstacles.
+// The light that plants grow in: the sun over a day or a season, the sky, and lamps. It provides the direction and
+// strength of the light at a position. The obstacles provide shadows.
 #pragma once
 
 #include <limits>
@@ -12,30 +11,32 @@
 
 namespace meristem {
 
-/// Light that comes from one direction everywhere, as from very far away: the sun at one hour, a patch of the sky.
+/// Light with the same direction everywhere, from an infinitely distant source: the sun at one hour, or a patch of the
+/// sky.
 struct DirectionalLight {
   Vec3 toward = kUp;    ///< unit vector toward the light
   double strength = 1;  ///< share of all directional light
 };
 
-/// A light at one position that shines to all sides.
+/// A lamp at a position that shines in all directions.
 struct Lamp {
-  Vec3 position{0};     ///< metres
-  double strength = 1;  ///< one metre away, against all directional light; falls with the square of the distance
+  Vec3 position{0};  ///< metres
+  /// Strength at one metre, relative to all directional light; falls with the square of the distance.
+  double strength = 1;
 };
 
-/// The light that comes to one position from one side.
+/// The light that reaches one position from one source.
 struct LightRay {
   Vec3 toward = kUp;                                          ///< unit vector
-  double distance = std::numeric_limits<double>::infinity();  ///< metres to the source of the light
-  double strength = 1;                                        ///< at the position; 1 for all directional light
+  double distance = std::numeric_limits<double>::infinity();  ///< metres to the source
+  double strength = 1;  ///< at the position; 1 is as strong as all directional light together
 };
 
 /// All light of a scene. The strengths of sun and sky sum to 1, unless the sun never rises.
 struct Light {
-  /// The sun's positions, one after another; at the zenith unless set.
+  /// The sun's positions in sequence. Default: at the zenith.
   std::vector<DirectionalLight> sun{DirectionalLight{}};
-  std::vector<DirectionalLight> sky;  ///< patches of the dome, above the horizon
+  std::vector<DirectionalLight> sky;  ///< patches of the sky dome, above the horizon
   std::vector<Lamp> lamps;
 
   bool is_none() const { return sun.empty() && sky.empty() && lamps.empty(); }
@@ -47,22 +48,24 @@ struct Light {
     for (const Lamp& lamp : lamps) visit(ray_to(lamp, point));
   }
 
-  /// The unit vector toward the middle of the directional light; up where there is none, or as much from all sides.
+  /// Returns the unit vector toward the mean of the directional light. Returns up if there is no such light, or if it
+  /// is equal from all sides.
   Vec3 mean_direction() const;
-  /// The light of a lamp at a position; nearer than a hand's breadth, as strong as at that distance.
+  /// Returns the light of a lamp at a position. At distances below 0.1 m, the light is as strong as at 0.1 m.
   static LightRay ray_to(const Lamp& lamp, Vec3 point);
 };
 
-/// The sun's positions over a day, every `every_hours` hours from noon both ways as long as it is above the horizon, in
-/// the order of time; strengths in proportion to their altitudes, 1 in all. Empty in the polar night. `latitude` in
-/// radians.
+/// Returns the sun's positions over a day in the order of time. It samples every `every_hours` hours, from noon in both
+/// directions, as long as the sun is above the horizon. Strengths are proportional to the altitudes and sum to 1. Empty
+/// in the polar night. `latitude` is in radians.
 std::vector<DirectionalLight> sun_of_day(double latitude, double day, double every_hours);
-/// The sun's positions over several days, one day after another; strengths in proportion to the altitudes over all
-/// days, 1 in all.
+/// Returns the sun's positions over several days, one day after another. Strengths are proportional to the altitudes
+/// over all days and sum to 1.
 std::vector<DirectionalLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours);
 
-/// A dome of even brightness: 40 patches of equal solid angle, strengths in proportion to the sine of the altitude
-/// (what falls on level ground), `strength` in all. A dome turned by a quarter is the dome itself.
+/// Returns a sky dome of uniform brightness: 40 patches of equal solid angle. Strengths are proportional to the sine of
+/// the altitude (the light on level ground) and sum to `strength`. The dome is symmetric under quarter turns about the
+/// vertical.
 std::vector<DirectionalLight> even_sky(double strength);
 
 }  // namespace meristem

@@ -23,7 +23,7 @@ TEST(SunOfDay, HasFifteenWholeHoursOnDay126InDortmund) {
   for (std::size_t k = 0; k < sun.size(); ++k) {
     const SkyDirection expected = sun_position(radians(kDortmund), 126, 5 + static_cast<double>(k));
     EXPECT_LT(glm::distance(sun[k].toward, unit_vector(expected)), 1e-6F);
-    // Weighted by altitude.
+    // Strengths are proportional to the altitude.
     EXPECT_NEAR(sun[k].strength / sun[7].strength, altitude_deg(sun[k]) / altitude_deg(sun[7]), 1e-5);
   }
   EXPECT_NEAR(altitude_deg(sun[7]), 55.03, 0.005);
@@ -64,7 +64,7 @@ TEST(EvenSky, LightsLevelGroundAsADomeDoes) {
   const std::vector<DirectionalLight> sky = even_sky(0.4);
   EXPECT_EQ(sky.size(), 40U);
   EXPECT_NEAR(sum_of(sky), 0.4, 1e-12);
-  // Under a dome of even brightness the light below a height of sine s is s squared of all.
+  // Under a dome of uniform brightness, the share of light from below the altitude with sine s is s squared.
   double low = 0;
   for (const DirectionalLight& patch : sky) {
     EXPECT_NEAR(glm::length(patch.toward), 1, 1e-6);

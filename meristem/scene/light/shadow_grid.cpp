@@ -13,21 +13,21 @@ namespace meristem {
 
 namespace {
 
-constexpr double kFullShade = 4294967296;  // one shade as a whole number
+constexpr double kFullShade = 4294967296;  // fixed-point value of one shade
 constexpr double kMostShade = 1e6;
 constexpr double kFarthest = 1e10;  // voxels
 constexpr int kDeepest = 64;
-constexpr int kLongestReach = 4;  // so that what is looked at lies in two bricks each way
-constexpr int kBits = 3;          // of a voxel's position in its brick
+constexpr int kLongestReach = 4;  // limits a neighbourhood to two bricks in each direction
+constexpr int kBits = 3;          // bits of a voxel's coordinate in its brick
 constexpr int kMask = 7;
 
-/// To the nearest whole number, halves away from 0, so that both sides are alike.
+/// Rounds to the nearest whole number, halves away from 0, so that both signs are symmetric.
 std::int64_t rounded(double value) {
   const auto whole = static_cast<std::int64_t>(std::floor(std::abs(value) + 0.5));
   return value < 0 ? -whole : whole;
 }
 
-/// The axis along which the layers follow each other.
+/// Returns the axis along which the layers are stacked.
 int main_axis(DVec3 toward_light) {
   const DVec3 size(std::abs(toward_light.x), std::abs(toward_light.y), std::abs(toward_light.z));
   if (size.y >= size.x && size.y >= size.z) return 1;
@@ -50,11 +50,12 @@ void check(const ShadowParameters& form) {
   require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowParameters::toward_light is not a unit vector");
 }
 
-constexpr std::size_t kAskedAtOnce = 16;  // positions
+constexpr std::size_t kAskedAtOnce = 16;  // positions whose voxels are fetched together
 constexpr int kKeyBits = 21;
 constexpr std::uint64_t kPartOfKey = (1U << kKeyBits) - 1;
-constexpr std::size_t kFew = 64;         // shaders
-constexpr std::size_t kTogether = 8192;  // shaders, so that little is cast past a limit or after a stop
+constexpr std::size_t kFew = 64;  // shaders that are cast by one thread
+// Shaders per batch; small, so that little is cast after a stop or beyond a limit.
+constexpr std::size_t kTogether = 8192;
 
 }  // namespace
 
@@ -67,7 +68,7 @@ std::size_t ShadowGrid::Bricks::home_of(const BrickCell& position) const {
   return static_cast<std::size_t>(bits) & (table_.size() - 1);
 }
 
-/// Where a brick stands in the table, or would.
+/// Returns the index of a brick's entry in the table, or of the free entry where it would be inserted.
 std::size_t ShadowGrid::Bricks::entry_of(const BrickCell& position) const {
   std::size_t at = home_of(position);
   while (table_[at].brick != kNone && !is_same(table_[at].position, position)) at = (at + 1) & (table_.size() - 1);
@@ -97,7 +98,7 @@ ShadowGrid::Brick& ShadowGrid::Bricks::add(const BrickCell& position) {
 void ShadowGrid::Bricks::erase(const BrickCell& position) {
   std::size_t hole = entry_of(position);
   free_.push_back(table_[hole].brick);
-  // Bring back those behind it that could not stand there because of it.
+  // Move back the following entries that were displaced by this entry.
   for (std::size_t at = (hole + 1) & (table_.size() - 1); table_[at].brick != kNone;
        at = (at + 1) & (table_.size() - 1)) {
     const std::size_t way_from_home = (at - home_of(table_[at].position)) & (table_.size() - 1);
@@ -112,7 +113,8 @@ void ShadowGrid::Bricks::erase(const BrickCell& position) {
 ShadowGrid::ShadowGrid(const ShadowParameters& form) : form_(form) {
   check(form);
 
-  // The pyramid's layers: each a step away from the light, and aside as far as the light leans.
+  // The layers of the pyramid: each is one step further from the light and is shifted sideways by the slope of the
+  // light.
   const DVec3 light(form.toward_light);
   const int main = main_axis(light);
   double shade = form.amount;
@@ -131,7 +133,7 @@ ShadowGrid::ShadowGrid(const ShadowParameters& form) : form_(form) {
     shade /= form.base;
   }
 
-  // The voxels around, one of each pair of opposites: all 26 neighbours, and with more reach a ball.
+  // One voxel of each pair of opposite neighbours: all 26 neighbours for a reach of 1, a ball for larger reaches.
   const int reach = form.reach;
   for (int x = 0; x <= reach; ++x) {
     for (int y = -reach; y <= reach; ++y) {
@@ -160,19 +162,19 @@ bool ShadowGrid::reaches(Vec3 position) const {
   return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
 }
 
-/// Shaders with what they cast in each layer, by the bricks that they are in.
+/// Shaders with their amounts of shade in each layer, grouped by brick.
 struct ShadowGrid::Together {
   std::vector<Voxel> voxels;
   std::vector<std::uint64_t> amounts;  // by shader and layer
   std::vector<Group> groups;
-  std::array<std::vector<Fall>, kSlabs> falls;  // what each slab gets
+  std::array<std::vector<Fall>, kSlabs> falls;  // work of each slab
   std::size_t layers;
 
   const std::uint64_t* amounts_of(std::size_t shader) const { return amounts.data() + shader * layers; }
 };
 
-/// Casts what falls on the bricks of one slab. A group's shaders reach the same bricks around theirs, so each of these
-/// is looked up once for all of them.
+/// Casts the shade that falls on the bricks of one slab. The shaders of a group reach the same neighbouring bricks, so
+/// each of these bricks is looked up once per group.
 class ShadowGrid::SlabCaster {
  public:
   SlabCaster(const ShadowGrid& grid, const Together& together, Bricks& bricks, std::atomic<std::uint64_t>& made,
@@ -202,11 +204,11 @@ class ShadowGrid::SlabCaster {
     }
   }
 
-  /// Lets go of the bricks where no shade is left.
+  /// Removes bricks without shade.
   void drop_empty() {
     for (const BrickCell& position : unsummed_) {
       const Brick* const found = bricks_.find(position);
-      // The sum may wrap to 0 over voxels that are not.
+      // The sum may wrap to 0 although some voxels are not 0.
       if (found == nullptr || found->sum != 0) continue;
       const auto& shade = found->shade;
       if (std::all_of(shade.begin(), shade.end(), [](std::uint64_t s) { return s == 0; })) bricks_.erase(position);
@@ -215,7 +217,7 @@ class ShadowGrid::SlabCaster {
 
  private:
   void cast_layer(const Group& group, const Voxel& voxel, const Block& layer, std::uint64_t amount) {
-    // The layer's voxels, counted from the first of the group's brick.
+    // The voxels of the layer, relative to the first voxel of the group's brick.
     std::array<int, 3> low;
     std::array<int, 3> high;
     for (int k = 0; k < 3; ++k) {
@@ -259,9 +261,9 @@ class ShadowGrid::SlabCaster {
   std::atomic<std::uint64_t>& made_;
   std::uint64_t most_made_;
   const Progress& progress_;
-  std::array<int, 3> first_;  // brick that a group's shaders may reach, from theirs
+  std::array<int, 3> first_;  // lowest offset of a brick that a group's shaders may reach
   std::array<int, 3> count_;
-  std::vector<Brick*> near_;  // those at z_, by x and y; null until something falls there
+  std::vector<Brick*> near_;  // bricks at z_, by x and y; null until shade falls there
   int z_ = 0;
   std::vector<BrickCell> unsummed_;
 };
@@ -285,7 +287,8 @@ void ShadowGrid::cast(std::span<const Shader> shaders, const Progress& progress,
 
 void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bricks) {
   progress.check();
-  // Bring them into the order of their bricks and voxels. Bricks far apart may have one key; then they take turns.
+  // Sort the shaders by brick and voxel. Distant bricks may have equal keys; their shaders then form alternating
+  // groups.
   struct Placed {
     std::uint64_t key;
     std::uint32_t voxel;
@@ -307,7 +310,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
     return a.voxel != b.voxel ? a.voxel < b.voxel : a.shader < b.shader;
   });
 
-  // Shaders in one voxel cast as one.
+  // Merge the shaders of one voxel.
   Together together;
   together.layers = layers_.size();
   together.voxels.reserve(order.size());
@@ -338,7 +341,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
   const std::uint64_t before = brick_count();
   const std::uint64_t most_made = most_bricks > before ? most_bricks - before : 0;
   std::atomic<std::uint64_t> made{0};
-  // A few are cast by one thread sooner than others are woken.
+  // For few shaders, one thread is faster than waking others.
   const std::size_t grain = shaders.size() < kFew ? kSlabs : 1;
   parallel_for(kSlabs, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t slab = begin; slab < end; ++slab) {
@@ -389,7 +392,7 @@ double ShadowGrid::shade(Vec3 position) const {
 }
 
 void ShadowGrid::shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const {
-  // All voxels of a few positions are on their way from memory before the first is read.
+  // Start fetching the voxels of several positions before reading the first one.
   std::array<const std::uint64_t*, kAskedAtOnce> voxels;
   for (std::size_t first = 0; first < places.size(); first += kAskedAtOnce) {
     const std::size_t count = std::min(kAskedAtOnce, places.size() - first);
@@ -413,7 +416,7 @@ Vec3 ShadowGrid::brighter_way(Vec3 position) const {
 Vec3 ShadowGrid::brighter_way(Vec3 position, Recent& recent) const {
   const Voxel voxel = voxel_at(position);
 
-  // Look up the bricks around once.
+  // Look up the surrounding bricks once.
   BrickCell first;
   BrickCell last;
   for (int k = 0; k < 3; ++k) {
@@ -432,7 +435,7 @@ Vec3 ShadowGrid::brighter_way(Vec3 position, Recent& recent) const {
     return brick == nullptr ? 0 : brick->shade[index_in_brick(x, y, z)];
   };
 
-  // Opposite voxels together, so that what is equal on both sides leaves nothing.
+  // Subtract opposite voxels, so that equal shade on both sides cancels exactly.
   DVec3 sum(0);
   double total = 0;
   for (const auto& [offset, toward] : neighbours_) {

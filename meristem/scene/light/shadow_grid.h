@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shade that leaves and buds cast on what stands behind them, kept in voxels where there is any. A shader darkens a
-// pyramid that opens away from the light: layer q, q voxels on, is a square of half-width q and gets a * b^-q. Sums are
-// whole numbers, so the order of shaders does not matter and taking one away leaves what was there before it came.
-// Time goes with the voxels touched, memory with those that are shaded. Not a simulation of rays: obstacles shade by
-// themselves.
+// Shade that leaves and buds cast on the space behind them, stored in sparse voxels. A shader darkens a pyramid that
+// opens away from the light. Layer q, at a distance of q voxels, is a square of half-width q and gets the shade a *
+// b^-q. Sums are whole numbers. The order of shaders therefore does not matter, and removing a shader restores the
+// previous state exactly. Time is proportional to the touched voxels, memory to the shaded ones. Limit: this is no ray
+// simulation, and obstacles cast their shade separately.
 //
 // Based on: W. Palubicki et al.: Self-organizing tree models for image synthesis (2009), section 4.1, shadow
-// propagation. There the light comes from the zenith; here the pyramid leans as the light does.
+// propagation. In the source the light comes from the zenith; here the pyramid leans with the light.
 #pragma once
 
 #include <array>
@@ -24,35 +24,35 @@
 namespace meristem {
 
 struct ShadowParameters {
-  double voxel = 0.1;       ///< metres per side; raised, shade is coarser and reaches farther
-  double amount = 0.2;      ///< a: shade in the shader's own voxel; 0 casts none
-  double base = 2;          ///< b, at least 1; raised, shade fades sooner with the distance
-  int depth = 3;            ///< layers below the shader's own, 0 to 64; time and memory grow with its cube
-  Vec3 toward_light = kUp;  ///< unit vector; the layers lie across its greatest component (of equal ones y, then x)
-  int reach = 2;            ///< radius, in voxels, of what brighter_way looks at; 1 to 4
+  double voxel = 0.1;       ///< side of a voxel, metres; larger: coarser shade that reaches farther
+  double amount = 0.2;      ///< a: shade in the shader's own voxel; 0: no shade
+  double base = 2;          ///< b, at least 1; larger: shade fades faster with the distance
+  int depth = 3;            ///< layers below the shader's own, 0 to 64; time and memory grow with the cube
+  Vec3 toward_light = kUp;  ///< unit vector; layers are perpendicular to its largest component (ties: y, then x)
+  int reach = 2;            ///< radius in voxels of the neighbourhood for brighter_way(), 1 to 4
 
   bool operator==(const ShadowParameters&) const = default;
 };
 
-/// What casts shade.
+/// A source of shade.
 struct Shader {
   Vec3 position{0};
-  double weight = 1;  ///< as often it casts its shade; below 0 it takes back what was cast
+  double weight = 1;  ///< factor on the shade; negative: removes shade cast earlier
 };
 
 class ShadowGrid {
  private:
-  static constexpr int kSide = 8;  // voxels of a brick
+  static constexpr int kSide = 8;  // voxels per side of a brick
   using Voxel = std::array<std::int64_t, 3>;
   using BrickCell = std::array<std::int32_t, 3>;
-  /// The whole numbers are in 2^-32 of a shade, and wrap.
+  /// Shade as whole numbers in units of 2^-32 of a shade. The numbers wrap around.
   struct Brick {
     std::array<std::uint64_t, std::size_t{kSide} * kSide * kSide> shade{};
     std::uint64_t sum = 0;
   };
 
  public:
-  /// Bricks that were asked for before and whose neighbours all fit. For one thread, as long as nothing is cast.
+  /// A cache of recently used bricks for one thread. It is valid as long as nothing is cast.
   class Recent {
    public:
     Recent() { places_.fill({std::numeric_limits<std::int32_t>::min(), 0, 0}); }
@@ -63,51 +63,53 @@ class ShadowGrid {
     std::array<const Brick*, 8> bricks_{};
   };
 
-  /// Throws std::invalid_argument for a form out of range.
+  /// Throws std::invalid_argument for parameters out of range.
   explicit ShadowGrid(const ShadowParameters& form);
 
-  /// Adds what a shader at `position` casts, `weight` times over; remove() of the same position and weight takes it
-  /// back exactly. Weights are kept to 2^-32 of a shade. Throws std::invalid_argument for positions that are not finite
-  /// or more than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
+  /// Adds the shade of a shader at `position`, times `weight`. remove() with equal arguments restores the previous
+  /// state exactly. Weights are rounded to 2^-32 of a shade. Throws std::invalid_argument for positions that are not
+  /// finite or more than 10^10 voxels away. Throws it also for weights that are not finite or cast over 10^6 shades.
   void add(Vec3 position, double weight = 1);
   void remove(Vec3 position, double weight = 1) { add(position, -weight); }
-  /// Adds what many shaders cast, on all threads. Throws TooMuchMemory before it takes more than `most_bytes`, and
-  /// Cancelled; then some of the shaders are cast.
+  /// Adds the shade of many shaders, on all threads. Throws TooMuchMemory before exceeding `most_bytes`, and throws
+  /// Cancelled. After an exception, some of the shaders have been cast.
   void cast(std::span<const Shader> shaders, const Progress& progress,
             std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
   struct TooMuchMemory {};
-  /// Whether a position is not too far away to cast and to ask.
+  /// Returns true if a position is close enough to cast shade and to be queried.
   bool reaches(Vec3 position) const;
 
-  /// The sum of what was cast on the position's voxel. From many threads at once, as brighter_way.
+  /// Returns the sum of shade in the voxel of `position`. Thread-safe, like brighter_way().
   double shade(Vec3 position) const;
-  /// Writes the shade at each of `places` to `found`, which is as long; many positions far apart are asked sooner
-  /// together than one by one.
+  /// Writes the shade at each of `places` to `found`, which has the same length. For many distant positions, this is
+  /// faster than single queries.
   void shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const;
-  /// The way out of the shade: minus the mean of the unit vectors to the voxels around, weighted by their shade. The
-  /// more one-sided the shade, the longer, up to 1; zero where there is none or as much on every side.
+  /// Returns the direction out of the shade: minus the mean of the unit vectors to the surrounding voxels, weighted by
+  /// their shade. The length is up to 1 and grows with the asymmetry of the shade. Zero if there is no shade or if it
+  /// is symmetric.
   Vec3 brighter_way(Vec3 position, Recent& recent) const;
   Vec3 brighter_way(Vec3 position) const;
 
   const ShadowParameters& form() const { return form_; }
   bool empty() const { return brick_count() == 0; }
-  std::size_t bytes() const;  ///< heap memory of shaded space
+  std::size_t bytes() const;  ///< heap memory of the shaded space
 
  private:
-  /// Bricks by their positions. A small table leads to them, so that looking one up costs one look into memory.
+  /// Bricks by position. A small hash table keeps each lookup to one memory access.
   class Bricks {
    public:
     std::size_t size() const { return bricks_.size() - free_.size(); }
-    /// Null where there is none.
+    /// Returns null if the brick does not exist.
     const Brick* find(const BrickCell& position) const {
       return table_.empty() ? nullptr : entry_at(entry_of(position));
     }
     Brick* find(const BrickCell& position) {
-      return const_cast<Brick*>(static_cast<const Bricks*>(this)->find(position));  // NOLINT: it is ours to change
+      // NOLINT: the object itself is not const.
+      return const_cast<Brick*>(static_cast<const Bricks*>(this)->find(position));
     }
-    /// The one that is there, or a new one without shade; it stays where it is.
+    /// Returns the existing brick, or a new one without shade. References to bricks stay valid.
     Brick& add(const BrickCell& position);
-    /// Lets go of a brick without shade that is there.
+    /// Removes an existing brick that has no shade.
     void erase(const BrickCell& position);
 
    private:
@@ -122,12 +124,13 @@ class ShadowGrid {
       return table_[entry].brick == kNone ? nullptr : &bricks_[table_[entry].brick];
     }
 
-    std::vector<Entry> table_;  // linear probing, at most half in use; as many as a power of two, or none
+    // Open addressing with linear probing, at most half full; the size is 0 or a power of two.
+    std::vector<Entry> table_;
     std::deque<Brick> bricks_;
-    std::vector<std::uint32_t> free_;  // unused bricks, for bricks that come next
+    std::vector<std::uint32_t> free_;  // unused bricks that can be reused
   };
-  static constexpr std::size_t kBrickBytes = sizeof(Brick) + 64;  // with what leads to it
-  /// Voxels from `low` to `high`, both included; counted from a shader's own, or from a brick's first.
+  static constexpr std::size_t kBrickBytes = sizeof(Brick) + 64;  // memory of a brick with its table entry
+  /// Voxels from `low` to `high`, both included, relative to a shader's voxel or to the first voxel of a brick.
   struct Block {
     std::array<int, 3> low{};
     std::array<int, 3> high{};
@@ -136,21 +139,21 @@ class ShadowGrid {
     Block block;
     double shade = 0;
   };
-  /// An offset whose opposite is left out.
+  /// A neighbour whose opposite is not in the list.
   struct Neighbour {
     std::array<int, 3> offset;
     DVec3 toward;
   };
 
-  /// Bricks are kept by their z, so that threads can work on them side by side.
+  /// Bricks are divided by z into slabs that threads can process independently.
   static constexpr int kSlabs = 16;
-  /// Shaders of one brick, one after another in those that are cast together.
+  /// Shaders of one brick, contiguous in the list of shaders.
   struct Group {
     BrickCell brick;
     std::uint32_t begin;
     std::uint32_t end;
   };
-  /// What a group casts on the bricks that are `z` from its own.
+  /// The shade of a group on the bricks with the offset `z` from its own brick.
   struct Fall {
     std::uint32_t group;
     int z;
@@ -159,7 +162,8 @@ class ShadowGrid {
   class SlabCaster;
 
   static bool is_same(const BrickCell& a, const BrickCell& b) {
-    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;  // the comparison of arrays is a call
+    // Faster than comparing arrays, which is a function call.
+    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;
   }
   static int slab_of(const BrickCell& position) { return position[2] & (kSlabs - 1); }
   static BrickCell brick_of(const Voxel& voxel);

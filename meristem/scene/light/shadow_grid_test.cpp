@@ -13,9 +13,9 @@
 
 namespace meristem::shadow_grid_test {
 
-constexpr float kVoxel = 0.5F;  // exact in binary, so that positions are
+constexpr float kVoxel = 0.5F;  // exact in binary, so that positions are exact
 
-/// The middle of the voxel that lies this number of voxels from the origin's.
+/// Returns the centre of the voxel at this offset from the origin's voxel.
 Vec3 voxel(int x, int y, int z) {
   return kVoxel * (Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)) + 0.5F);
 }
@@ -24,7 +24,7 @@ ShadowParameters form(Vec3 toward_light = kUp) {
   return {.voxel = kVoxel, .amount = 0.25, .base = 2, .depth = 3, .toward_light = toward_light, .reach = 2};
 }
 
-/// Shaders within some metres of `middle`.
+/// Makes shaders within a few metres of `middle`.
 std::vector<Shader> crowd(int count, Vec3 middle) {
   const RandomKey key = RandomKey(5).child("crowd");
   std::vector<Shader> shaders;
@@ -37,7 +37,7 @@ std::vector<Shader> crowd(int count, Vec3 middle) {
   return shaders;
 }
 
-/// The sum over a cube with this number of voxels on each side of the origin's.
+/// Returns the sum over the cube of voxels with this half-width around the origin's voxel.
 double sum_around(const ShadowGrid& grid, int half) {
   double sum = 0;
   for (int x = -half; x <= half; ++x) {
@@ -60,7 +60,7 @@ TEST(ShadowGrid, AShaderDarkensASquareOfEachLayerBelow) {
     }
   }
   EXPECT_EQ(grid.shade(voxel(0, 1, 0)), 0) << "above";
-  // 1, 9, 25 and 49 voxels, each layer with half the shade.
+  // Layers of 1, 9, 25 and 49 voxels, each with half the shade of the previous one.
   EXPECT_DOUBLE_EQ(sum_around(grid, 6), 0.25 * (1 + 9 / 2.0 + 25 / 4.0 + 49 / 8.0));
 }
 
@@ -112,7 +112,7 @@ TEST(ShadowGrid, RemovingIsTheExactInverse) {
 }
 
 TEST(ShadowGrid, LeansAwayFromTheLight) {
-  // The sun stands in the south (+z) at 45°: each layer lies one voxel lower and one farther north.
+  // The sun is in the south (+z) at 45°: each layer is one voxel lower and one voxel farther north.
   const float root = std::sqrt(0.5F);
   ShadowGrid grid(form({0, root, root}));
   grid.add(voxel(0, 0, 0));
@@ -137,7 +137,7 @@ TEST(ShadowGrid, LayersLieAcrossLightFromTheHorizon) {
 }
 
 TEST(ShadowGrid, TurnsWithTheLight) {
-  // A quarter turn about the vertical takes x to z and z to -x.
+  // A quarter turn about the vertical maps x to z and z to -x.
   const double up = radians(40);
   const Vec3 light(static_cast<float>(0.6 * math::cos(up)), static_cast<float>(math::sin(up)),
                    static_cast<float>(-0.8 * math::cos(up)));
@@ -166,7 +166,7 @@ TEST(ShadowGrid, TheBrighterWayLeadsOutOfTheShade) {
   ShadowGrid grid(form());
   EXPECT_EQ(grid.brighter_way(voxel(0, 0, 0)), Vec3(0)) << "there is no shade";
   grid.add(voxel(0, 0, 0));
-  // Beside the pyramid: away from it. Above: up. Within, on its axis: away from the shader.
+  // Beside the pyramid, away from it. Above it, up. Inside, on its axis, away from the shader.
   EXPECT_GT(grid.brighter_way(voxel(3, -2, 0)).x, 0.5F);
   EXPECT_LT(grid.brighter_way(voxel(0, -2, -3)).z, -0.5F);
   EXPECT_GT(grid.brighter_way(voxel(0, 1, 0)).y, 0.5F);
@@ -198,7 +198,7 @@ TEST(ShadowGrid, TheBrighterWayIsTheMeanOfNeighboursByTheirShade) {
 TEST(ShadowGrid, IsTheSameFarFromTheOrigin) {
   ShadowGrid here(form());
   ShadowGrid there(form());
-  const Vec3 far(-1048576, 524288, 2097152);  // whole bricks away, where floats know a quarter of a metre
+  const Vec3 far(-1048576, 524288, 2097152);  // a whole number of bricks away; floats have a resolution of 0.25 m there
   const int places[][3] = {{0, 0, 0}, {1, 2, -3}, {-4, 1, 2}};
   for (const auto& [x, y, z] : places) {
     here.add(voxel(x, y, z));
@@ -264,7 +264,7 @@ TEST(ShadowGrid, RefusesFormsOutOfRange) {
 }
 
 TEST(ShadowGrid, ManyAtOnceCastWhatTheyCastOneByOne) {
-  // Some of them twice in a voxel, some taken back at once, on any number of threads.
+  // Some shaders share a voxel, and some are removed in the same call, on any number of threads.
   std::vector<Shader> shaders = crowd(2000, Vec3(0));
   for (std::size_t k = 0; k < 500; ++k) shaders.push_back({shaders[k].position, -shaders[k].weight});
   for (std::size_t k = 500; k < 700; ++k) shaders.push_back(shaders[k]);
@@ -310,7 +310,7 @@ TEST(ShadowGrid, CastsNoMoreThanItMayHold) {
 }
 
 TEST(ShadowGrid, BricksComeAndGoInAnyOrder) {
-  // Many far apart, so that those that are looked for share a way in the table.
+  // Many distant bricks, so that lookups share probe sequences in the table.
   const RandomKey key(9);
   ShadowGrid grid(form());
   std::vector<Vec3> places;

@@ -11,23 +11,23 @@ namespace meristem {
 
 namespace {
 
-// Irradiance, in our units, of 1000 lux: 95 klux of sun and 33 of dome make a white surface's radiance 1.
+// Irradiance of 1000 lux in our units. 95 klux from the sun and 33 from the dome make a white surface's radiance 1.
 constexpr double kPerKilolux = kPi / 128;
-// The haze that softens contrast: the handbook's clear sky is darker than photographs of pleasant days.
+// Haze that softens contrast: the handbook's clear sky is darker than photographs of pleasant days.
 constexpr double kHaze = 2.4;
 
 float luminance(Vec3 light) { return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b; }
 
 Vec3 with_luminance_1(Vec3 light) { return light / luminance(light); }
 
-/// How many times the air of a vertical path sunlight passes (Kasten and Young).
+/// Returns the air mass: the path of sunlight through the air relative to the vertical path (Kasten and Young).
 double air_mass(double altitude) {
   const double altitude_deg = std::max(degrees(altitude), 0.0);
   return 1 / (math::sin(radians(altitude_deg)) + 0.50572 * math::pow(altitude_deg + 6.07995, -1.6364));
 }
 
-/// The colour of sunlight after `mass` airs, luminance 1: optical depths of air molecules, ozone and a little dust at
-/// 610, 550 and 465 nm, white-balanced for a sun at 45°.
+/// Returns the colour of sunlight after an air mass of `mass`, with luminance 1. Uses the optical depths of air
+/// molecules, ozone and a little dust at 610, 550 and 465 nm, white-balanced for a sun at 45°.
 Vec3 tint_after(double mass) {
   constexpr double kReferenceMass = 1.413;
   const auto channel = [&](double depth) { return static_cast<float>(math::exp(-depth * (mass - kReferenceMass))); };
@@ -35,13 +35,14 @@ Vec3 tint_after(double mass) {
   return with_luminance_1(kAt45 * Vec3(channel(0.185), channel(0.235), channel(0.34)));
 }
 
-/// Illuminance of a surface facing the sun, kilolux; fades out while the disc sets.
+/// Returns the illuminance of a surface facing the sun in kilolux. It fades out during sunset.
 double sun_kilolux(double altitude) {
   const double risen = std::clamp((degrees(altitude) + 0.8) / 1.6, 0.0, 1.0);
   return 127.5 * math::exp(-0.21 * air_mass(altitude)) * risen * risen * (3 - 2 * risen);
 }
 
-/// Illuminance of level ground by the dome, kilolux; falls tenfold in 4° below the horizon, to a bright night.
+/// Returns the illuminance of level ground by the dome in kilolux. It falls tenfold in 4° below the horizon, to a
+/// bright night.
 double dome_kilolux(double altitude) {
   if (altitude < 0) return kHaze * (0.02 + 0.78 * math::exp(0.58 * degrees(altitude)));
   return kHaze * (0.8 + 15.5 * std::sqrt(math::sin(altitude)));
@@ -51,13 +52,13 @@ double dome_kilolux(double altitude) {
 
 Sky::Sky(SkyDirection sun) : sun_direction_(unit_vector(sun)) {
   const double mass = air_mass(sun.altitude);
-  // The deepest reds of the setting disc would paint half the dome, so its light is taken a little above the horizon.
+  // Limit the reddening: at the horizon, the deepest reds would colour half the dome.
   sun_tint_ = tint_after(std::min(mass, 9.0));
   sun_irradiance_ = tint_after(std::min(mass, 14.0)) * static_cast<float>(sun_kilolux(sun.altitude) * kPerKilolux);
   const double low = 1 - std::clamp(std::abs(degrees(sun.altitude)) / 18, 0.0, 1.0);
   warmth_ = static_cast<float>(low * low);
 
-  // Scale the dome so that it lights level ground as it should: sum over rings of equal weight in irradiance.
+  // Scale the dome to the correct light on level ground: sum over rings with equal weight in irradiance.
   constexpr int kRings = 32;
   constexpr int kSectors = 64;
   DVec3 sum(0);
@@ -80,7 +81,7 @@ Vec3 Sky::radiance(Vec3 direction) const {
 }
 
 Vec3 Sky::relative_radiance(Vec3 direction) const {
-  // Brightness: the horizon is brighter than the zenith, and so is the ring about the sun.
+  // Brightness: the horizon and the area around the sun are brighter than the zenith.
   const double height = std::max(static_cast<double>(direction.y), 0.015);
   const double cosine = std::clamp(static_cast<double>(glm::dot(direction, sun_direction_)), -1.0, 1.0);
   const double from_sun = math::acos(cosine);
@@ -88,7 +89,7 @@ Vec3 Sky::relative_radiance(Vec3 direction) const {
   const double glow = math::exp(-3 * from_sun);
   const double brightness = gradation * (1 + 10 * (glow - math::exp(-1.5 * kPi)) + 0.45 * cosine * cosine);
 
-  // Colour: blue overhead, pale near the horizon and about the sun; a low sun warms the horizon on its side.
+  // Colour: blue overhead, pale near the horizon and around the sun. A low sun warms the horizon on its side.
   const Vec3 kDeep = with_luminance_1(Vec3(0.17F, 0.40F, 1.0F));
   const Vec3 kPale = with_luminance_1(Vec3(0.64F, 0.82F, 1.0F));
   const double depth = math::exp(-0.16 / height);

@@ -13,7 +13,8 @@ Sky sky_at(double altitude_deg) { return Sky({radians(180), radians(altitude_deg
 
 TEST(Sky, LightsAWhiteSurfaceFacingTheSunAt45DegreesToAboutOne) {
   const Sky sky = sky_at(45);
-  // The surface sees most of the dome and half of it twice as steeply; level ground's dome light is close enough.
+  // The surface sees most of the dome, and half of it at twice the steepness. The dome's light on level ground is close
+  // enough.
   const float radiance = luminance(sky.sun_irradiance() + sky.dome_irradiance()) / static_cast<float>(kPi);
   EXPECT_NEAR(radiance, 1, 0.05);
 }

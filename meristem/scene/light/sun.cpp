@@ -8,7 +8,7 @@
 namespace meristem {
 namespace {
 
-// The direction in doubles: x east, y up, z south.
+// Returns the direction to the sun: x east, y up, z south.
 DVec3 sun_vector(double latitude, double sun_declination, double hour) {
   const double hour_angle = radians(15 * (hour - 12));
   const double along = math::cos(sun_declination) * math::cos(hour_angle);
@@ -37,8 +37,8 @@ SkyDirection sun_position(double latitude, double day, double hour) {
 SkyDirection sun_at_hour(double latitude, double declination, double hour) {
   const DVec3 sun = sun_vector(latitude, declination, hour);
   const double altitude = math::asin(sun.y);
-  // Equation 4.7b takes an arc cosine, which is blind to the side and loses digits near noon; the arc tangent of the
-  // horizontal components gives the same angle without either fault.
+  // Equation 4.7b uses an arc cosine, which does not distinguish east from west and loses precision near noon. The arc
+  // tangent of the horizontal components avoids both problems.
   if (sun.x == 0 && sun.z == 0) return {latitude >= 0 ? kPi : 0, altitude};
   return {azimuth_of(sun.x, -sun.z), altitude};
 }

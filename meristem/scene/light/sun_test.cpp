@@ -16,15 +16,15 @@
 namespace meristem::sun_test {
 
 constexpr double kDortmund = 51.51494;  // degrees north
-constexpr double kTolerance = 0.001;    // degrees, and hours where times are compared
+constexpr double kTolerance = 0.001;    // degrees; hours for times
 
 struct Place {
   double altitude;
   double azimuth;
 };
 
-// A day's declination, the sun's positions at 6, 9, 12 and 15 hours, and sunrise, computed once by the source's
-// formulas in another program.
+// A day's declination, the sun's positions at 6, 9, 12 and 15 hours, and sunrise, computed by another program with the
+// formulas of the source.
 struct Day {
   int day;
   double declination;
@@ -62,7 +62,8 @@ void expect_agrees(const Day& day) {
   EXPECT_NEAR(light->second, 24 - day.sunrise, kTolerance);
 }
 
-/// A row "| day | declination | altitude azimuth | ... | sunrise |" with four positions, or nothing.
+/// Parses a row "| day | declination | altitude azimuth | ... | sunrise |" with four positions. Returns nothing for
+/// other lines.
 std::optional<Day> day_in(std::string line) {
   for (char& c : line) {
     if (c == '|') c = ' ';
@@ -98,13 +99,14 @@ TEST(Sun, StandsAt55DegreesAtNoonOnDay126) { EXPECT_NEAR(sun_deg(kDortmund, 126,
 TEST(Sun, IsWithinHalfADegreeOfAnEphemeris) {
   // Reda and Andreas, Solar Position Algorithm for Solar Radiation Applications (NREL 2008), example: 17 October 2003,
   // 12:30:30 at UTC-7, 39.742476 N, 105.1786 W: elevation without refraction 39.872, azimuth 194.340 degrees. True
-  // solar time: 4 minutes a degree east of the zone's meridian, and the equation of time of that day, 14.6 minutes.
+  // solar time adds 4 minutes per degree east of the zone's meridian, and the equation of time of that day, 14.6
+  // minutes.
   const double hour = 12 + 30.5 / 60 + (105 - 105.1786) / 15 + 14.6 / 60;
   const Place sun = sun_deg(39.742476, 290, hour);
   EXPECT_NEAR(sun.altitude, 39.872, 0.5);
   EXPECT_NEAR(sun.azimuth, 194.340, 0.5);
   EXPECT_NEAR(degrees(declination(290)), -9.31434, 0.5);
-  // By the clock, without the equation of time, it is up to 4 degrees off.
+  // With clock time instead, without the equation of time, the azimuth is up to 4 degrees off.
   const Place by_clock = sun_deg(39.742476, 290, hour - 14.6 / 60);
   EXPECT_NEAR(by_clock.azimuth, 194.340, 5);
   EXPECT_GT(std::abs(by_clock.azimuth - 194.340), 2);
@@ -125,12 +127,12 @@ TEST(Sun, StandsInTheNorthAtNoonInTheSouth) {
   const Place noon = sun_deg(-35, 172, 12);
   EXPECT_NEAR(std::remainder(noon.azimuth, 360), 0, kTolerance);
   EXPECT_NEAR(noon.altitude, 90 - 35 - 23.4405, kTolerance);
-  // It still rises in the east: by way of the north-east before noon.
+  // The sun still rises in the east and passes the north-east before noon.
   EXPECT_NEAR(sun_deg(-35, 172, 9).azimuth, 360 - sun_deg(-35, 172, 15).azimuth, 1e-9);
   EXPECT_LT(sun_deg(-35, 172, 9).azimuth, 90);
 }
 
-/// The day from midsummer to midwinter (of the north) with this declination.
+/// Returns the day between the northern midsummer and midwinter with this declination.
 double day_of(double sun_declination) {
   double early = 173;
   double late = 355;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Stores the markers of all space in sparse bricks and counts the shoots near each marker. See marker_bricks.h.
 #include "meristem/scene/marker/marker_bricks.h"
 
 #include <algorithm>
@@ -14,20 +15,20 @@ namespace {
 
 constexpr std::size_t kPatterns = 64;
 
-/// Bytes that are 0 or 1 as bits.
+/// Packs bytes that are 0 or 1 into bits.
 std::uint64_t bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes) {
   std::uint64_t all = 0;
   for (std::size_t k = 0; k < 8; ++k) {
     std::uint64_t eight = 0;
     std::memcpy(&eight, bytes.data() + 8 * k, 8);
-    // The sum of shifts by 7 and its multiples leaves them side by side in the highest byte.
+    // The multiplication collects the eight bits in the highest byte.
     all |= (eight * 0x0102040810204080U) >> 56 << (8 * k);
   }
   return all;
 }
 static_assert(std::endian::native == std::endian::little, "the first byte becomes the lowest bit");
 
-/// The bricks of a range along one axis, seen from a position.
+/// The bricks of a range along one axis, relative to a position.
 struct BricksAlong {
   std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the position
   std::array<float, MarkerBricks::kMostAlong> gap;          // squared distance
@@ -68,7 +69,7 @@ MarkerBricks::MarkerBricks(double spacing, double reach, RandomKey key)
   }
 }
 
-/// Where a block stands in the table, or would.
+/// Returns the index of a block's entry in the table, or of the free entry where it would be inserted.
 std::size_t MarkerBricks::entry_of(std::uint64_t key) const {
   const std::uint64_t mixed = key * 0x9E3779B97F4A7C15U;
   std::size_t at = (mixed ^ mixed >> 32) & (table_.size() - 1);
@@ -94,7 +95,7 @@ std::uint32_t MarkerBricks::add_block(const Cell& cell) {
   block.markers.fill(kAll);
   block.bricks.fill(kNone);
 
-  // Enter it, and all others anew where the table is half full.
+  // Insert it. If the table is half full, enlarge it and insert all blocks again.
   const auto added = static_cast<std::uint32_t>(blocks_.size() - 1);
   const bool is_full = 2 * blocks_.size() > table_.size();
   if (is_full) table_.assign(2 * table_.size(), {});
@@ -218,7 +219,7 @@ void MarkerBricks::take(std::uint32_t brick, const Near& near) {
   refresh(at);
 }
 
-/// What is to be had in a brick, as its block has it.
+/// Updates the available markers of a brick in its block.
 void MarkerBricks::refresh(const Brick& brick) {
   Block& block = blocks_[brick.slot / kInBrick];
   const std::uint32_t k = brick.slot % kInBrick;
@@ -233,7 +234,7 @@ void MarkerBricks::limit(Brick& brick, std::uint64_t within) {
 }
 
 std::size_t MarkerBricks::bytes() const {
-  constexpr std::size_t kLinks = 3 * sizeof(void*);  // of the map, and of what the deque is cut into
+  constexpr std::size_t kLinks = 3 * sizeof(void*);  // memory of links in the map and in the deque's chunks
   return patterns_.size() * sizeof(Pattern) + blocks_.capacity() * sizeof(Block) + table_.size() * sizeof(Entry) +
          bricks_.size() * (sizeof(Brick) + kLinks) +
          carries_.size() * (sizeof(decltype(carries_)::value_type) + kLinks);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where markers stand and how many shoots are near each: one marker in every voxel of all space, somewhere within it.
-// Voxels are kept in bricks of 4 x 4 x 4 from the first time that a shoot or a bud comes near, bricks in blocks of
-// 4 x 4 x 4, so that memory goes with what is touched. A brick's markers follow one of 64 patterns drawn from the key;
-// which one is drawn from the key and the brick's position.
+// Marker positions and the number of shoots near each marker. All space has one marker per voxel, at a random position
+// in the voxel. Voxels are stored in bricks of 4 x 4 x 4, and bricks in blocks of 4 x 4 x 4. A brick is created when a
+// shoot or a bud first comes near, so memory is proportional to the touched space. The markers of a brick follow one of
+// 64 patterns that are drawn from the key. The brick's position and the key select the pattern.
 #pragma once
 
 #include <algorithm>
@@ -21,89 +21,90 @@ namespace meristem {
 
 class MarkerBricks {
  public:
-  static constexpr std::int32_t kSide = 4;       // voxels of a brick, bricks of a block
-  static constexpr std::uint32_t kInBrick = 64;  // markers, or bricks in a block: x + 4 y + 16 z
-  static constexpr std::uint32_t kNone = ~0U;    // no brick, no block
-  static constexpr std::uint64_t kAll = ~0ULL;   // markers of a brick, or bricks of a block
+  static constexpr std::int32_t kSide = 4;       // voxels per side of a brick, bricks per side of a block
+  static constexpr std::uint32_t kInBrick = 64;  // markers of a brick, or bricks of a block: index x + 4 y + 16 z
+  static constexpr std::uint32_t kNone = ~0U;    // no brick, or no block
+  static constexpr std::uint64_t kAll = ~0ULL;   // all markers of a brick, or all bricks of a block
   static constexpr int kMostReach = 32;          // voxels
-  static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;  // bricks that this touches along an axis
+  // Largest number of bricks along an axis within this reach.
+  static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;
 
-  /// A position in units of 2^-16 voxels: then its way to a marker is exact in floats.
+  /// A position in units of 2^-16 voxels. The vector to a marker is then exact in floats.
   using FinePosition = std::array<std::int64_t, 3>;
-  /// Which voxel, brick or block this is along each axis; four times as many of each as of the next.
+  /// Coordinates of a voxel, brick or block. A brick is four voxels wide, a block four bricks.
   using Cell = std::array<std::int32_t, 3>;
   struct Range {
-    Cell low;   ///< the first
-    Cell high;  ///< the last
+    Cell low;   ///< first cell, included
+    Cell high;  ///< last cell, included
   };
-  /// Where the markers of a brick stand: voxels from its low corner.
+  /// The positions of a brick's markers, in voxels from its low corner.
   struct Pattern {
     std::array<float, kInBrick> x;
     std::array<float, kInBrick> y;
     std::array<float, kInBrick> z;
   };
   struct Brick {
-    std::array<std::uint8_t, kInBrick> shoots{};  ///< near each marker, modulo 256
-    std::uint64_t free = kAll;                    ///< markers without a shoot near
-    std::uint64_t within = kAll;                  ///< markers that a volume may hold
-    std::uint32_t slot = 0;                       ///< kInBrick * block + position in it
-    std::uint32_t claims = kNone;                 ///< for the owner of the bricks
+    std::array<std::uint8_t, kInBrick> shoots{};  ///< number near each marker, modulo 256
+    std::uint64_t free = kAll;                    ///< markers without a shoot nearby
+    std::uint64_t within = kAll;                  ///< markers that some volume contains
+    std::uint32_t slot = 0;                       ///< kInBrick * block + position in the block
+    std::uint32_t claims = kNone;                 ///< for use by the owner of the bricks
     std::uint8_t pattern = 0;
   };
   struct Block {
     Cell position;
-    std::uint64_t open = kAll;                    ///< bricks with markers to be had
-    std::array<std::uint64_t, kInBrick> markers;  ///< to be had in each brick: free and within a volume
+    std::uint64_t open = kAll;                    ///< bricks with available markers
+    std::array<std::uint64_t, kInBrick> markers;  ///< available markers of each brick: free and within a volume
     std::array<std::uint32_t, kInBrick> bricks;
   };
-  /// Blocks that were asked for before; all neighbours of one fit.
+  /// A cache of recently used blocks. All neighbours of a block fit.
   struct Recent {
     Recent() { keys.fill(kAll); }
     std::array<std::uint64_t, 64> keys;
     std::array<std::uint32_t, 64> blocks;
   };
 
-  /// Throws std::invalid_argument unless `spacing` (metres) is above 0 and `reach` in [0, kMostReach] spacings.
+  /// Throws std::invalid_argument unless `spacing` (metres) is above 0 and `reach` is in [0, kMostReach] spacings.
   MarkerBricks(double spacing, double reach, RandomKey key);
 
-  /// Counts a shoot at every marker within reach; vacate() is the exact inverse, and throws std::invalid_argument if
-  /// no shoot is left to take away.
+  /// Counts a shoot at every marker within reach. vacate() is the exact inverse, and throws std::invalid_argument if no
+  /// shoot is left to remove.
   void occupy(Vec3 position);
   void vacate(Vec3 position);
 
-  /// Whether a position is finite and at most 4 million voxels away from the origin, along each axis.
+  /// Returns true if a position is finite and at most 4 million voxels away from the origin along each axis.
   bool reaches(Vec3 position) const {
     const double farthest = kFarthest / fine_a_metre_;
     return std::abs(position.x) < farthest && std::abs(position.y) < farthest && std::abs(position.z) < farthest;
   }
-  /// Throws std::invalid_argument for positions out of reach.
+  /// Throws std::invalid_argument for positions that are too far away.
   FinePosition fine(Vec3 position) const;
-  /// The voxels that a box touches, given by its corners' distance in voxels from a position.
+  /// Returns the voxels that a box touches. `low` and `high` are its corners relative to `position`, in voxels.
   static Range voxels(const FinePosition& position, Vec3 low, Vec3 high);
-  /// Bricks that hold these voxels, or blocks that hold these bricks.
+  /// Returns the brick that contains a voxel, or the block that contains a brick.
   static Cell holder(const Cell& cell) { return {cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}; }
   static Range holders(const Range& range) { return {holder(range.low), holder(range.high)}; }
-  /// Which of its holder's 64 this is.
+  /// Returns the index of a cell among the 64 cells of its holder.
   static std::uint32_t number(const Cell& cell) {
     return static_cast<std::uint32_t>((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
   }
-  /// One of the 64 cells that a cell holds, by its number.
+  /// Returns the cell with this index among the 64 cells of a holder.
   static Cell held(const Cell& holder, std::uint32_t number) {
     const auto part = [&](int k) { return kSide * holder[k] + static_cast<std::int32_t>(number >> 2 * k & 3); };
     return {part(0), part(1), part(2)};
   }
-  /// Which of the 64 cells are in a range, which must meet the holder, as bits.
+  /// Returns, as bits, which of the 64 cells of a holder are in a range. The range must overlap the holder.
   static std::uint64_t held(const Cell& holder, const Range& range);
-  /// Voxels from a brick's low corner to a position, exact up to 256.
+  /// Returns the voxels from a brick's low corner to a position, exact up to 256.
   static Vec3 from_corner(const Cell& brick, const FinePosition& position);
 
-  /// kNone where there is none.
+  /// Returns kNone if the block does not exist.
   std::uint32_t find_block(const Cell& cell, Recent& recent) const {
     const std::uint32_t lane = number(cell);
     return recent.keys[lane] == packed(cell) ? recent.blocks[lane] : look_up(cell, recent);
   }
-  std::uint32_t add_block(const Cell& cell);    ///< the one that is there, or a new one
-  std::uint32_t add_brick(std::uint32_t slot);  ///< the one that is there, or a new one
+  std::uint32_t add_block(const Cell& cell);    ///< returns the existing block, or a new one
+  std::uint32_t add_brick(std::uint32_t slot);  ///< returns the existing brick, or a new one
   const Block& block(std::uint32_t k) const { return blocks_[k]; }
   std::size_t block_count() const { return blocks_.size(); }
   Brick& brick(std::uint32_t k) { return bricks_[k]; }
@@ -111,9 +112,9 @@ class MarkerBricks {
   std::size_t brick_count() const { return bricks_.size(); }
   Cell place_of(const Brick& brick) const;
   const Pattern& pattern(std::uint8_t k) const { return patterns_[k]; }
-  /// The pattern of a brick, which need not be there yet.
+  /// Returns the pattern of a brick, which need not exist yet.
   std::uint8_t pattern_at(const Cell& brick) const;
-  /// Says which of a brick's markers a volume may hold.
+  /// Sets the markers of a brick that some volume contains.
   void limit(Brick& brick, std::uint64_t within);
 
   double spacing() const { return spacing_; }
@@ -121,24 +122,24 @@ class MarkerBricks {
 
  private:
   static constexpr int kVoxelBits = 16;             // bits of a fine position within its voxel
-  static constexpr int kBrickBits = 18;             // within its brick
-  static constexpr float kFine = 65536;             // a voxel's side
-  static constexpr double kFarthest = 4e6 * 65536;  // past it 32-bit positions do not tell voxels apart
+  static constexpr int kBrickBits = 18;             // bits of a fine position within its brick
+  static constexpr float kFine = 65536;             // fine units per voxel
+  static constexpr double kFarthest = 4e6 * 65536;  // beyond it, 32-bit positions cannot distinguish voxels
 
-  /// For each marker of a brick 1 where it is within reach, else 0.
+  /// 1 for each marker of a brick within reach, else 0.
   using Near = std::array<std::uint8_t, kInBrick>;
   struct Entry {
     std::uint64_t key = kAll;
     std::uint32_t block = kNone;
   };
 
-  /// Three times 21 bits, which hold every brick that is not too far away.
+  /// Packs a cell into three times 21 bits, which hold every brick in range.
   static std::uint64_t packed(const Cell& cell) {
     const auto part = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(cell[k] + (1 << 20))}; };
     return part(0) | part(1) << 21 | part(2) << 42;
   }
   std::uint32_t look_up(const Cell& cell, Recent& recent) const;
-  void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;  // `shoot`: from the corner
+  void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;  // `shoot` is relative to the brick's corner
   template <class Visit>
   void for_each_near(Vec3 position, Visit visit);
   std::size_t entry_of(std::uint64_t key) const;
@@ -147,14 +148,14 @@ class MarkerBricks {
   void refresh(const Brick& brick);
 
   double spacing_;
-  double fine_a_metre_;  // units of fine positions
+  double fine_a_metre_;  // fine units per metre
   float reach_;          // voxels
   RandomKey key_;
   std::vector<Pattern> patterns_;
   std::vector<Block> blocks_;
   std::vector<Entry> table_;  // blocks by the hash of their position, linear probing
   std::deque<Brick> bricks_;
-  std::unordered_map<std::uint64_t, std::uint32_t> carries_;  // 256s of shoots, by kInBrick * brick + marker
+  std::unordered_map<std::uint64_t, std::uint32_t> carries_;  // multiples of 256 shoots, by kInBrick * brick + marker
   Recent recent_;
 };
 
@@ -179,7 +180,7 @@ inline MarkerBricks::Range MarkerBricks::voxels(const FinePosition& position, Ve
 inline std::uint64_t MarkerBricks::held(const Cell& holder, const Range& range) {
   const auto first = [&](int k) { return std::max(range.low[k] - kSide * holder[k], 0); };
   const auto after_last = [&](int k) { return std::max(kSide - 1 - (range.high[k] - kSide * holder[k]), 0); };
-  // A bit for each x; for each y such a row; for each z such a layer.
+  // A bit for each x; such a row for each y; such a layer for each z.
   const std::uint64_t row = 0xFU >> (first(0) + after_last(0)) << first(0);
   const std::uint64_t rows = 0x1111U >> 4 * (first(1) + after_last(1)) << 4 * first(1);
   const std::uint64_t layers = 0x0001000100010001U >> 16 * (first(2) + after_last(2)) << 16 * first(2);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the nearest look at each marker of a round. Each brick is processed once with all looks that may see it.
 #include "meristem/scene/marker/marker_contest.h"
 
 #include <algorithm>
@@ -11,11 +12,11 @@ namespace meristem {
 
 namespace {
 
-/// Both and either without branches, which would keep loops from working on vectors.
+/// Logical and/or without branches, which would prevent vectorisation.
 constexpr bool both(bool a, bool b) { return a & b; }
 constexpr bool either(bool a, bool b) { return a | b; }
 
-constexpr float kUnseen = 1e18F;  // where markers are that nobody sees
+constexpr float kUnseen = 1e18F;  // coordinate of markers that no look can see
 
 }  // namespace
 
@@ -29,14 +30,14 @@ LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const P
   }
   all.looks.reserve(look_count);
 
-  // Count the lookers of each brick.
+  // Count the looks at each brick.
   std::vector<std::uint32_t> ranks(MarkerBricks::kInBrick * bricks.block_count(), MarkerBricks::kNone);
   std::vector<std::uint32_t> look_counts;
   for (LookAround& part : around) {
     progress.check();
     all.looks.insert(all.looks.end(), part.looks.begin(), part.looks.end());
     look_counts.push_back(static_cast<std::uint32_t>(part.looks.size()));
-    part.looks = {};  // rounds of large stands take most of the memory of their growth
+    part.looks = {};  // free memory early: large stands need most of their memory here
     for (const Sighting& sighting : part.sightings) {
       std::uint32_t& rank = ranks[sighting.slot];
       if (rank == MarkerBricks::kNone) {
@@ -50,7 +51,7 @@ LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const P
   std::uint32_t end = 0;
   for (std::uint32_t& begin : all.begins) begin = std::exchange(end, end + begin);
 
-  // Enter them; each begin moves on to the next one's.
+  // Fill in the looks. Each begin moves on to the begin of the next brick.
   all.lookers.resize(sighting_count);
   std::uint32_t first_look = 0;
   for (std::size_t k = 0; k < around.size(); ++k) {
@@ -99,7 +100,7 @@ void BrickContest::compete(const Look& look, Vec3 position, std::int32_t layer, 
   const std::uint32_t begin = layers_[std::clamp(look.low - layer, 0, MarkerBricks::kSide)] / kLanes * kLanes;
   const std::uint32_t end = layers_[std::clamp(look.high - layer + 1, 0, MarkerBricks::kSide)];
   const std::uint32_t trips = (end - begin + kLanes - 1) / kLanes * kLanes;
-  // GCC makes vectors of four of this, as long as signs are not chosen by a condition.
+  // GCC vectorises this loop by four if signs are not chosen by a condition.
   const Vec3 to = look.direction;
   const float most = look.square;
   const float slope = look.slope;

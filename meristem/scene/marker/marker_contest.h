@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who looks at which bricks of markers in one round, and who of them is the nearest to each marker.
+// Lists which looks may see each brick of markers in one round, and finds the nearest look of each marker.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace meristem {
 
-/// The looks of a round, and for each brick that is looked at, who does.
+/// The looks of a round, and the looks at each brick.
 struct LookedAt {
   std::vector<Look> looks;
   std::vector<std::uint32_t> bricks;
-  std::vector<std::uint32_t> begins;   ///< of each brick's in `lookers`, and an end
+  std::vector<std::uint32_t> begins;   ///< begin of each brick's part of `lookers`, and the end
   std::vector<std::uint32_t> lookers;  ///< indices into `looks`
 
   std::span<const std::uint32_t> lookers_at(std::size_t brick) const {
@@ -23,22 +23,21 @@ struct LookedAt {
   }
 };
 
-/// Makes the bricks that are not there yet. Throws Cancelled.
+/// Collects the looks by brick and creates missing bricks. Throws Cancelled.
 LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const Progress& progress);
 
-/// The markers of one brick, and the nearest looker to each so far. Among equally near lookers the one whose seeker has
-/// the lower number counts.
+/// The markers of one brick with the nearest look of each marker so far. Ties go to the seeker with the lower number.
 class BrickContest {
  public:
-  /// Begins anew, with the markers that are to be had.
+  /// Starts a new contest with these available markers.
   void begin(const MarkerBricks::Pattern& pattern, std::uint64_t markers);
-  /// Shows these markers of the brick to the next lookers.
+  /// Sets which markers of the brick the next looks may see.
   void show(const MarkerBricks::Pattern& pattern, std::uint64_t markers);
-  /// `position`: the looker's in voxels from the brick's corner; `layer`: the brick's first layer of voxels; `looker`:
-  /// a number that for_each_owner gives back.
+  /// Lets a look compete for the markers. `position` is the position of the look in voxels from the brick's corner.
+  /// `layer` is the brick's first layer of voxels. `looker` is the number that for_each_owner() passes on.
   void compete(const Look& look, Vec3 position, std::int32_t layer, std::uint32_t looker);
 
-  /// For each marker that somebody sees, visit(the nearest looker, marker's number in the brick, squared distance).
+  /// Calls visit(nearest look, marker's number in the brick, squared distance) for each marker that some look sees.
   template <class Visit>
   void for_each_owner(Visit visit) const {
     for (std::uint32_t k = 0; k < count_; ++k) {
@@ -51,7 +50,7 @@ class BrickContest {
   static constexpr std::uint32_t kLanes = 4;
 
   std::uint32_t count_ = 0;
-  std::array<std::uint32_t, MarkerBricks::kSide + 1> layers_;  // where the markers of each begin
+  std::array<std::uint32_t, MarkerBricks::kSide + 1> layers_;  // begin of the markers of each layer
   std::array<std::uint32_t, kMost> marker_;
   alignas(16) std::array<float, kMost> x_;
   alignas(16) std::array<float, kMost> y_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A marker goes to the nearest bud that sees it. The line between them is exact in floats, and what a bud gets is
-// summed in whole numbers, so neither bricks nor threads show in the result.
+// Shares out markers among buds: a marker belongs to the nearest bud that sees it. The vector from bud to marker is
+// exact in floats, and the sums of a bud are whole numbers. The result therefore depends neither on bricks nor on
+// threads.
 #include "meristem/scene/marker/marker_field.h"
 
 #include <algorithm>
@@ -18,17 +19,17 @@ namespace meristem {
 namespace {
 
 constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
-constexpr float kUnitLength = 4294967296;  // a unit vector's length as a whole number
+constexpr float kUnitLength = 4294967296;  // fixed-point length of a unit vector
 constexpr std::size_t kBrickGrain = 32;
-constexpr std::uint64_t kBytesASighting = 16;          // of a brick by a seeker, in a round
-constexpr std::uint64_t kMostSightings = 0xffffffffU;  // that whole numbers of 32 bits count
+constexpr std::uint64_t kBytesASighting = 16;          // memory of one brick seen by one seeker, in a round
+constexpr std::uint64_t kMostSightings = 0xffffffffU;  // limit of 32-bit counts
 
 }  // namespace
 
-/// What a look has got. Whole numbers, so that the order of raises, on many threads, does not matter.
+/// The sums of a look. They are whole numbers, so the order of additions on many threads does not matter.
 struct MarkerField::Tally {
   std::uint32_t count = 0;
-  std::array<std::int64_t, 3> way{};  // in 2^-32
+  std::array<std::int64_t, 3> way{};  // in units of 2^-32
 
   void raise(const Tally& more) {
     const auto add = [](auto& number, auto by) { std::atomic_ref(number).fetch_add(by, std::memory_order_relaxed); };
@@ -81,7 +82,8 @@ const MarkerField::Claim* MarkerField::known_claim(const MarkerBricks::Brick& br
   return nullptr;
 }
 
-/// Where nothing is known of a brick, the volume is all of space.
+/// Returns the free markers of a brick that a volume contains. If a brick is unknown to the volume, all markers count
+/// as contained.
 std::uint64_t MarkerField::seen_by(const MarkerBricks::Brick& brick, std::uint32_t volume) const {
   const Claim* const claim = known_claim(brick, volume);
   return claim == nullptr ? brick.free : brick.free & claim->markers;
@@ -95,7 +97,7 @@ void MarkerField::limit(MarkerBricks::Brick& brick) {
   bricks_.limit(brick, known == volumes_.size() ? within : MarkerBricks::kAll);
 }
 
-/// Finds out, for each brick and the volumes of those who look at it, which markers are in the volume.
+/// Computes, for each brick and the volumes of the looks at it, which markers are in the volume.
 void MarkerField::learn_claims(const LookedAt& looked, const Progress& progress) {
   struct Question {
     std::uint32_t brick;
@@ -133,7 +135,7 @@ void MarkerField::learn_claims(const LookedAt& looked, const Progress& progress)
   }
 }
 
-/// Each of a brick's markers to the nearest of its lookers; what these got, in their order.
+/// Assigns each marker of a brick to its nearest look. Writes the sums of the looks, in their order, to `got`.
 void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const LookedAt& looked,
                                   std::span<const std::uint32_t> lookers, std::vector<Tally>& got) const {
   got.assign(lookers.size(), {});

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room that self-organizing plants compete for. Space is full of markers, one in each voxel, somewhere within it;
-// shoots take the markers near them, and give them back when they are pruned; buds look for free ones in a cone ahead.
-// A marker that several buds see goes to the nearest. Shoots are counted, so their order does not matter and vacating
-// is the exact inverse of occupying. Time and memory go with shoots and buds, however large the volumes are.
+// The space that self-organizing plants compete for. Space is full of markers, one at a random position in each voxel.
+// Shoots occupy the markers near them and release them when they are pruned. Buds search for free markers in a cone
+// ahead. A marker that several buds see belongs to the nearest one. Shoots are counted at each marker. Their order
+// therefore does not matter, and vacating is the exact inverse of occupying. Time and memory depend on shoots and buds,
+// not on the size of the volumes.
 //
 // Based on: W. Palubicki et al.: Self-organizing tree models for image synthesis (2009), section 4.1, space
-// colonization. There shoots take markers for good.
+// colonization. In the source, shoots occupy markers permanently.
 #pragma once
 
 #include <cstdint>
@@ -23,64 +24,66 @@
 namespace meristem {
 
 struct MarkerParameters {
-  double spacing = 0.07;   ///< metres per voxel's side; raised, room is coarser and costs less
-  double occupancy = 0.2;  ///< metres around a shoot within which markers are taken, up to 32 spacings
+  double spacing = 0.07;   ///< side of a voxel, metres; larger: coarser and cheaper
+  double occupancy = 0.2;  ///< radius around a shoot in which markers are occupied, metres, up to 32 spacings
 
   bool operator==(const MarkerParameters&) const = default;
 };
 
-/// A bud that looks for room.
+/// A bud that searches for space.
 struct Seeker {
   Vec3 position{0};
   Vec3 direction{kUp};         ///< unit vector along the cone's axis
-  std::uint32_t volume = 0;    ///< by add_volume; it sees the markers of this volume alone
-  float radius = 0.4F;         ///< metres, up to 32 spacings
-  float cosine = 0.70710678F;  ///< cosine of half the cone's full angle; -1 sees all around
-  bool yields = false;         ///< true: the seeker gets only what no other seeker sees
+  std::uint32_t volume = 0;    ///< index from add_volume(); the seeker sees only markers of this volume
+  float radius = 0.4F;         ///< length of the cone, metres, up to 32 spacings
+  float cosine = 0.70710678F;  ///< cosine of half the cone's full angle; -1: sees all directions
+  bool yields = false;         ///< true: the seeker gets only markers that no other seeker sees
 };
 
-/// What it found.
+/// The result of a seeker.
 struct Room {
   std::uint32_t count = 0;  ///< number of markers
-  Vec3 way{0};              ///< sum of the unit vectors to them
+  Vec3 way{0};              ///< sum of the unit vectors to these markers
 };
 
-struct LookedAt;  // the lookers at each brick, in a round
+struct LookedAt;  // the looks at each brick in a round
 
 class MarkerField {
  public:
-  /// Obstacles take the markers inside them. Throws std::invalid_argument for a form out of range.
+  /// Markers inside obstacles are never free. Throws std::invalid_argument for parameters out of range.
   MarkerField(const MarkerParameters& form, RandomKey key, Obstacles obstacles = {});
 
-  /// A plant's own space: a crown, placed at its root; without one, all of space. Volumes may overlap: a marker in
-  /// several may go to the buds of any.
+  /// Adds the space of a plant, a crown placed at `root`. A null crown means all of space. Volumes may overlap; a
+  /// marker in several volumes is available to the buds of all of them.
   std::uint32_t add_volume(CrownPointer crown, Vec3 root);
 
-  /// Whether a position is finite and at most 4 million spacings away from the origin, along each axis.
+  /// Returns true if a position is finite and at most 4 million spacings away from the origin along each axis.
   bool reaches(Vec3 position) const { return bricks_.reaches(position); }
-  /// A shoot at `position` takes the markers around it; vacate() of the same position gives them back exactly. Throws
-  /// std::invalid_argument for positions out of reach, and for vacating where nothing was occupied.
+  /// Occupies the markers around a shoot at `position`. vacate() of an equal position releases them exactly. Throws
+  /// std::invalid_argument for positions out of range, and for vacating a position that was not occupied.
   void occupy(Vec3 position) { bricks_.occupy(position); }
   void vacate(Vec3 position) { bricks_.vacate(position); }
 
-  /// Gives each free marker to the nearest seeker that sees it, and among equally near seekers to the first; seekers
-  /// that yield come after all others. Writes to `rooms`, one per seeker, what each got, equal on any number of
-  /// threads. Throws std::invalid_argument for seekers out of range, TooMuchMemory where that would take more than
-  /// `most_bytes` beside the field's own, and Cancelled; then `rooms` is untouched.
+  /// Assigns each free marker to the nearest seeker that sees it (tie: the first seeker). Seekers that yield come after
+  /// all others. Writes the result of each seeker to `rooms`, which has one entry per seeker. The result does not
+  /// depend on the number of threads. Throws std::invalid_argument for seekers out of range. Throws TooMuchMemory if
+  /// the round would need more than `most_bytes` in addition to the field itself. Throws Cancelled. After TooMuchMemory
+  /// or Cancelled, `rooms` is unchanged.
   void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
                  std::uint64_t most_bytes = ~std::uint64_t{0});
   struct TooMuchMemory {};
 
-  /// The free markers of a volume in a box, in no special order; for pictures and tests. Time goes with the box.
+  /// Returns the free markers of a volume in a box, in unspecified order, for pictures and tests. Cost: proportional to
+  /// the box.
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;
 
-  /// The same markers and volumes without any shoots.
+  /// Returns a field with equal markers and volumes, but without shoots.
   MarkerField vacant() const;
 
   const MarkerParameters& form() const { return form_; }
-  /// Kept between rounds: some 120 per brick of 64 markers that a shoot or a cone has touched. A round takes, for its
-  /// time, about 50 a seeker, and for each that finds a free marker about 100 and 12 for each brick in the box around
-  /// its cone.
+  /// Returns the memory kept between rounds: about 120 bytes per brick of 64 markers that a shoot or a cone has
+  /// touched. During a round, each seeker takes about 50 bytes. A seeker that finds a free marker takes another 100
+  /// bytes, plus 12 for each brick in the box around its cone.
   std::size_t bytes() const;
 
  private:
@@ -88,11 +91,11 @@ class MarkerField {
     CrownPointer crown;
     Vec3 root;
   };
-  /// Which markers of a brick are in a volume and in no obstacle. Kept from the first time that a bud looks.
+  /// The markers of a brick that are in a volume and in no obstacle. Computed when a bud first looks, and then kept.
   struct Claim {
     std::uint64_t markers;
     std::uint32_t volume;
-    std::uint32_t next;  // next marker of the brick
+    std::uint32_t next;  // next claim of the brick
   };
   struct Tally;
 

@@ -35,7 +35,7 @@ CrownPointer ball(float radius) { return std::make_shared<Ball>(radius); }
 
 Obstacles wall() { return Obstacles(std::vector<Obstacle>{{.mesh = box_mesh({0.3, 0, -2}, {0.5, 2, 2})}}); }
 
-/// `count` points in a ball about `middle`.
+/// `count` points in a ball around `middle`.
 std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("crowd");
   const RandomKey ways = key.child("ways");
@@ -46,7 +46,7 @@ std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed
   return places;
 }
 
-/// At each position two buds, as at the end of a metamer, the volumes in turn.
+/// Two buds at each position, as at the end of a metamer, with the volumes in turn.
 std::vector<Seeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volumes, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("buds");
   std::vector<Seeker> seekers;
@@ -77,10 +77,10 @@ std::uint32_t total(const std::vector<Room>& rooms) {
   return sum;
 }
 
-/// The plain way: every marker of a box against every shoot and every bud.
+/// The reference implementation: tests every marker of a box against every shoot and every bud.
 class PlainField {
  public:
-  /// Takes its markers from a field to which nothing has happened.
+  /// Copies the markers of a field without shoots.
   PlainField(const MarkerField& fresh, const Box& box, std::uint32_t volumes) : spacing_(fresh.form().spacing) {
     reach_ = static_cast<float>(fresh.form().occupancy / spacing_);
     std::map<std::tuple<double, double, double>, std::uint32_t> markers;
@@ -148,7 +148,7 @@ class PlainField {
   std::vector<Marker> markers_;
 };
 
-/// Same counts; ways but for rounding.
+/// Counts must be equal; directions may differ by rounding.
 void expect_like_plain(const std::vector<Room>& rooms, const std::vector<Room>& plain) {
   ASSERT_EQ(rooms.size(), plain.size());
   for (std::size_t k = 0; k < rooms.size(); ++k) {
@@ -170,7 +170,8 @@ TEST(MarkerField, ThereIsOneMarkerInEachVoxel) {
     sum += marker / 0.25 - voxel;
   }
   EXPECT_EQ(in_voxel.size(), markers.size());
-  // The mean of 8000 positions uniform in a voxel lies within 5 deviations of the middle: 5 / sqrt(12 * 8000) = 0.016.
+  // The mean of 8000 positions uniform in a voxel is within 5 standard deviations of the centre: 5 / sqrt(12 * 8000) =
+  // 0.016.
   const DVec3 mean = sum / static_cast<double>(markers.size());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(mean[k], 0.5, 0.016);
 }
@@ -190,7 +191,7 @@ TEST(MarkerField, ABudFindsTheShareOfABallThatItsConeCuts) {
   field.add_volume(nullptr, Vec3(0));
   for (const float cosine : {0.9F, 0.5F, 0.0F, -0.5F, -1.0F}) {
     const Room room = share_out(field, {{{0.3F, 0.2F, 0.1F}, {0, 0.6F, 0.8F}, 0, 0.4F, cosine}}).front();
-    // A cone of solid angle 2 pi (1 - c) and what a unit vector has along its axis on average, (1 + c) / 2.
+    // The cone has the solid angle 2 pi (1 - c), and the mean component of a unit vector along its axis is (1 + c) / 2.
     const double expected = 2 * kPi / 3 * (1 - cosine) * 0.4 * 0.4 * 0.4 / (0.02 * 0.02 * 0.02);
     EXPECT_NEAR(room.count, expected, 0.02 * expected) << cosine;
     const Vec3 mean = room.way / static_cast<float>(room.count);
@@ -210,7 +211,7 @@ TEST(MarkerField, AShootTakesTheBallAroundIt) {
 
 TEST(MarkerField, IsTheSameAsEveryMarkerAgainstEveryBud) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    // Two crowns that overlap and all of space; half of the seeds with a wall.
+    // Two overlapping crowns and all of space; half of the seeds have a wall.
     MarkerField field(kForm, RandomKey(seed), seed % 2 == 0 ? Obstacles{} : wall());
     field.add_volume(ball(0.6F), {-0.3F, 0, 0});
     field.add_volume(ball(0.5F), {0.3F, 0.1F, 0});
@@ -235,7 +236,7 @@ TEST(MarkerField, IsTheSameAsEveryMarkerAgainstEveryBud) {
 }
 
 TEST(MarkerField, IsTheSameFarFromTheOrigin) {
-  const Vec3 far(-90000, 250, 120000);  // where floats know a centimetre
+  const Vec3 far(-90000, 250, 120000);  // floats have a resolution of a centimetre there
   MarkerField field({.spacing = 0.1, .occupancy = 0.3}, RandomKey(2));
   field.add_volume(ball(1), far);
   PlainField plain(field, {far - 1.5F, far + 2.5F}, 1);
@@ -271,18 +272,18 @@ TEST(MarkerField, EachMarkerGoesToOneBud) {
   const Seeker bud{Vec3(0.2F), kUp, 0, 0.4F, -1};
   const std::vector<Room> alone = share_out(field, {bud});
   ASSERT_GT(alone[0].count, 100U);
-  // The first of two seekers at one position gets all.
+  // The first of two seekers at one position gets all markers.
   const std::vector<Room> twins = share_out(field, {bud, bud});
   expect_same({twins[0]}, alone);
   EXPECT_EQ(twins[1].count, 0U);
   EXPECT_EQ(twins[1].way, Vec3(0));
-  // Buds side by side part their markers by the plane between them.
+  // Neighbouring buds divide their markers at the plane between them.
   Seeker other = bud;
   other.position.x += 0.1F;
   const std::vector<Room> pair = share_out(field, {bud, other});
   EXPECT_LT(pair[0].way.x, -0.2F * static_cast<float>(pair[0].count));
   EXPECT_GT(pair[1].way.x, 0.2F * static_cast<float>(pair[1].count));
-  // All together they get every marker that one of them sees.
+  // Together, the buds get every marker that one of them sees.
   std::vector<Seeker> crowded(50, bud);
   for (std::size_t k = 0; k < crowded.size(); ++k) crowded[k].direction = RandomKey(7).direction(k);
   EXPECT_EQ(total(share_out(field, crowded)), alone[0].count);
@@ -299,11 +300,11 @@ TEST(MarkerField, WhoYieldsGetsWhatNobodyElseSees) {
   for (std::size_t k = 0; k < yielding; ++k) all[k].yields = true;
   const std::vector<Room> rooms = share_out(field, all);
   const std::vector<Room> left(rooms.begin(), rooms.begin() + static_cast<std::ptrdiff_t>(yielding));
-  // To those that do not yield it is as if the others were not there, and nothing that anybody sees is lost.
+  // The other seekers get the same markers as without the yielding ones, and every marker that is seen is assigned.
   expect_same({rooms.begin() + static_cast<std::ptrdiff_t>(yielding), rooms.end()}, share_out(field, living));
   EXPECT_GT(total(left), 100U);
   EXPECT_EQ(total(rooms), seen);
-  // At one position, who yields gets nothing of what a bud there sees, wherever it stands in the list.
+  // A yielding seeker gets no marker that a bud at the same position sees, in any order of the list.
   Seeker stump{Vec3(0.2F), kUp, 0, 0.4F, -1, true};
   Seeker bud = stump;
   bud.yields = false;
@@ -321,7 +322,7 @@ TEST(MarkerField, NoBudSeesMarkersInObstaclesOrOutsideItsVolume) {
     EXPECT_LE(glm::distance(marker, DVec3(0.2, 1, 0)), 0.6 + 1e-6);
     EXPECT_FALSE(obstacles.contain(Vec3(marker)));
   }
-  // Buds everywhere take them all, and no more.
+  // Buds everywhere take all markers, each once.
   std::vector<Seeker> seekers;
   for (int k = 0; k < 1000; ++k) {
     const Vec3 step(static_cast<float>(k % 10), static_cast<float>(k / 10 % 10), static_cast<float>(k / 100));
@@ -397,7 +398,7 @@ TEST(MarkerField, ARoundDoesNotChangeTheNext) {
   share_out(field, buds_at(crowd(50, Vec3(3), 1), 1));
   expect_same(share_out(field, seekers), first);
   EXPECT_GT(field.bytes(), bytes);
-  // A volume more takes nothing from those that were there.
+  // An additional volume does not change the results of the existing ones.
   field.add_volume(nullptr, Vec3(0));
   expect_same(share_out(field, seekers), first);
 }

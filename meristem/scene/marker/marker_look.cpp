@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the bricks that each perception cone touches. Cones with many bricks are tested brick by brick; small cones are
+// not, because testing their markers is faster.
 #include "meristem/scene/marker/marker_look.h"
 
 #include <algorithm>
@@ -14,11 +16,10 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
-constexpr std::size_t kAtOnce = 16;  // seekers that are fetched
-// Up to this number of bricks in the box around a cone, testing each brick against the cone takes longer than testing
-// its markers.
+constexpr std::size_t kAtOnce = 16;  // seekers that are fetched together
+// For fewer bricks in the box around a cone, testing each brick against the cone takes longer than testing its markers.
 constexpr int kMostUntested = 48;
-constexpr float kMargin = 0.125F;  // voxels, more than any rounding here
+constexpr float kMargin = 0.125F;  // voxels; larger than any rounding error here
 
 using Cell = MarkerBricks::Cell;
 using Range = MarkerBricks::Range;
@@ -30,7 +31,7 @@ void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
   require(std::abs(squared_length(seeker.direction) - 1) < 1e-5F, "Seeker::direction is not a unit vector");
 }
 
-/// A perception cone against bricks.
+/// Tests bricks against a perception cone.
 class Cone {
  public:
   Cone(const MarkerBricks::FinePosition& tip, Vec3 direction, float radius, float cosine)
@@ -52,7 +53,7 @@ class Cone {
     for (int axis = 0; axis < 3; ++axis) {
       count *= bricks_.high[axis] - bricks_.low[axis] + 1;
       for (std::int32_t k = bricks_.low[axis]; k <= bricks_.high[axis]; ++k) {
-        // The voxels of the brick within the box, along this axis alone.
+        // The brick's voxels within the box, along this axis only.
         const int skipped = std::max(voxels_.low[axis] - MarkerBricks::kSide * k, 0);
         const int left = std::max(MarkerBricks::kSide * k + MarkerBricks::kSide - 1 - voxels_.high[axis], 0);
         parts_[axis][k - bricks_.low[axis]] = kOnes[axis] >> kStride[axis] * (skipped + left)
@@ -62,11 +63,11 @@ class Cone {
     is_large_ = count > kMostUntested;
   }
 
-  /// The voxels and the bricks that meet the box around the cone.
+  /// The voxels and the bricks that touch the box around the cone.
   const Range& voxels() const { return voxels_; }
   const Range& bricks() const { return bricks_; }
 
-  /// Whether it may see one of the markers of a brick among bricks().
+  /// Returns true if the cone may contain one of the markers of a brick in bricks().
   bool may_see(std::uint64_t markers, const Cell& brick) const {
     const int x = brick[0] - bricks_.low[0];
     const int y = brick[1] - bricks_.low[1];
@@ -80,12 +81,13 @@ class Cone {
   static constexpr std::array<std::uint64_t, 3> kOnes{0xF, 0x1111, 0x0001000100010001};
   static constexpr std::array<int, 3> kStride{1, 4, 16};
 
-  /// Whether a brick may meet the cone, given the way from its tip to the brick's middle.
+  /// Returns true if a brick may touch the cone. `middle` is the vector from the cone's tip to the brick's centre.
   bool may_reach(Vec3 middle) const {
     constexpr float kHalf = 0.5F * MarkerBricks::kSide;
     if (squared_length(glm::max(glm::abs(middle) - kHalf, Vec3(0))) > square_) return false;
     if (cosine_ < 0) return true;
-    // The plane that touches the cone on the brick's side; its normal times the middle's distance from the axis.
+    // The plane that touches the cone on the brick's side; its normal is scaled by the distance of the brick's centre
+    // from the axis.
     const Vec3 aside = middle - glm::dot(direction_, middle) * direction_;
     const float distance = std::sqrt(squared_length(aside));
     const Vec3 normal = cosine_ * aside - sine_ * distance * direction_;
@@ -93,8 +95,8 @@ class Cone {
     return glm::dot(normal, middle) <= reach + kMargin * (distance + kMargin);
   }
 
-  /// How far a cone of length 1 reaches along an axis: 0 if it leads away. Given the cosine between its direction and
-  /// the axis, and their sine times that of half the cone's angle.
+  /// Returns how far a cone of length 1 extends along an axis; 0 if it points away. `along` is the cosine between the
+  /// cone's direction and the axis. `aside` is the sine between them times the sine of half the cone's angle.
   float farthest(float along, float aside) const {
     return along >= cosine_ ? 1 : std::max(0.0F, along * cosine_ + aside);
   }
@@ -106,8 +108,9 @@ class Cone {
   Range voxels_;
   Range bricks_;
   bool is_large_ = false;
-  Vec3 first_middle_;  // from the tip to that of the first brick, voxels
-  std::array<std::array<std::uint64_t, MarkerBricks::kMostAlong>, 3> parts_;  // voxels of each brick in the box
+  Vec3 first_middle_;  // vector from the tip to the centre of the first brick, voxels
+  // Voxels of each brick that are in the box.
+  std::array<std::array<std::uint64_t, MarkerBricks::kMostAlong>, 3> parts_;
 };
 
 template <class Visit>
@@ -119,13 +122,13 @@ void for_each_place(const Range& range, Visit visit) {
   }
 }
 
-/// A block that a look touches, and that is not there yet.
+/// A block that a look touches and that does not exist yet.
 struct Missing {
   Cell block;
   std::uint32_t look;
 };
 
-/// Looks at bricks that do not change meanwhile.
+/// Finds the sightings of seekers in bricks that do not change during the search.
 class Looker {
  public:
   explicit Looker(const MarkerBricks& bricks) : bricks_(bricks) {}
@@ -149,7 +152,7 @@ class Looker {
                             cone.voxels().low[2], cone.voxels().high[2], seeker.volume, index, seeker.yields});
   }
 
-  /// The sightings in a block.
+  /// Adds the sightings in a block.
   void look_into(std::uint32_t number, const Cone& cone, std::uint32_t look, std::vector<Sighting>& sightings) const {
     const MarkerBricks::Block& block = bricks_.block(number);
     std::uint64_t open = block.open & MarkerBricks::held(block.position, cone.bricks());
@@ -165,7 +168,7 @@ class Looker {
   MarkerBricks::Recent recent_;
 };
 
-/// Seekers by the bricks that they are in. Adds the blocks of these.
+/// Returns the seekers ordered by brick. Creates the blocks of these bricks.
 std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const Seeker> seekers,
                                          std::size_t volume_count, const Progress& progress) {
   const auto brick_of = [&](const Seeker& seeker) {
@@ -213,7 +216,7 @@ std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::sp
     if (sightings > most_sightings) return;
     Looker looker(bricks);
     const std::size_t part = begin / kGrain;
-    // Fetched some at once, because each may have to come from afar.
+    // Fetch several seekers together, because each may cause a cache miss.
     std::array<Seeker, kAtOnce> fetched;
     for (std::size_t first = begin; first < end; first += kAtOnce) {
       const std::size_t count = std::min(kAtOnce, end - first);
@@ -224,7 +227,7 @@ std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::sp
   });
   if (sightings > most_sightings) return std::nullopt;
 
-  // Blocks that a cone touches, but nobody before.
+  // Create the missing blocks.
   for (std::size_t part = 0; part < parts; ++part) {
     progress.check();
     for (const Missing& each : missing[part]) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which bricks of markers each bud may see: those that touch its perception cone and have markers to be had there. Buds
-// are taken by the bricks that they are in, so that those that follow each other look at the same memory; the many amid
-// full bricks in an old crown cost the least.
+// Finds the bricks of markers that each bud may see: those that touch its perception cone and have available markers.
+// Buds are processed in the order of their bricks, so that consecutive buds read the same memory. Buds in bricks
+// without available markers, the majority in an old crown, cost least.
 #pragma once
 
 #include <cmath>
@@ -19,8 +19,8 @@ namespace meristem {
 /// A seeker that may see something.
 struct Look {
   MarkerBricks::FinePosition position;
-  Vec3 direction;    ///< unit
-  float square;      ///< of the radius, voxels
+  Vec3 direction;    ///< unit vector
+  float square;      ///< squared radius, voxels
   float slope;       ///< the cosine times its absolute value
   std::int32_t low;  ///< first and last layer of voxels along z that the cone touches
   std::int32_t high;
@@ -29,21 +29,21 @@ struct Look {
   bool yields;
 };
 
-/// That a look may see markers of a brick.
+/// A brick whose markers a look may see.
 struct Sighting {
-  std::uint32_t slot;  ///< of the brick, which need not be there yet
+  std::uint32_t slot;  ///< slot of the brick, which need not exist yet
   std::uint32_t look;
 };
 
-/// What some of the seekers may see.
+/// The looks and sightings of some of the seekers.
 struct LookAround {
   std::vector<Look> looks;
   std::vector<Sighting> sightings;
 };
 
-/// Adds blocks to the bricks where there is none yet. Nothing where the seekers would see bricks more than
-/// `most_sightings` times, a little memory beyond which may be spent. Throws std::invalid_argument for seekers out of
-/// range, and Cancelled.
+/// Finds the looks and sightings of all seekers, and creates missing blocks. Returns nothing if there would be more
+/// than `most_sightings` sightings; a little more memory may be used before this is known. Throws std::invalid_argument
+/// for seekers out of range. Throws Cancelled.
 std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
                                                    std::size_t volume_count, std::uint64_t most_sightings,
                                                    const Progress& progress);

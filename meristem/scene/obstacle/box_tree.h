@@ -10,22 +10,22 @@
 
 namespace meristem {
 
-/// Boxes in a tree over their middles, to find those around a position without asking each. Empty ones are around none.
+/// A tree of boxes, sorted by their centres, that finds the boxes around a position. Empty boxes contain no position.
 class BoxTree {
  public:
   /// Throws std::invalid_argument for boxes that are not finite.
   explicit BoxTree(const std::vector<Box>& boxes = {});
 
-  /// Whether `accepts(index)` says yes to any of the boxes that hold a position, their faces included; asked in an
-  /// order that means nothing.
+  /// Returns true if `accepts(index)` returns true for any box that contains the position. Faces belong to their boxes.
+  /// The order of calls is unspecified.
   template <class Accepts>
   bool any_around(Vec3 position, Accepts accepts) const;
 
  private:
-  std::vector<NumberedPoint> middles_;  // of the boxes, in the tree's order
+  std::vector<NumberedPoint> middles_;  // centres of the boxes, in the tree's order
   PointTree tree_;
-  std::vector<Box> boxes_;   // in that order
-  std::vector<Box> around_;  // the boxes below each node of the tree, by position
+  std::vector<Box> boxes_;   // boxes, in the tree's order
+  std::vector<Box> around_;  // bounds of the boxes below each node of the tree
 };
 
 template <class Accepts>
@@ -34,7 +34,7 @@ bool BoxTree::any_around(Vec3 position, Accepts accepts) const {
     int level;
     std::uint32_t index;
   };
-  // One node waits on each level; there are no more than 2^32 boxes.
+  // A stack with one entry per level suffices; there are no more than 2^32 boxes.
   Node waiting[34];
   int count = 0;
   waiting[count++] = {0, 0};

@@ -35,7 +35,7 @@ TEST(BoxTree, FindsTheBoxesThatASearchThroughAllFinds) {
     const std::vector<Box> boxes = random_boxes(count);
     const BoxTree tree(boxes);
     for (std::uint64_t k = 0; k < 300; ++k) {
-      // Corners of boxes, too: faces belong to them.
+      // Also test corners of boxes, because faces belong to their boxes.
       const Vec3 position = k % 3 == 0 ? boxes[k % count].low : 9.0F * RandomKey(3).direction(k);
       std::set<std::uint32_t> expected;
       for (std::uint32_t box = 0; box < count; ++box) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vertical line rises from the point; every triangle above counts +1 or -1 by the side it shows. On ties the point
-// stands for one moved by (e, e^3, e^2) with e tending to 0, the same for all triangles, so the line never meets an
-// edge or a vertex and never runs along a face. Triangles are found through grids over x and z of 1, 4, 16, ... cells:
-// each lies in the finest one whose cells are as large as it, hence in four cells at most, and a query looks into one
-// cell per grid. Memory is linear however large the triangles are. Based on: H. Edelsbrunner, E. Mücke, Simulation of
-// simplicity (1990).
+// Decides exactly whether a point is inside a closed mesh. A vertical line rises from the point. Every triangle above
+// the point counts +1 or -1, depending on its orientation. On ties the point is treated as moved by (e, e^3, e^2) with
+// infinitely small e, for all triangles alike. The line therefore never meets an edge or a vertex and never runs along
+// a face.
+//
+// Triangles are found through grids over x and z of 1, 4, 16, ... cells. Each triangle is in the finest grid whose
+// cells are as large as the triangle, hence in at most four cells. A query reads one cell per grid. Memory is linear,
+// independent of the size of the triangles.
+//
+// Based on: H. Edelsbrunner, E. Mücke, Simulation of simplicity (1990).
 #include "meristem/scene/obstacle/closed_mesh.h"
 
 #include <algorithm>
@@ -29,7 +33,8 @@ int sign(T value) {
   return (value > 0) - (value < 0);
 }
 
-/// On which side of the line a to b, seen along y, the moved point lies; 0 only where a and b are one position.
+/// Returns the side of the line from a to b, seen along y, on which the moved point lies. Returns 0 only if a and b are
+/// equal.
 int side_of(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b,
             const std::array<std::int32_t, 3>& point) {
   const std::int64_t x = std::int64_t{b[0]} - a[0];
@@ -82,7 +87,7 @@ ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), t
 void ClosedMesh::build_levels() {
   int finest = 0;
   while (finest < kMostLevels && (std::size_t{1} << (2 * finest)) < triangles_.size()) ++finest;
-  // The level and the cells that a triangle lies in.
+  // Finds the level and the cells of a triangle.
   const auto for_cells = [&](const std::array<std::uint32_t, 3>& triangle, auto&& see) {
     const Grid3& a = snapped_[triangle[0]];
     const Grid3& b = snapped_[triangle[1]];
@@ -99,7 +104,7 @@ void ClosedMesh::build_levels() {
     }
   };
 
-  // Count, sum up, and fill in.
+  // Count the triangles of each cell, sum up the counts, and fill in the triangles.
   levels_.resize(static_cast<std::size_t>(finest) + 1);
   for (int level = 0; level <= finest; ++level) {
     levels_[static_cast<std::size_t>(level)].begin.resize((std::size_t{1} << (2 * level)) + 1);
@@ -112,13 +117,13 @@ void ClosedMesh::build_levels() {
     level.triangles.resize(level.begin.back());
   }
   for (std::size_t k = triangles_.size(); k-- > 0;) {
-    // From the last to the first, each cell's end moves down to its begin.
+    // From the last to the first triangle, so that each cell's end moves down to its begin.
     for_cells(triangles_[k], [k](Level& level, std::size_t cell) {
       level.triangles[--level.begin[cell + 1]] = static_cast<std::uint32_t>(k);
     });
   }
   for (Level& level : levels_) {
-    // Now begin[cell + 1] is where the cell begins.
+    // Now begin[cell + 1] is the begin of the cell.
     std::rotate(level.begin.begin(), level.begin.begin() + 1, level.begin.end());
     level.begin.back() = static_cast<std::uint32_t>(level.triangles.size());
   }
@@ -151,7 +156,7 @@ void ClosedMesh::add_crossing(const std::array<std::uint32_t, 3>& triangle, cons
   const int side = side_of(a, b, point);
   if (side == 0 || side != side_of(b, c, point) || side != side_of(c, a, point)) return;
 
-  // The triangle's normal, and how far along it the point lies.
+  // Compute the triangle's normal, and the distance of the point along it.
   std::array<std::int64_t, 3> u{};
   std::array<std::int64_t, 3> v{};
   std::array<std::int64_t, 3> w{};
@@ -166,7 +171,7 @@ void ClosedMesh::add_crossing(const std::array<std::uint32_t, 3>& triangle, cons
   const Wide along = Wide{x} * w[0] + Wide{y} * w[1] + Wide{z} * w[2];
   int before = sign(along);
   if (before == 0) before = x != 0 ? sign(x) : z != 0 ? sign(z) : sign(y);
-  // Above is what the point lies below of: behind a face that looks up, before one that looks down.
+  // The triangle is above if the point is behind an upward face or in front of a downward one.
   if (before != sign(y)) winding += sign(y);
 }
 

@@ -10,34 +10,36 @@
 
 namespace meristem {
 
-/// Triangles as a file has them, counter-clockwise seen from outside; in double, as for point clouds.
+/// Triangles of a file, counter-clockwise seen from outside; in double precision, like point clouds.
 struct TriangleMesh {
   std::vector<DVec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What keeps a mesh from being closed, each kind with its number and first position: open edges, edges where more
-/// triangles meet one way than the other, triangles turned against their neighbours. Empty for closed meshes. Vertices
-/// at one position count as one; triangles without area, which close nothing and open nothing, are passed over.
+/// Returns the reasons why a mesh is not closed, each with its number of occurrences and first position. Reasons are
+/// open edges, edges with more triangles in one direction than in the other, and triangles with reversed orientation.
+/// Returns an empty list for closed meshes. Vertices at equal positions count as one. Triangles without area are
+/// ignored.
 std::vector<std::string> closedness_faults(const TriangleMesh& mesh);
 
-/// What keeps a closed mesh from being a body, as in "encloses nothing"; empty for bodies. One that crosses itself may
-/// have as much inside that is turned inside out as there is else, like a bow tie, and then no volume.
+/// Returns the reason why a closed mesh is not a body, such as "encloses nothing"; empty for bodies. A mesh that
+/// crosses itself, like a bow tie, may have no volume, because inverted parts cancel others.
 std::string body_fault(const TriangleMesh& mesh);
 
-/// A closed mesh that says what is inside it. A point is inside where the surface winds around it a number of times
-/// that is not 0: so a mesh turned inside out has the same inside, a shell within a shell makes a hollow if it faces
-/// inward and changes nothing if it faces outward, and bodies that overlap count as one.
+/// A closed mesh with an exact test for inside. A point is inside if the winding number of the surface around it is not
+/// 0. The inside therefore does not depend on the orientation of the mesh. A shell within a shell makes a hollow if it
+/// faces inward and has no effect if it faces outward. Overlapping bodies count as one.
 ///
-/// Exact, so without holes or doubled layers along edges and vertices: everything is rounded to a grid of 2^26 steps a
-/// side of the bounds, and decided in whole numbers.
+/// The test has no gaps along edges and vertices: positions are rounded to a grid of 2^26 steps per side of the bounds,
+/// and decisions use whole numbers.
 class ClosedMesh {
  public:
-  /// Any mesh whose indices are in range, else throws std::invalid_argument; answers mean something for closed ones.
+  /// Accepts any mesh whose indices are in range, else throws std::invalid_argument. Results are meaningful for closed
+  /// meshes only.
   explicit ClosedMesh(const TriangleMesh& mesh);
 
   bool contains(DVec3 point) const { return winding_number(point) != 0; }
-  /// How often the surface winds around a point; 1 inside a plain body that faces outward.
+  /// Returns how often the surface winds around a point: 1 inside a simple body that faces outward.
   int winding_number(DVec3 point) const;
 
   double volume() const { return volume_; }  ///< cubic units, at least 0
@@ -48,8 +50,8 @@ class ClosedMesh {
  private:
   using Grid3 = std::array<std::int32_t, 3>;
   struct Level {
-    std::vector<std::uint32_t> begin;      // beginning of each cell's part of `triangles`, and one more
-    std::vector<std::uint32_t> triangles;  // by cell
+    std::vector<std::uint32_t> begin;      // begin of each cell's part of `triangles`, and the end
+    std::vector<std::uint32_t> triangles;  // triangle indices by cell
   };
 
   void build_levels();
@@ -59,7 +61,7 @@ class ClosedMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<Grid3> snapped_;  // positions on the grid
   DVec3 low_{0};
-  DVec3 steps_{0};  // grid steps a unit along each axis
+  DVec3 steps_{0};  // grid steps per unit along each axis
   std::vector<Level> levels_;
   double volume_ = 0;
 };

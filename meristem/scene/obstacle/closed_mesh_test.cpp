@@ -16,7 +16,7 @@
 
 namespace meristem::closed_mesh_test {
 
-// The unit cube, two triangles a side.
+// A cube, two triangles per side.
 TriangleMesh cube(DVec3 low = DVec3(0), double size = 1) {
   TriangleMesh mesh;
   for (int k = 0; k < 8; ++k) mesh.positions.push_back(low + size * DVec3(k & 1, k >> 1 & 1, k >> 2));
@@ -43,7 +43,7 @@ TEST(ClosedMesh, SphereHasItsPointsAndVolume) {
 }
 
 TEST(ClosedMesh, PointsOverEdgesVerticesAndInPlanesOfFacesAreDecidedOnce) {
-  // Each cell of a grid of cubes has its lattice points inside exactly one of them, also on faces, edges and corners.
+  // Each lattice point in a grid of cubes is inside exactly one cube, also if it lies on faces, edges or corners.
   const std::vector<double> steps{0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75};
   std::vector<ClosedMesh> cubes;
   for (int k = 0; k < 8; ++k) cubes.emplace_back(joined(cube(DVec3(k & 1, k >> 1 & 1, k >> 2)), cube(DVec3(-1), 4)));
@@ -51,7 +51,7 @@ TEST(ClosedMesh, PointsOverEdgesVerticesAndInPlanesOfFacesAreDecidedOnce) {
     for (const double y : steps) {
       for (const double z : steps) {
         int holders = 0;
-        // The cube around all of them gives every mesh the same bounds, hence the same grid.
+        // The cube around all of them gives every mesh equal bounds, hence an equal grid.
         for (const ClosedMesh& each : cubes) holders += each.winding_number({x, y, z}) - 1;
         EXPECT_EQ(holders, 1) << x << ' ' << y << ' ' << z;
       }
@@ -107,7 +107,7 @@ TEST(ClosedMesh, InsideIsWhereTheSurfaceWindsAroundThePoint) {
 }
 
 TEST(ClosedMesh, ManyLargeTrianglesAreNoBurden) {
-  // Ten thousand cubes within each other: every triangle spans the whole plan.
+  // Ten thousand nested cubes: every triangle spans the whole plan.
   TriangleMesh mesh;
   for (int k = 0; k < 10'000; ++k) {
     const TriangleMesh next = cube(DVec3(-0.5 - 1e-6 * k), 1 + 2e-6 * k);
@@ -146,7 +146,7 @@ TEST(Closedness, ClosedMeshesHaveNoFaults) {
   TriangleMesh turned = cube();
   turn_over(turned);
   EXPECT_TRUE(closedness_faults(turned).empty());
-  // Two cubes that share an edge: four triangles meet there, as many one way as the other.
+  // Two cubes that share an edge: four triangles meet there, two in each direction.
   EXPECT_TRUE(closedness_faults(joined(cube(), cube({1, 1, 0}))).empty());
 }
 
@@ -188,11 +188,11 @@ TEST(Closedness, TellsEachKindOfFaultWithItsPlace) {
 }
 
 TEST(ClosedMesh, ABowTieIsClosedAndCrossesItself) {
-  // A prism over a polygon of two triangles, one of them counter-clockwise and one clockwise.
+  // A prism over two triangles, one counter-clockwise and one clockwise.
   TriangleMesh tie;
   tie.positions = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, -1}, {1, 0, 1}, {-1, 1, -1},
                    {-1, 1, 1},  {1, 1, -1}, {1, 1, 1},  {0, 0, 0}, {0, 1, 0}};
-  // Bottom and top as two triangles that meet in the middle, then the four sides.
+  // Bottom and top as two triangles that meet in the middle, then the sides.
   tie.triangles = {{0, 8, 1}, {2, 8, 3}, {4, 5, 9}, {6, 7, 9}};
   const std::array<std::array<std::uint32_t, 2>, 6> sides{{{0, 1}, {1, 8}, {8, 2}, {2, 3}, {3, 8}, {8, 0}}};
   for (const auto& side : sides) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In a closed mesh, triangles pass every edge as often in one direction as in the other. Edges are sorted, so equal
-// ones stand together.
+// Checks whether a mesh is closed: in a closed mesh, triangles pass every edge equally often in both directions. Edges
+// are sorted, so equal edges are adjacent.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,12 +14,12 @@ namespace meristem {
 namespace {
 
 struct Edge {
-  std::uint32_t low = 0;  // the smaller vertex
+  std::uint32_t low = 0;  // the smaller vertex index
   std::uint32_t high = 0;
-  bool is_forward = false;  // from the smaller to the larger
+  bool is_forward = false;  // from the smaller to the larger index
 };
 
-/// For each position the first one at the same position.
+/// Returns, for each position, the index of the first equal position.
 std::vector<std::uint32_t> welded(const std::vector<DVec3>& positions) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -66,10 +66,10 @@ void report(const Finding& finding, const char* what, const TriangleMesh& mesh, 
                   what, text_of(mesh.positions[finding.first.low]), text_of(mesh.positions[finding.first.high])));
 }
 
-/// Whether the surface winds around a place close to it, on either side of some triangles.
+/// Returns true if the surface encloses a point close to it. Tests points on both sides of some triangles.
 bool encloses_something(const ClosedMesh& closed, const TriangleMesh& mesh, DVec3 size) {
   constexpr std::size_t kMostTriangles = 1000;
-  constexpr double kNear = 1e-4;  // of the mesh's size
+  constexpr double kNear = 1e-4;  // share of the mesh's size
   const std::size_t step = mesh.triangles.size() / kMostTriangles + 1;
   for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
     const auto [a, b, c] = mesh.triangles[k];

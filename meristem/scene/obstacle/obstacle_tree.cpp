@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree holds boxes of 32-bit floats about the middle of all bodies. A ray is first cut, in double, to the part that
-// lies in their bounds, so that its floats there are off by less than a two-millionth of the bounds' extent; all boxes
-// are wider than their triangles by twice that, hence none that the ray meets is passed by.
+// Finds triangles on rays with Embree, but decides in double precision. The tree holds float boxes relative to the
+// centre of all bodies. A ray is first clipped, in double, to the part within their bounds. Its floats there have an
+// error below one two-millionth of the bounds' extent. Every box is larger than its triangle by twice that error, so no
+// triangle on the ray is missed.
 #include "meristem/scene/obstacle/obstacle_tree.h"
 
 #include <algorithm>
@@ -22,21 +23,21 @@ namespace meristem {
 
 namespace {
 
-constexpr double kBoxMargin = 1e-6;   // of the bounds' extent
-constexpr double kFarMargin = 1e-12;  // of the distance from the origin, where doubles are coarser
+constexpr double kBoxMargin = 1e-6;   // relative to the bounds' extent
+constexpr double kFarMargin = 1e-12;  // relative to the distance from the origin, for the resolution of doubles
 
 struct Facet {
   std::array<WatertightRay::Corner, 3> corners;
   std::uint32_t body = 0;
 };
 
-/// The triangles of all bodies and the space that they take.
+/// The triangles of all bodies and their bounds.
 struct Facets {
   std::vector<Facet> all;
-  DVec3 low{std::numeric_limits<double>::infinity()};  ///< less the margin
+  DVec3 low{std::numeric_limits<double>::infinity()};  ///< reduced by the margin
   DVec3 high{-std::numeric_limits<double>::infinity()};
   DVec3 middle{0};
-  double margin = 0;  ///< metres that boxes are wider than what is in them
+  double margin = 0;  ///< margin of boxes around their content, metres
 
   explicit Facets(const std::vector<const TriangleMesh*>& bodies) {
     for (std::size_t body = 0; body < bodies.size(); ++body) {
@@ -74,7 +75,7 @@ struct Facets {
   }
 };
 
-/// The part of a ray that lies in the facets' bounds, metres along it.
+/// The part of a ray within the facets' bounds, in metres along the ray.
 struct Part {
   double begin = 0;
   double end = 0;
@@ -95,26 +96,26 @@ std::optional<Part> part_within(const Facets& facets, DVec3 origin, DVec3 unit, 
   return part.begin <= part.end ? std::optional(part) : std::nullopt;
 }
 
-/// A ray on its way through the tree.
+/// The state of a ray query in the tree.
 struct Query : RTCIntersectContext {
   Query(const WatertightRay& asked, double metres, double reach) : ray(asked), length(metres), within(reach) {
     rtcInitIntersectContext(this);
   }
 
-  /// What the tree counts where a ray has gone this number of metres; never too little.
+  /// Returns the tree's distance for this number of metres along the ray; never too small.
   float in_tree_distance(double metres) const { return static_cast<float>(metres - skipped + margin); }
 
   WatertightRay ray;
-  double length;       ///< metres of its direction
-  double within;       ///< in its direction's lengths; the best hit's, once there is one
-  double skipped = 0;  ///< metres before the bounds begin
+  double length;       ///< length of its direction, metres
+  double within;       ///< in lengths of its direction; reduced to the best hit
+  double skipped = 0;  ///< metres before the ray enters the bounds
   double margin = 0;
   RTCRay in_tree{};
   bool is_met = false;
   std::uint32_t body = 0;
 };
 
-/// Nothing where the ray passes the bounds by, or is not finite.
+/// Returns nothing if the ray misses the bounds or is not finite.
 std::optional<Query> begin_query(const Facets& facets, DVec3 origin, DVec3 direction, double within) {
   const double length = glm::length(direction);
   if (!(length > 0) || !std::isfinite(length + glm::dot(origin, origin))) return std::nullopt;
@@ -137,7 +138,7 @@ std::optional<Query> begin_query(const Facets& facets, DVec3 origin, DVec3 direc
   return query;
 }
 
-/// The position on a segment that is nearest to a position.
+/// Returns the position on a segment that is nearest to `position`.
 DVec3 nearest_on_edge(DVec3 position, DVec3 from, DVec3 to) {
   const DVec3 along = to - from;
   const double length2 = glm::dot(along, along);
@@ -145,8 +146,8 @@ DVec3 nearest_on_edge(DVec3 position, DVec3 from, DVec3 to) {
   return from + share * along;
 }
 
-/// The position on a triangle that is nearest to a position: below it where it lies within all edges, else on the
-/// nearest edge.
+/// Returns the position on a triangle that is nearest to `position`: the projection if it is within all edges, else the
+/// nearest position on an edge.
 ObstacleTree::Near nearest_on(const Facet& facet, DVec3 position) {
   std::array<DVec3, 3> corner;
   for (std::size_t k = 0; k < 3; ++k) corner[k] = {facet.corners[k][0], facet.corners[k][1], facet.corners[k][2]};
@@ -176,7 +177,7 @@ ObstacleTree::Near nearest_on(const Facet& facet, DVec3 position) {
   return near;
 }
 
-/// A search for the nearest triangle on its way through the tree, whose distances are those of floats.
+/// The state of a search for the nearest triangle. Distances in the tree are floats.
 struct NearQuery {
   const Facets* facets = nullptr;
   DVec3 position{0};
@@ -194,7 +195,7 @@ bool look_nearer(RTCPointQueryFunctionArguments* arguments) {
   query.distance = distance;
   query.facet = index;
   query.best = found;
-  // Wider than the boxes are off, so that an equally near triangle is looked at too.
+  // Larger than the error of the boxes, so that equally near triangles are also tested.
   arguments->query->radius = static_cast<float>(distance * (1 + kBoxMargin) + 2 * query.facets->margin);
   return true;
 }
@@ -282,7 +283,7 @@ std::optional<ObstacleTree::Near> ObstacleTree::nearest(DVec3 position) const {
   asked.x = static_cast<float>(from.x);
   asked.y = static_cast<float>(from.y);
   asked.z = static_cast<float>(from.z);
-  // Far away floats are too coarse for the tree; all triangles lie in the radius then.
+  // Far away, floats are too coarse for the tree. The radius then contains all triangles.
   asked.radius = std::numeric_limits<float>::infinity();
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);

@@ -11,33 +11,34 @@
 
 namespace meristem {
 
-/// Finds the triangles of many bodies on a ray. Embree's tree says which ones to ask, and each is asked in double
-/// precision, so that answers depend neither on the tree nor on the machine's instructions.
+/// Finds the triangles of many bodies on a ray. Embree's tree proposes candidates, and each candidate is tested in
+/// double precision. The results therefore depend neither on the tree nor on the machine's instructions.
 class ObstacleTree {
  public:
   struct Hit {
     double distance = 0;   ///< in lengths of the ray's direction
-    std::size_t body = 0;  ///< the lowest of those met there
+    std::size_t body = 0;  ///< the lowest index among the bodies at that distance
   };
 
   /// A position on a triangle.
   struct Near {
     DVec3 position{0};
-    DVec3 normal{0};  ///< unit vector out of the triangle's front; 0 where it has no area
+    DVec3 normal{0};  ///< unit vector out of the triangle's front; 0 if it has no area
   };
 
-  /// Bodies with finite positions and indices in range, which need not outlive this. Throws MachineError.
+  /// The bodies must have finite positions and valid indices. They need not outlive this object. Throws MachineError.
   explicit ObstacleTree(const std::vector<const TriangleMesh*>& bodies);
   ~ObstacleTree();
   ObstacleTree(const ObstacleTree&) = delete;
   ObstacleTree& operator=(const ObstacleTree&) = delete;
 
-  /// The first triangle on a ray, at most `within` lengths of its direction away; nothing for what is not finite.
+  /// Returns the first triangle on a ray, at most `within` lengths of `direction` away. Returns nothing for values that
+  /// are not finite.
   std::optional<Hit> first_hit(DVec3 origin, DVec3 direction, double within) const;
-  /// Whether there is any.
+  /// Returns true if there is any such triangle.
   bool is_met(DVec3 origin, DVec3 direction, double within) const;
-  /// The nearest position on any triangle; of equally near ones that of the first in the bodies' order. Nothing where
-  /// there are no triangles, or for a position that is not finite.
+  /// Returns the nearest position on any triangle (tie: the first triangle in the bodies' order). Returns nothing if
+  /// there are no triangles or if the position is not finite.
   std::optional<Near> nearest(DVec3 position) const;
 
  private:

@@ -15,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-/// The smallest box of floats that holds all positions.
+/// Returns the smallest float box that contains all positions.
 Box box_around(const TriangleMesh& mesh) {
   Box box;
   for (const DVec3 position : mesh.positions) {
@@ -48,7 +48,7 @@ void check_mesh(const TriangleMesh& mesh) {
   }
 }
 
-/// The mesh with its axes renamed, so that what stood along axis `first` stands along x.
+/// Returns the mesh with cyclically permuted axes: axis `first` becomes x.
 TriangleMesh renamed(const TriangleMesh& mesh, int first) {
   TriangleMesh result{{}, mesh.triangles};
   result.positions.reserve(mesh.positions.size());
@@ -58,7 +58,7 @@ TriangleMesh renamed(const TriangleMesh& mesh, int first) {
   return result;
 }
 
-/// Where a body's mass is; of a broken one, which has none, where its surface is.
+/// Returns the centroid of a body's volume. A broken body has no volume, so its surface is used.
 DVec3 centroid_of(const Obstacle& body, DVec3 middle) {
   double total = 0;
   DVec3 sum(0);
@@ -79,7 +79,7 @@ DVec3 centroid_of(const Obstacle& body, DVec3 middle) {
   return total != 0 ? middle + sum / total : middle;
 }
 
-/// Says whether a position is inside one body.
+/// Tests whether a position is inside one body.
 class Inside {
  public:
   explicit Inside(const Obstacle& body) : box_(box_around(body.mesh)) {
@@ -90,7 +90,7 @@ class Inside {
 
   const Box& box() const { return box_; }
 
-  /// Whether the body contains a position that lies in its box.
+  /// Returns true if the body contains a position in its box.
   bool contains(Vec3 point) const {
     const DVec3 at(point);
     if (views_.size() == 1) return views_[0].contains(at);
@@ -104,7 +104,7 @@ class Inside {
 
  private:
   Box box_;
-  std::vector<ClosedMesh> views_;  // one, or of a broken body three with their axes renamed
+  std::vector<ClosedMesh> views_;  // one view, or three with permuted axes for a broken body
 };
 
 }  // namespace
@@ -164,7 +164,7 @@ bool Obstacles::cross(Vec3 from, Vec3 to) const {
   way.add(to);
   if (!overlap(way, content_->bounds)) return false;
   if (content_->tree->is_met(DVec3(from), DVec3(to) - DVec3(from), 1)) return true;
-  // Ways shorter than a double can tell from none end on the other side all the same.
+  // Ways too short for the ray test still cross a surface if only one end is inside.
   return contain(from) != contain(to);
 }
 
@@ -182,7 +182,7 @@ std::optional<Vec3> Obstacles::away_from_surface(Vec3 position) const {
   if (empty()) return std::nullopt;
   const auto near = content_->tree->nearest(DVec3(position));
   if (!near) return std::nullopt;
-  constexpr double kOnSurface = 1e-6;  // metres, about what floats tell apart
+  constexpr double kOnSurface = 1e-6;  // metres, about the resolution of floats
   const DVec3 way = DVec3(position) - near->position;
   const double distance = glm::length(way);
   if (distance < kOnSurface) {

@@ -25,7 +25,7 @@ Obstacles obstacles_of(std::vector<TriangleMesh> meshes) {
   return Obstacles(std::move(bodies));
 }
 
-// An L of a 3 by 3 square without its north-eastern 2 by 2, 2 high.
+// An L: a 3 by 3 square without its north-eastern 2 by 2 part, 2 high.
 TriangleMesh l_shape() {
   return prism_mesh({{{0, 0}}, {{3, 0}}, {{3, 1}}, {{1, 1}}, {{1, 3}}, {{0, 3}}},
                     {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 0, 2);
@@ -39,7 +39,7 @@ Vec3 random_position(std::uint64_t index, float reach) {
 
 Vec3 toward(Vec3 from, Vec3 to) { return glm::normalize(to - from); }
 
-// The plain way: every triangle by its plane and three volumes, in long double.
+// The reference implementation: tests every triangle by its plane and three volumes, in long double.
 std::optional<Obstacles::Hit> brute_force_hit(const Obstacles& obstacles, Vec3 origin, Vec3 direction) {
   using Exact = glm::vec<3, long double>;
   std::optional<Obstacles::Hit> best;
@@ -104,7 +104,8 @@ TEST(Obstacles, ASphereIsMetWhereItsEquationSays) {
     const Vec3 direction = RandomKey(8).direction(k);
     const double along = -glm::dot(DVec3(origin), DVec3(direction));
     const double squared = along * along - glm::dot(DVec3(origin), DVec3(origin)) + kRadius * kRadius;
-    if (std::abs(squared) < 0.02 || std::abs(glm::length(origin) - kRadius) < 0.01) continue;  // facets lie within
+    // Facets lie inside the sphere.
+    if (std::abs(squared) < 0.02 || std::abs(glm::length(origin) - kRadius) < 0.01) continue;
     const bool is_inside = glm::length(origin) < kRadius;
     const auto hit = sphere.first_hit(origin, direction, kFar);
     ASSERT_EQ(hit.has_value(), squared > 0 && (along > 0 || is_inside));
@@ -124,7 +125,7 @@ TEST(Obstacles, AConcaveBodyHasNothingInItsNotch) {
   EXPECT_FALSE(notched.contain({2, 1, -2}));
   EXPECT_FALSE(notched.cross({1.5F, 1, -1.5F}, {2.9F, 1, -2.9F}));
   EXPECT_TRUE(notched.cross({2, 1, -2}, {2, 1, -0.5F}));
-  // Through one arm, the notch and out: the arm is met first, on its outer side.
+  // Through one arm and the notch: the outer side of the arm is met first.
   EXPECT_DOUBLE_EQ(notched.first_hit({-1, 1, -2}, {1, 0, 0}, kFar)->distance, 1);
   EXPECT_DOUBLE_EQ(notched.first_hit({2, 1, -2}, {-1, 0, 0}, kFar)->distance, 1);
 }
@@ -165,7 +166,7 @@ TEST(Obstacles, NoRaySlipsThroughEdgesOrVertices) {
       const double share = k % 5 == 0 ? 0 : RandomKey(2).uniform(k);
       const Vec3 on_edge(glm::mix(a, b, share));
       const Vec3 from = Vec3(there) + 5.0F * RandomKey(4).direction(k);
-      // Aimed from outside at the middle of the facet's far side, so that the ray has to enter.
+      // Aim from outside at the centre side of the edge, so that the ray must enter.
       const Vec3 inner = Vec3(DVec3(on_edge) + 0.2 * (there - DVec3(on_edge)));
       ASSERT_TRUE(obstacles.first_hit(from, toward(from, inner), kFar).has_value());
       ASSERT_TRUE(obstacles.cross(from, inner));
@@ -175,7 +176,8 @@ TEST(Obstacles, NoRaySlipsThroughEdgesOrVertices) {
 }
 
 TEST(Obstacles, WaysThroughVerticesAndEdgesOfARoughSheetCrossIt) {
-  // Whole x and z, heights in eighths: vertices and middles of edges are exact, and so are ways through them.
+  // x and z are whole numbers and heights are eighths. Vertices and midpoints of edges are exact, and so are ways
+  // through them.
   constexpr std::uint32_t kSide = 12;
   TriangleMesh sheet;
   for (std::uint32_t k = 0; k < kSide * kSide; ++k) {
@@ -193,7 +195,7 @@ TEST(Obstacles, WaysThroughVerticesAndEdgesOfARoughSheetCrossIt) {
       const Vec3 vertex(sheet.positions[triangle[k]]);
       const Vec3 middle = 0.5F * (vertex + Vec3(sheet.positions[triangle[(k + 1) % 3]]));
       for (const Vec3 position : {vertex, middle}) {
-        // At the rim rounding may lead past the sheet.
+        // At the rim, rounding may lead past the sheet.
         const float inward = std::min({position.x, position.z, kSide - 1 - position.x, kSide - 1 - position.z});
         if (inward == 0) continue;
         for (const Vec3 way : {Vec3(0, 4, 0), Vec3(0.25F, 3, 0.375F), Vec3(-0.125F, 5, 0.5F), Vec3(1, 7, -3)}) {
@@ -209,20 +211,20 @@ TEST(Obstacles, WaysThroughVerticesAndEdgesOfARoughSheetCrossIt) {
 TEST(Obstacles, WhatTouchesIsMet) {
   const Obstacles box = obstacles_of({box_mesh({0, 0, 0}, {2, 2, 2})});
   EXPECT_EQ(box.first_hit({-1, 2, 2}, {1, 0, 0}, kFar)->distance, 1);     // along an edge
-  EXPECT_EQ(box.first_hit({0.5F, 2, 2}, {1, 0, 0}, kFar)->distance, 0);   // from upon it
+  EXPECT_EQ(box.first_hit({0.5F, 2, 2}, {1, 0, 0}, kFar)->distance, 0);   // from a position on the edge
   EXPECT_EQ(box.first_hit({-1, 2, 1}, {1, 0, 0}, kFar)->distance, 1);     // along a face
   EXPECT_EQ(box.first_hit({-1, 2, 0.7F}, {1, 0, 0}, kFar)->distance, 1);  // along a face, past its diagonal
   EXPECT_EQ(box.first_hit({2, 2, 5}, {0, 0, -1}, kFar)->distance, 3);     // a vertex first
   EXPECT_NEAR(box.first_hit({-1, 1, 2}, toward({-1, 1, 2}, {0, 2, 2}), kFar)->distance, std::sqrt(2.0), 1e-6);
-  EXPECT_TRUE(box.cross({-1, 1, 1}, {0, 1, 1}));  // ends upon a face
-  EXPECT_TRUE(box.cross({0, 1, 1}, {-1, 1, 1}));  // begins there
+  EXPECT_TRUE(box.cross({-1, 1, 1}, {0, 1, 1}));  // ends on a face
+  EXPECT_TRUE(box.cross({0, 1, 1}, {-1, 1, 1}));  // begins on a face
   EXPECT_FALSE(box.cross({-1, 2.0001F, 2}, {3, 2.0001F, 2}));
 }
 
 TEST(Obstacles, HoweverShortAWayInsideIsCrossed) {
   const Obstacles sphere = obstacles_of({moved(sphere_mesh(3, 1), {0.25, 3, -0.5})});
   for (std::uint64_t k = 0; k < 300; ++k) {
-    // Halve the way to the centre until its ends are neighbours.
+    // Halve the way to the centre until its ends are adjacent floats.
     Vec3 outside = Vec3(0.25F, 3, -0.5F) + 1.5F * RandomKey(12).direction(k);
     Vec3 inside(0.25F, 3, -0.5F);
     ASSERT_FALSE(sphere.contain(outside));
@@ -257,7 +259,7 @@ TEST(Obstacles, ThinAndFlatTrianglesDoNotDisturb) {
   const Obstacles obstacles = obstacles_of({mesh});
   EXPECT_DOUBLE_EQ(obstacles.first_hit({-1, 0.5F, 0.5F}, {1, 0, 0}, kFar)->distance, 1);
   EXPECT_DOUBLE_EQ(obstacles.first_hit({2, 0.5F, 0.5F}, {-1, 0, 0}, kFar)->distance, 1);
-  // A line is met where it is touched, as is a point.
+  // Lines and points are met if they are touched.
   EXPECT_DOUBLE_EQ(obstacles.first_hit({3, 0.25F, -4}, {0, 0, 1}, kFar)->distance, 4);
   EXPECT_DOUBLE_EQ(obstacles.first_hit({3, -2, 0}, {0, 1, 0}, kFar)->distance, 2);
   EXPECT_DOUBLE_EQ(obstacles.first_hit({5, 5, 0}, {0, 0, 1}, kFar)->distance, 5);
@@ -298,7 +300,7 @@ TEST(Obstacles, AnswersAreTheSameOnAnyNumberOfThreads) {
 
 TEST(Obstacles, ABrokenBodyIsWhereMostViewsSeeIt) {
   TriangleMesh open = box_mesh({0, 0, 0}, {2, 2, 2});
-  // Without its top, its western side turned over.
+  // Without its top, and with its western side reversed.
   open.triangles.erase(open.triangles.begin() + 6, open.triangles.begin() + 8);
   std::swap(open.triangles[6][0], open.triangles[6][1]);
   ASSERT_FALSE(closedness_faults(open).empty());
@@ -329,7 +331,7 @@ TEST(Obstacles, TurnedAndMissingTrianglesHardlyMoveAnInside) {
     const Vec3 position = random_position(k, 1);
     wrong += broken.contain(position) != closed.contains(DVec3(position)) ? 1 : 0;
   }
-  // Each view errs in 4 % of the positions inside; two of three do in about 3 * 0.04^2.
+  // Each view errs for 4 % of the positions inside; two of three err for about 3 * 0.04^2.
   EXPECT_LT(wrong, 0.01 * kTrials);
   EXPECT_LT(glm::length(broken.ground_centroid(0)), 0.02F);
 }
@@ -339,7 +341,7 @@ TEST(Obstacles, StandOverTheCentroidOfTheirVolume) {
       {box_mesh({-3, 0, 3}, {3, 8, 6}), moved(sphere_mesh(4), {5, 9, -7}), l_shape(), moved(l_shape(), {1e5, 0, 0})});
   EXPECT_LT(glm::distance(bodies.ground_centroid(0), Vec3(0, 0, 4.5F)), 1e-6F);
   EXPECT_LT(glm::distance(bodies.ground_centroid(1), Vec3(5, 0, -7)), 1e-6F);
-  // Arms of 3 and 2 square metres about (1.5, -0.5) and (0.5, -2).
+  // Arms of 3 and 2 square metres with centroids (1.5, -0.5) and (0.5, -2).
   EXPECT_LT(glm::distance(bodies.ground_centroid(2), Vec3(1.1F, 0, -1.1F)), 1e-6F);
   EXPECT_LT(glm::distance(bodies.ground_centroid(3), Vec3(1e5F + 1.1F, 0, -1.1F)), 0.01F);
 }
@@ -358,7 +360,7 @@ TEST(Obstacles, ARealHouseHasItsInside) {
     const bool is_inside = house.contain(position);
     ASSERT_EQ(is_inside, closed.contains(DVec3(position)));
     inside += is_inside ? 1 : 0;
-    // Out of a closed body every way leads through a wall, whether it goes through vertices or not.
+    // Every way out of a closed body passes a wall, also through vertices.
     const Vec3 vertex(mesh.positions[k % mesh.positions.size()]);
     const Vec3 beyond = position + 40.0F * toward(position, k % 2 == 0 ? vertex : position + RandomKey(6).direction(k));
     ASSERT_TRUE(!is_inside || house.cross(position, beyond));
@@ -390,7 +392,7 @@ TEST(Obstacles, RejectMeshesThatPointNowhere) {
   EXPECT_THROW(obstacles_of({endless}), std::invalid_argument);
 }
 
-// The plain way: each triangle cut into a fine net of points.
+// The reference implementation: samples each triangle in a fine net of points.
 double brute_force_distance(const TriangleMesh& mesh, Vec3 position) {
   constexpr int kSteps = 60;
   double least = kFar;
@@ -426,7 +428,7 @@ TEST(Obstacles, TheNearestSurfaceIsThatOfAllTriangles) {
     const Vec3 way = obstacles.away_from_surface(position).value();
     EXPECT_NEAR(glm::length(way), 1, 1e-6) << k;
     const double distance = brute_force_distance(mesh, position);
-    // Along the way to the surface and no farther it is met.
+    // The surface is reached along this direction at the distance, and not earlier.
     const double sign = obstacles.contain(position) ? -1 : 1;
     const DVec3 met = DVec3(position) - sign * distance * DVec3(way);
     EXPECT_LT(brute_force_distance(mesh, Vec3(met)), 0.06) << k;

@@ -5,8 +5,8 @@
 
 namespace meristem {
 
-/// Whether no obstacle is at `to` or on the way there from `from`, both relative to a plant's root. A root may stand on
-/// an obstacle's surface.
+/// Returns true if no obstacle is at `to` or on the way from `from` to `to`. Both are relative to `root`. A root may be
+/// on an obstacle's surface.
 inline bool is_way_open(const Obstacles& obstacles, Vec3 root, Vec3 from, Vec3 to) {
   if (obstacles.empty()) return true;
   const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;

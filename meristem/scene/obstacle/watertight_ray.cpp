@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corners are sheared so that the ray runs along z; the ray meets the triangle if the origin of the plane lies on
-// one side of its three edges. The sign of an edge is that of a difference of two products, which rounding may turn to
-// 0 but never around, and which is the same, turned around, for the triangle on the edge's other side. Triangles seen
-// from their edge are decided along z.
+// Intersects rays with triangles without gaps between neighbours. The corners are sheared so that the ray runs along z.
+// The ray meets the triangle if the plane's origin is on one side of its three edges. The sign for an edge is the sign
+// of a difference of two products. Rounding may change it to 0 but never reverses it, and the neighbouring triangle
+// gets exactly the opposite sign. Triangles seen edge-on are decided along z.
+//
 // Based on: S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection (2013).
 #include "meristem/scene/obstacle/watertight_ray.h"
 
@@ -33,7 +34,7 @@ std::optional<double> WatertightRay::distance_to(const std::array<Corner, 3>& tr
   const Seen a = seen(triangle[0]);
   const Seen b = seen(triangle[1]);
   const Seen c = seen(triangle[2]);
-  // Each is the weight of the corner that its edge does not touch.
+  // Each is the weight of the corner opposite to its edge.
   const double weight_a = c.x * b.y - c.y * b.x;
   const double weight_b = a.x * c.y - a.y * c.x;
   const double weight_c = b.x * a.y - b.y * a.x;
@@ -48,7 +49,8 @@ std::optional<double> WatertightRay::distance_to(const std::array<Corner, 3>& tr
 }
 
 std::optional<double> WatertightRay::distance_in_plane(const std::array<Seen, 3>& corners, double within) {
-  // The triangle is a line to the eye. Where edges pass over the origin, the ray is in the triangle between them.
+  // The triangle is seen edge-on, as a line. The ray is in the triangle between the points where edges pass over the
+  // origin.
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -nearest;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -8,20 +8,20 @@
 
 namespace meristem {
 
-/// A ray that meets triangles in double precision without a gap between neighbours: triangles that share an edge or a
-/// vertex with the same coordinates are decided by the same signs, and what touches counts as met.
+/// A ray that meets triangles in double precision without a gap between neighbours. Triangles with a common edge or
+/// vertex are decided by the same signs. Touching counts as a hit.
 class WatertightRay {
  public:
   using Corner = std::array<double, 3>;
 
-  /// `direction` may have any length above 0; distances are counted in it.
+  /// `direction` may have any length above 0. Distances are in units of this length.
   WatertightRay(DVec3 origin, DVec3 direction);
 
-  /// How far away a triangle is met first, in [0, within]; `within` may be infinite. Both faces count.
+  /// Returns the first distance at which a triangle is met, in [0, within]; `within` may be infinite. Both faces count.
   std::optional<double> distance_to(const std::array<Corner, 3>& triangle, double within) const;
 
  private:
-  /// A corner as the ray sees it: it looks along z from the origin.
+  /// A corner in the ray's coordinates: the ray runs along z from the origin.
   struct Seen {
     double x;
     double y;

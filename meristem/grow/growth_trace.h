@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A growth as it can be looked at afterwards: how a plant stood after each step, and what it grew by. Growth models
-// record it while they grow, and only what somebody has asked for: without a wish a growth takes no more time or memory
-// than ever, and with one the plant has the same bytes.
+// Records of a growth for later inspection: the plant after each step, and what caused it. Growth models record only
+// the requested parts. Without a request, a growth costs no extra time or memory. A request never changes the plant.
 #pragma once
 
 #include <cstddef>
@@ -18,26 +17,26 @@
 
 namespace meristem {
 
-/// A part of what can be recorded of a growth. Each costs memory of its own; models that have no such thing record
-/// nothing.
+/// A part of a growth that can be recorded. Each part costs memory of its own. Models that do not have a part record
+/// nothing for it.
 enum class TracePart : std::uint8_t {
-  steps,    ///< how the plant stood after each step
-  points,   ///< attraction points: when each was used up, and where it was by then
+  steps,    ///< the plant after each step
+  points,   ///< attraction points: positions, and the step in which each was used up
   pulls,    ///< which node each attraction point pulls
-  ways,     ///< the ways to more light, or to more room, that buds found
-  losses,   ///< what was shed and cut, and why
-  markers,  ///< the markers of room, free and taken; needs `steps`
-  outcome,  ///< how the plant would stand after what it plans
+  ways,     ///< directions to more light or more space that buds found
+  losses,   ///< branches that were shed or cut, with the reason
+  markers,  ///< the markers of space, free and occupied; needs `steps`
+  outcome,  ///< the plant after its planned operations
 };
 
-/// What is recorded of a growth: a set of parts.
+/// The set of parts to record.
 class TraceWish {
  public:
   constexpr TraceWish() = default;
   constexpr TraceWish(std::initializer_list<TracePart> parts) {
     for (const TracePart part : parts) bits_ |= bit(part);
   }
-  /// All that tells of the growth itself: all parts but the outcome.
+  /// Returns a request for all parts of the growth itself: all parts except the outcome.
   static constexpr TraceWish all() {
     TraceWish wish;
     wish.bits_ = 2 * bit(TracePart::markers) - 1;
@@ -46,14 +45,14 @@ class TraceWish {
 
   constexpr bool has(TracePart part) const { return (bits_ & bit(part)) != 0; }
   constexpr bool any() const { return bits_ != 0; }
-  constexpr std::uint64_t bits() const { return bits_; }  ///< equal for equal wishes; 0 for none
-  /// The wish without one part.
+  constexpr std::uint64_t bits() const { return bits_; }  ///< equal for equal requests; 0 for the empty request
+  /// Returns the request without one part.
   constexpr TraceWish without(TracePart part) const {
     TraceWish rest = *this;
     rest.bits_ &= ~bit(part);
     return rest;
   }
-  /// Both wishes together.
+  /// Returns the union of both requests.
   constexpr TraceWish operator|(TraceWish other) const {
     other.bits_ |= bits_;
     return other;
@@ -66,23 +65,23 @@ class TraceWish {
   std::uint32_t bits_ = 0;
 };
 
-/// What a place that plants compete for is at a step.
+/// The state at a step of a place that plants compete for.
 enum class PlaceState : std::uint8_t {
-  free,     ///< pulls branches, or is room for buds
-  used,     ///< a branch has come near: it pulls no more
-  removed,  ///< an obstacle or the deepest shade left it out before growth began
+  free,     ///< an attraction point pulls branches, or a marker is available to buds
+  used,     ///< a branch has come near, and the place has no effect any more
+  removed,  ///< an obstacle or the deepest shade removed it before growth began
 };
 
-/// An attraction point, or a marker of room.
+/// An attraction point, or a marker of space.
 struct TracedPlace {
-  Vec3 position{0};  ///< where it is at the step, or was when it was used up; world space
+  Vec3 position{0};  ///< position at the step, or when it was used up; world space
   PlaceState state = PlaceState::free;
-  int used_in = 0;  ///< step in which it was used up; 0 unless `state` is used, or where that is not known
+  int used_in = 0;  ///< step in which it was used up; 0 if it is not used or if the step is unknown
 
   bool operator==(const TracedPlace&) const = default;
 };
 
-/// A way from one position to another, world space.
+/// A segment from one position to another, world space.
 struct TracedWay {
   Vec3 from{0};
   Vec3 to{0};
@@ -90,69 +89,70 @@ struct TracedWay {
   bool operator==(const TracedWay&) const = default;
 };
 
-/// What took a branch.
+/// The cause of a lost branch.
 enum class LossCause : std::uint8_t {
-  shed,  ///< the tree itself, for want of light
-  cut,   ///< an operation
+  shed,  ///< the tree shed it for lack of light
+  cut,   ///< an operation cut it
 };
 
-/// Why a branch fell.
+/// The reason for the loss of a branch.
 struct LossReason {
   LossCause cause = LossCause::shed;
-  std::string path;  ///< in the document: "components.oak.shedding", or the operation's that cut it
+  std::string path;  ///< path in the document: "components.oak.shedding", or the path of the operation that cut it
 
   bool operator==(const LossReason&) const = default;
 };
 
-/// A branch that fell off a tree with all that it bore.
+/// A branch that was lost together with everything that it bore.
 struct TracedLoss {
-  int step = 0;  ///< in which it fell
+  int step = 0;  ///< step in which it was lost
   LossReason why;
   Vec3 position{0};                 ///< where it was attached, world space
-  double length = 0;                ///< metres of its segments
-  std::vector<TracedWay> segments;  ///< where they were
+  double length = 0;                ///< total length of its segments, metres
+  std::vector<TracedWay> segments;  ///< positions of its segments
 
   bool operator==(const TracedLoss&) const = default;
 };
 
-/// What a step was made of, besides the plant itself.
+/// The marks of a step, in addition to the plant itself.
 struct StepMarks {
-  std::vector<TracedPlace> points;   ///< attraction points, tree by tree
-  std::vector<TracedWay> pulls;      ///< from nodes to the points that pull them in the next step
-  std::vector<TracedWay> ways;       ///< from buds that grew in the step: one metre toward more light
-  std::vector<TracedWay> room_ways;  ///< from buds that grew in the step and look for room: one metre toward more of it
-  std::vector<TracedPlace> markers;  ///< around the plant
-  std::vector<TracedLoss> losses;    ///< of the step
+  std::vector<TracedPlace> points;  ///< attraction points, tree by tree
+  std::vector<TracedWay> pulls;     ///< from nodes to the points that pull them in the next step
+  std::vector<TracedWay> ways;      ///< from buds that grew in the step, one metre toward more light
+  /// From buds that grew in the step and search for space, one metre toward more space.
+  std::vector<TracedWay> room_ways;
+  std::vector<TracedPlace> markers;  ///< markers around the plant
+  std::vector<TracedLoss> losses;    ///< branches lost in the step
 
-  /// Appends another plant's.
+  /// Appends the marks of another plant.
   void append(StepMarks more);
-  /// Puts all of it where `frame` takes it; ways stay one metre long.
+  /// Transforms all marks by `frame`. Directions keep their length of one metre.
   void move(const Frame& frame);
-  std::size_t count() const;  ///< of places, ways and segments that were lost
+  std::size_t count() const;  ///< number of places, segments, and segments of lost branches
 };
 
-/// What one member of a stand was, step by step. Many threads may ask it.
+/// The recorded growth of one member of a stand. Thread-safe.
 class GrowthTrace {
  public:
   Frame place;  ///< frame of the instance that grew
 
   virtual ~GrowthTrace() = default;
-  /// The last step that growth took, from 1; after it nothing changed.
+  /// Returns the last step that the growth took, from 1. Later steps change nothing.
   virtual int last_step() const = 0;
-  /// The finished skeleton after what the plant plans, as a growth gives it that does so, where nothing else of the
-  /// stand grows on afterwards. Null where it plans nothing, or nobody asked for it.
+  /// Returns the finished skeleton after the planned operations, as in a growth that performs them and in which nothing
+  /// else grows afterwards. Null if nothing is planned or if the outcome was not requested.
   virtual const Skeleton* outcome() const { return nullptr; }
-  /// The finished skeleton after `step` steps, or after the last one where that comes before: what a growth gives that
-  /// has no more iterations, to the byte. `scene` is the one in which it grew. Only where steps were asked for. Throws
-  /// what Grower::take_skeleton() throws.
+  /// Returns the finished skeleton after `step` steps, or after the last step if `step` is larger. The result equals,
+  /// byte by byte, a growth limited to that number of iterations. `scene` must be the scene of the growth. Requires
+  /// that steps were recorded. Throws what Grower::take_skeleton() throws.
   Skeleton standing(int step, const Scene& scene, Progress& progress) const;
-  /// What is known of a step, or of the last one where that comes before: the marks that `wish` names, as far as they
-  /// were recorded. Throws InputError where they are more than the limits allow, Cancelled.
+  /// Returns the marks of a step, or of the last step if `step` is larger: those that `wish` names and that were
+  /// recorded. Throws InputError if they exceed the limits. Throws Cancelled.
   StepMarks marks(int step, TraceWish wish, const Progress& progress) const;
-  virtual std::uint64_t bytes() const = 0;  ///< of memory
+  virtual std::uint64_t bytes() const = 0;  ///< memory in bytes
 
  private:
-  // Both are asked for steps from 0 to last_step() alone.
+  // Both are only called with steps from 0 to last_step().
   virtual Skeleton standing_after(int step, const Scene& scene, Progress& progress) const = 0;
   virtual StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const = 0;
 };

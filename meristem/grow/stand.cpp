@@ -9,7 +9,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostBlocks = 256;  // of members that a thread takes at once
+constexpr std::size_t kMostBlocks = 256;  // blocks of members per parallel loop, at most
 
 std::size_t grain_of(std::size_t members) { return 1 + members / kMostBlocks; }
 
@@ -28,13 +28,13 @@ void Stand::grow(Progress& progress) {
   std::vector<std::uint8_t> may_grow(members_.size(), 0);
   while (!growing.empty()) {
     for (const Shared& shared : commons_) shared.commons->begin_round(progress);
-    // Let every member that may still grow take one step.
+    // Let every member that may still grow take one step in parallel.
     parallel_for(growing.size(), grain_of(growing.size()), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) may_grow[growing[k]] = members_[growing[k]]->step(progress) ? 1 : 0;
     });
     for (const std::size_t k : growing) {
       members_[k]->tell();
-      // A member that ends early has done all of its share.
+      // A member that ends early has completed all of its remaining steps.
       const std::uint64_t done = may_grow[k] != 0 ? 1 : steps_left[k];
       steps_left[k] -= done;
       progress.advance(done);
@@ -43,7 +43,7 @@ void Stand::grow(Progress& progress) {
   }
 }
 
-/// Lets the members that record it do what they plan, all at once, and see what comes of it.
+/// Executes the plans of all members that record their outcome, at the same time, and computes the result.
 void Stand::see_outcomes(Progress& progress) {
   std::vector<Grower*> planners;
   for (const std::unique_ptr<Grower>& member : members_) {
@@ -68,7 +68,7 @@ std::vector<std::unique_ptr<GrowthTrace>> Stand::take_traces(Progress& progress)
 }
 
 std::vector<Skeleton> Stand::take_skeletons(Progress& progress) {
-  commons_.clear();  // finishing needs memory, and nothing of what they competed for
+  commons_.clear();  // free memory before finishing, which no longer needs the commons
   std::vector<Skeleton> skeletons(members_.size());
   parallel_for(members_.size(), grain_of(members_.size()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {

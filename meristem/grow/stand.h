@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plants that grow together: round after round all of them take a step side by side, each then tells what it has done,
-// and what they compete for is brought up to date before the next round. So all see the same state, none is served
-// first, and threads decide nothing.
+// Plants that grow together. In each round, all plants take one step in parallel. Then each plant reports its changes,
+// and the shared resources are updated before the next round. All plants of a round therefore read equal state, and the
+// order of threads does not matter.
 #pragma once
 
 #include <cstddef>
@@ -16,46 +16,46 @@
 
 namespace meristem {
 
-/// One plant growing among others. A growth model implements it; a stand drives it.
+/// One plant of a stand. Growth models implement it; the stand calls it.
 class Grower {
  public:
-  Frame place;  ///< frame of the instance that grows, which traces tell
+  Frame place;  ///< frame of the growing instance, copied to its trace
 
   virtual ~Grower() = default;
-  /// The most steps it will take; 0 for a member that does not grow.
+  /// Returns the largest number of steps that it will take; 0 for a member that does not grow.
   virtual int step_limit() const = 0;
-  /// Grows one step, while others do: it reads the commons and changes nothing but itself. Returns whether it may grow
-  /// further; once it does not, step() is not called again.
+  /// Grows one step in parallel with other members. Reads the commons and changes only this object. Returns true if it
+  /// may grow further. After false, step() is not called again.
   virtual bool step(Progress& progress) = 0;
-  /// Tells the commons what the step has done; called after each one, once all have taken theirs, in the members'
-  /// order.
+  /// Reports the changes of the step to the commons. Called for each member in order, after all members have taken the
+  /// step.
   virtual void tell() {}
-  /// Does what it has only planned, where it was asked to record the outcome; called once, when all have grown, so that
-  /// no growth feels it. Returns whether it did anything. If so, tell() and see_outcome() follow.
+  /// Executes the planned operations if the outcome is requested. Called once after all growth, so that it affects no
+  /// growth. Returns true if anything was done; then tell() and see_outcome() are called.
   virtual bool do_plan(Progress&) { return false; }
-  /// Finds what light and room it has after that.
+  /// Computes the light and the space that are available after the planned operations.
   virtual void see_outcome(Progress&) {}
-  /// What it has recorded where that was asked for, else null; called once, after the last step and before
+  /// Returns the recorded trace, or null if none was requested. Called once, after the last step and before
   /// take_skeleton().
   virtual std::unique_ptr<GrowthTrace> take_trace() { return nullptr; }
-  /// The finished skeleton, post-processed, with radii, axes and orders; called once, after the last step, while others
-  /// finish theirs.
+  /// Returns the finished skeleton: post-processed, with radii, axes and orders. Called once after the last step, in
+  /// parallel with other members.
   virtual Skeleton take_skeleton(Progress& progress) = 0;
 };
 
-/// What the plants of a stand share and compete for, such as a cloud of attraction points.
+/// A resource that the plants of a stand share and compete for, such as a cloud of attraction points.
 class Commons {
  public:
   virtual ~Commons() = default;
-  /// Takes account of what the plants did in the round before; called before each round.
+  /// Applies the changes that plants reported in the previous round. Called before each round.
   virtual void begin_round(Progress& progress) = 0;
-  /// Takes account of what they did in the last round, where somebody records that; called once, when all have grown.
+  /// Applies the changes of the last round if they are recorded. Called once after all growth.
   virtual void end_record(Progress&) {}
 };
 
 class Stand {
  public:
-  /// The stand's one T, made at its first use. Members keep references to it.
+  /// Returns the shared object of type T, created on first use. References stay valid for the lifetime of the stand.
   template <class T>
   T& commons() {
     for (const Shared& shared : commons_) {
@@ -68,14 +68,14 @@ class Stand {
   void add(std::unique_ptr<Grower> member) { members_.push_back(std::move(member)); }
 
   /// Grows all members together, step by step, until none can grow further or all have reached their step limits.
-  /// Passes on what members throw: InputError when one exceeds its limits, Cancelled when asked to stop.
+  /// Throws what members throw: InputError if one exceeds its limits, Cancelled if stopped.
   void grow(Progress& progress);
 
-  /// What the members have recorded, in their order; null for those that record nothing. To be called once, between
+  /// Returns the recorded traces in the order of the members; null for members without a trace. Call it once, between
   /// grow() and take_skeletons().
   std::vector<std::unique_ptr<GrowthTrace>> take_traces(Progress& progress);
 
-  /// The skeletons in the members' order; to be called once, after grow().
+  /// Returns the skeletons in the order of the members. Call it once, after grow().
   std::vector<Skeleton> take_skeletons(Progress& progress);
 
  private:

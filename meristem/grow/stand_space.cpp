@@ -13,7 +13,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kShootsPerCheck = 16;
-constexpr double kLongestShoot = 1e5;  // voxels; longer ones cast no more shade
+constexpr double kLongestShoot = 1e5;  // voxels; longer shoots cast no additional shade
 
 [[noreturn]] void refuse_bytes(const char* what, std::uint64_t bytes, std::uint64_t most, const std::string& path) {
   throw_limit(what, static_cast<double>(bytes), most, "mesh_bytes", path);
@@ -62,7 +62,7 @@ void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
   std::vector<Shader> shaders;
   shaders.reserve(changes_.shoots_.size());
   for (const ShootChanges::Shoot& shoot : changes_.shoots_) {
-    // What is too far away for a fine grid is too far away to matter.
+    // Ignore shoots too far away for a fine grid: their shade does not matter.
     if (!felt.grid.reaches(shoot.position)) continue;
     const double weight = std::min(shoot.length / felt.grid.form().voxel, kLongestShoot);
     shaders.push_back({shoot.position, shoot.is_lost ? -weight : weight});
@@ -91,7 +91,7 @@ void StandSpace::take_markers(Field& felt, const Progress& progress) const {
   }
 }
 
-/// Gives each marker to one of the buds of all plants that look for room in a field.
+/// Assigns the markers of a field to the searching buds of all plants.
 void StandSpace::share_out(Field& felt, Progress& progress) {
   bool any_looks = false;
   for (RoomSeeker* const plant : felt.seekers) any_looks = plant->begin_round() || any_looks;

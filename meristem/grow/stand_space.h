@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the plants of a stand take from each other as they grow: light, by the shade that they cast, and room, by the
-// markers that they stand on. All plants tell it where their shoots grow and where they lose them; what a plant feels
-// of that is in a form of its own.
+// The light and the space that the plants of a stand compete for. Plants cast shade and occupy markers. All plants
+// report where their shoots grow and where they are lost. Each plant has its own parameters for the shade and the
+// markers that affect it.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,25 @@
 
 namespace meristem {
 
-/// A plant whose buds look for room.
+/// A plant whose buds search for space.
 class RoomSeeker {
  public:
   virtual ~RoomSeeker() = default;
-  /// Told once when a round begins. Returns whether the plant looks for room in it; where none does, none is shared
-  /// out.
+  /// Called once at the begin of a round. Returns true if the plant searches for space in this round. If no plant does,
+  /// nothing is shared out.
   virtual bool begin_round() = 0;
-  /// Adds its buds as they are now. It gets as many answers, in this order, by take_room().
+  /// Appends the plant's current buds. take_room() later receives one result per bud, in this order.
   virtual void list_seekers(std::vector<Seeker>& seekers) const = 0;
   virtual void take_room(std::span<const Room> rooms) = 0;
 };
 
-/// Where a plant has grown leafy shoots and lost them, one after another.
+/// The leafy shoots that a plant has grown and lost, in order.
 class ShootChanges {
  public:
-  /// A leafy shoot of `length` metres ends at a position (world space). One as long as a voxel casts one shade.
+  /// Adds a leafy shoot of `length` metres that ends at `position` (world space). A shoot as long as a voxel casts one
+  /// shade.
   void grow(Vec3 position, double length) { shoots_.push_back({position, length, false}); }
-  /// One that was grown before is gone: light and room are as if it had never been.
+  /// Removes a shoot that was grown before. Light and space are then as if it had never grown.
   void lose(Vec3 position, double length) { shoots_.push_back({position, length, true}); }
 
  private:
@@ -46,23 +47,25 @@ class ShootChanges {
   std::vector<Shoot> shoots_;
 };
 
-/// What plants do in a round is felt from the next one on. Plants tell of it once their step is done; while they step
-/// they only read.
+/// Changes of a round take effect in the next round. Plants report changes after their steps. During steps they only
+/// read.
 class StandSpace : public Commons {
  public:
-  /// The grid of a form, the same one for equal forms; it stays where it is. Growth throws InputError at `path`, a
-  /// document path, where the grid would take more than `most_bytes`. To be called before the first round, as markers.
+  /// Returns the shade grid for these parameters; equal parameters share one grid. References stay valid. Growth throws
+  /// InputError at the document path `path` if the grid would need more than `most_bytes`. Call it before the first
+  /// round, like markers().
   const ShadowGrid& shade(const ShadowParameters& form, std::uint64_t most_bytes, std::string path);
-  /// The field of a form, the same one for equal forms, in which `seeker`, which outlives the growth, looks for room.
-  /// `key` is that of its markers where it is the first one; `obstacles` are the scene's.
+  /// Returns the marker field for these parameters; equal parameters share one field. Registers `seeker`, which
+  /// searches for space in the field and must outlive the growth. `key` is the random key of the markers and is used
+  /// only when the field is created. `obstacles` must be the scene's.
   MarkerField& markers(const MarkerParameters& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
                        std::uint64_t most_bytes, std::string path);
-  /// Whether anything is felt; if not, telling of shoots is lost work.
+  /// Returns true if any plant uses shade or markers. Otherwise reports of shoots have no effect.
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 
   void grow_shoot(Vec3 position, double length) { changes_.grow(position, length); }
   void lose_shoot(Vec3 position, double length) { changes_.lose(position, length); }
-  /// Takes note of all `changes`, and empties them.
+  /// Adds all `changes`, and clears them.
   void take(ShootChanges& changes);
 
   void begin_round(Progress& progress) override;

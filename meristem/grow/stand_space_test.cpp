@@ -58,7 +58,7 @@ TEST(StandSpace, ShootsCastShadeByTheirLengthInVoxels) {
 }
 
 RC_GTEST_PROP(StandSpace, WhatIsLostIsAsIfItHadNeverBeen, ()) {
-  // Some of the shoots that grow in several rounds are lost, in any order; the others stay.
+  // Shoots grow in several rounds. Some of them are lost, in any order; the others stay.
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   StandSpace space;
   const ShadowParameters form{.voxel = 1, .amount = 0.3, .base = 1.7, .depth = 5};
@@ -118,7 +118,7 @@ TEST(StandSpace, WhatIsTooFarAwayForAFineGridDoesNotMatterToIt) {
   EXPECT_GT(fine.shade(Vec3(0)), 0);
 }
 
-/// Looks for room in every other round.
+/// Searches for space in every other round.
 class SecondRoundSeeker : public RoomSeeker {
  public:
   bool begin_round() override { return round_++ % 2 == 0; }

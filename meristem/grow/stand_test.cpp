@@ -10,7 +10,7 @@
 
 namespace meristem::stand_test {
 
-// Grows for a number of steps and tells its name at each.
+// Grows for a number of steps and appends its name to the log at each step.
 class Counting : public Grower {
  public:
   Counting(char name, int steps, int limit, std::string& log) : name_(name), steps_(steps), limit_(limit), log_(log) {}
@@ -40,7 +40,7 @@ TEST(Stand, MembersTellInTurnUntilEachIsDone) {
   EXPECT_EQ(log, "abcaca");
 }
 
-// Writes a bar before each round.
+// Writes a bar to the log before each round.
 class Bars : public Commons {
  public:
   void begin_round(Progress&) override { *log += '|'; }

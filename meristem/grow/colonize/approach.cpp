@@ -24,7 +24,7 @@ Approach plan_approach(Vec3 target, double step, double influence) {
   if (approach.distance > 0) approach.direction = DVec3(target) / approach.distance;
   if (approach.distance <= influence) return approach;
   const double steps = std::ceil((approach.distance - influence) / step);
-  // Beyond any limit on iterations the exact number says nothing more.
+  // Larger numbers are beyond any limit on iterations, so clamp before the conversion.
   approach.steps = static_cast<std::uint64_t>(std::min(steps, 1e15));
   return approach;
 }

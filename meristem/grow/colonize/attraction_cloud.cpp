@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points that stay are found by descending new nodes through a tree of points; where the cloud moves, each point
-// knows the few nodes around it instead (moving_points.h). Both grow the same tree into a cloud that stands still;
-// the second costs seven times as much.
+// Two data structures find the nearest node of each point. For points at rest, new nodes descend through a tree of
+// points (nearest_nodes.h). If points move, each point stores the few nodes around it (moving_points.h). Both give
+// equal results for a cloud at rest; the second is seven times as slow.
 #include "meristem/grow/colonize/attraction_cloud.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ std::optional<Vec3> AttractionCloud::nearest_point(Tree tree) const {
 
 void AttractionCloud::begin_round(Progress& progress) {
   progress.check();
-  // Points near a root pull it once before they are used up.
+  // In the first round, points near a root pull it once before they are used up.
   const bool is_first = !still_ && !moving_;
   if (is_first) plant_points(progress);
   if (record_) record_->begin_step();
@@ -73,7 +73,7 @@ void AttractionCloud::begin_round(Progress& progress) {
   hand_over_pulls();
 }
 
-/// Uses up what the nodes of the last step have come near to, and finds the history of each point.
+/// Uses up the points near the nodes of the last step, and computes the history of each point.
 void AttractionCloud::end_record(Progress& progress) {
   if (!record_) return;
   const auto first_new = static_cast<NodeIndex>(nodes_.size());
@@ -87,7 +87,7 @@ void AttractionCloud::end_record(Progress& progress) {
   record_.reset();
 }
 
-/// Uses points up, and sums up the others by node.
+/// Uses up points, and adds the pulls of the others to their nodes.
 void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
   const auto keeps = [&](Vec3 point, NodeIndex node, float distance2) {
     const bool goes = kills && distance2 <= nodes_[node].kill2;
@@ -97,11 +97,11 @@ void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
     if (!goes) add_pull(node, point);
     return !goes;
   };
-  // Points side by side belong to nodes of many rounds, which lie far apart in memory.
+  // Adjacent points may belong to nodes of different rounds, which are far apart in memory, so prefetch them.
   still_->sweep(keeps, [&](NodeIndex node) { __builtin_prefetch(&nodes_[node]); });
 }
 
-/// Gathers the pulls of points that move in between: they pull from where they go to.
+/// Gathers the pulls of moving points: they pull from their positions after the move.
 void AttractionCloud::gather_moving(bool kills, const Progress& progress) {
   use_up_moving(kills);
   for (Member& member : trees_) note_closeness(member);
@@ -129,8 +129,8 @@ void AttractionCloud::use_up_moving(bool kills) {
   });
 }
 
-/// A tree that follows a moving cloud gains on it, or uses points up; two points that ride along on both sides of a tip
-/// are neither.
+/// Counts an advance if a tree in a moving cloud comes nearer to its nearest point. Two points that move along on both
+/// sides of a tip are no advance.
 void AttractionCloud::note_closeness(Member& member) {
   constexpr float kNearer = 0.998F;
   const bool gains = member.now_closest2 < kNearer * member.closest2;
@@ -143,7 +143,7 @@ bool AttractionCloud::is_too_dark(const Member& member, Vec3 point) const {
   return member.shade != nullptr && 1 - member.shade->shade(origin_ + point) < member.attraction.light.shade->bears;
 }
 
-/// Brings the points into the form in which they live from the first round on.
+/// Builds the data structure of the points for all rounds.
 void AttractionCloud::plant_points(Progress& progress) {
   leave_out_darkest(progress);
   if (record_) record_points();
@@ -162,7 +162,7 @@ void AttractionCloud::plant_points(Progress& progress) {
   points_ = {};
 }
 
-/// Notes the points that take part in growth; those that do not are noted where they are removed.
+/// Records the points that take part in growth. Removed points are recorded when they are removed.
 void AttractionCloud::record_points() {
   std::size_t next = 0;
   for (Tree tree = 0; tree < trees_.size(); ++tree) {
@@ -170,12 +170,12 @@ void AttractionCloud::record_points() {
   }
 }
 
-/// Removes the share of each tree's points that lies in the deepest shade, also of other trees' points.
+/// Removes the darkest share of each tree's points. Points of other trees cast shade, too.
 void AttractionCloud::leave_out_darkest(const Progress& progress) {
   if (scene_ == nullptr || scene_->light.is_none()) return;
   std::vector<Vec3> kept;
   std::vector<Vec3> world;
-  std::optional<LightLimit> known;  // what `light` was counted for
+  std::optional<LightLimit> known;  // parameters for which `light` was computed
   std::vector<double> light;
   std::size_t first = 0;
   for (Member& member : trees_) {
@@ -242,7 +242,7 @@ void AttractionCloud::take_new_nodes(Progress& progress) {
   new_nodes_.clear();
 }
 
-/// Hands the sums to their trees, there in the order of the nodes.
+/// Distributes the sums to their trees, sorted by node.
 void AttractionCloud::hand_over_pulls() {
   for (const Sum& sum : sums_) {
     Node& node = nodes_[sum.node];
@@ -265,7 +265,7 @@ void AttractionCloud::add_pull(std::uint32_t index, Vec3 point) {
     sums_.push_back({index, 0, 0, 0});
     node.sum = static_cast<std::uint32_t>(sums_.size());
   }
-  // A point exactly on its node pulls nowhere.
+  // A point exactly at its node pulls in no direction.
   const DVec3 offset = DVec3(point) - DVec3(node.position);
   const double square = squared_length(offset);
   if (square == 0) return;

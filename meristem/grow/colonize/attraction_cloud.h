@@ -17,47 +17,47 @@
 
 namespace meristem {
 
-/// What the points of one node pull it toward.
+/// The pull of all points of one node.
 struct Pull {
-  NodeIndex node = 0;  ///< counted within its tree
-  DVec3 sum{0};        ///< of the unit vectors from the node to its points
+  NodeIndex node = 0;  ///< index within its tree
+  DVec3 sum{0};        ///< sum of the unit vectors from the node to its points
 };
 
-/// What points are to a tree.
+/// The attraction parameters of a tree.
 struct Attraction {
-  double influence = 0;  ///< metres within which they pull its nodes, above 0, may be infinite
-  double kill = 0;       ///< metres within which its nodes use them up, above 0
-  LightResponse light;   ///< of the points that it brings
+  double influence = 0;  ///< metres within which points pull its nodes; above 0, may be infinite
+  double kill = 0;       ///< metres within which its nodes use up points; above 0
+  LightResponse light;   ///< light response of the points that it brings
 };
 
-/// The attraction points of all trees of a stand, which compete for them: a point belongs to the nearest node within
-/// its tree's influence distance, whichever tree brought the point, and is used up when that node is within its tree's
-/// kill distance. The points that a tree brings may lose those in the deepest shade before growth, and may move with
-/// the light that falls on the nodes which they pull, whichever trees those belong to; a point that has moved into an
-/// obstacle rests while it is there. Positions are relative to the first tree's root, so that a stand far from the
-/// world's origin loses no digits; each tree speaks of positions relative to its own root.
+/// The attraction points of all trees of a stand, which compete for them. A point belongs to the nearest node within
+/// the influence distance of that node's tree, whichever tree brought the point. It is used up when the node is within
+/// its tree's kill distance. The points of a tree may lose those in the deepest shade before growth. They may also move
+/// with the light on the nodes that they pull, whichever trees these nodes belong to. A point that has moved into an
+/// obstacle is inactive while it is there. Positions in the cloud are relative to the first tree's root, which keeps
+/// precision far from the world's origin. Each tree uses positions relative to its own root.
 class AttractionCloud : public Commons {
  public:
   using Tree = std::uint32_t;
 
-  /// A tree with its root at `root` (world space) that brings `points` (world space); its root is its node 0. Points do
-  /// not pull it while they are darker in `shade`, where given, than its response says. `scene` is the same for all;
-  /// both outlive the cloud. To be called before the first round.
+  /// Adds a tree with its root at `root` (world space) that brings `points` (world space). The root is node 0. If
+  /// `shade` is not null, points do not pull the tree while they are darker than its response allows. `scene` must be
+  /// the same for all trees; `scene` and `shade` must outlive the cloud. Call it before the first round.
   Tree join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction, const Scene& scene,
             const ShadowGrid* shade = nullptr);
-  /// From now on it notes what becomes of its points, for histories(). To be called before the first round.
+  /// Records the history of all points for histories(). Call it before the first round.
   void keep_record() { record_.emplace(); }
-  /// A new node of a tree; its points are counted from the next round on.
+  /// Adds a node to a tree. It takes effect in the next round.
   void add_node(Tree tree, Vec3 position);
 
-  /// Which of a tree's nodes are pulled in this round and where to, by rising index. Sums are of whole numbers (unit
-  /// vectors in steps of 2^-38), so they do not depend on the order of the points.
+  /// Returns the nodes of a tree that are pulled in this round, with their pulls, in rising order. Sums use whole
+  /// numbers (unit vectors in steps of 2^-38), so they do not depend on the order of the points.
   std::span<const Pull> pulls(Tree tree) const { return trees_[tree].pulls; }
-  /// Whether the tree's nodes used up a point or came nearer to one: its newest nodes or, where points move, the
-  /// nearest of all.
+  /// Returns true if the tree used up a point or came nearer to one. For points at rest, only the newest nodes count;
+  /// for moving points, the nearest node counts.
   bool has_advanced(Tree tree) const { return trees_[tree].advances > 0; }
-  /// The point to which a tree should grow that none pulls yet: in the first round the nearest of those that it
-  /// brought, where it brought none the living one nearest to its root. Costs as much as a search in a tree of points.
+  /// Returns the point to which a tree without pulls should grow. In the first round, this is the nearest of its own
+  /// points. If it brought no points, it is the living point nearest to its root. Cost: one search in a tree of points.
   std::optional<Vec3> nearest_point(Tree tree) const;
 
   std::uint64_t node_count() const { return nodes_.size() + new_nodes_.size(); }
@@ -65,7 +65,7 @@ class AttractionCloud : public Commons {
 
   void begin_round(Progress& progress) override;
   void end_record(Progress& progress) override;
-  /// What has become of the points of each tree, after end_record(); relative to origin().
+  /// Returns the history of the points of each tree, relative to origin(). Valid after end_record().
   const std::vector<PointHistory>& histories() const { return histories_; }
   Vec3 origin() const { return origin_; }  ///< world space
   std::uint64_t record_bytes() const { return record_ ? record_->bytes() : 0; }
@@ -76,9 +76,10 @@ class AttractionCloud : public Commons {
     Attraction attraction;
     const ShadowGrid* shade = nullptr;
     float kill2 = 0;
-    std::size_t points = 0;           // that it brought; those of all trees stand one after another
-    std::optional<Vec3> nearest_own;  // of these, relative to its root
-    // Squared distances between moving points and nodes: the least at the last advance, and the least of this round.
+    std::size_t points = 0;           // number of points that it brought; stored tree after tree
+    std::optional<Vec3> nearest_own;  // nearest of these points, relative to its root
+    // Squared distances between moving points and nodes: the smallest at the last advance, and the smallest of this
+    // round.
     float closest2 = std::numeric_limits<float>::infinity();
     float now_closest2 = std::numeric_limits<float>::infinity();
     NodeIndex node_count = 0;
@@ -89,8 +90,8 @@ class AttractionCloud : public Commons {
     Vec3 position{0};
     Tree tree = 0;
     NodeIndex index = 0;    // within its tree
-    std::uint32_t sum = 0;  // its index in sums_ plus one while they are gathered, else 0
-    float kill2 = 0;        // of its tree, so that points need not look there
+    std::uint32_t sum = 0;  // while sums are gathered, its index in sums_ plus one; else 0
+    float kill2 = 0;        // copy of its tree's value, for faster access
   };
   struct Sum {
     std::uint32_t node;
@@ -115,14 +116,14 @@ class AttractionCloud : public Commons {
   Vec3 origin_{0};
   bool any_feels_shade_ = false;
   std::vector<Member> trees_;
-  std::vector<Vec3> points_;  // until the first round; from then on they are in one of these
+  std::vector<Vec3> points_;  // used until the first round; then one of the next two members
   std::optional<NearestNodes> still_;
   std::optional<MovingPoints> moving_;
   std::optional<CloudMotion> motion_;
   std::vector<Node> nodes_;
   std::vector<Node> new_nodes_;
   std::vector<Sum> sums_;
-  std::optional<CloudRecord> record_;  // where one is kept
+  std::optional<CloudRecord> record_;  // set if a record is kept
   std::vector<PointHistory> histories_;
 };
 

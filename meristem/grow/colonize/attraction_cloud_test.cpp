@@ -59,7 +59,7 @@ TEST(AttractionCloud, APointBelongsToTheNearestNodeWhicheverTreeBroughtIt) {
   const auto second = cloud.join({10, 0, 0}, {{1, 1, 0}}, {100, 0.1, {}}, kOpenScene);
   Progress progress;
   cloud.begin_round(progress);
-  // Each has the other's point, a metre to its side and one up.
+  // Each tree gets the other tree's point, one metre to its side and one metre up.
   ASSERT_EQ(cloud.pulls(first).size(), 1U);
   ASSERT_EQ(cloud.pulls(second).size(), 1U);
   EXPECT_NEAR(glm::distance(cloud.pulls(first)[0].sum, glm::normalize(DVec3(1, 1, 0))), 0, 1e-11);
@@ -79,7 +79,7 @@ TEST(AttractionCloud, PointsAreUsedUpWithinTheirTreesKillDistance) {
   EXPECT_EQ(cloud.pulls(modest)[0].node, 1U);
   EXPECT_TRUE(cloud.has_advanced(greedy));
   EXPECT_TRUE(cloud.has_advanced(modest));
-  // A node that comes nearer to nothing is no advance.
+  // A node that comes nearer to no point is no advance.
   cloud.add_node(modest, {0, -1, 0});
   cloud.begin_round(progress);
   EXPECT_FALSE(cloud.has_advanced(modest));

@@ -7,14 +7,14 @@
 
 namespace meristem {
 
-/// Which positions a node's next child may take: none closer than a hundredth of a step to the node itself, to its
-/// parent or to a child it already has. Without this a node between balanced points would get the same child again and
-/// again.
+/// Tests positions for the next child of a node. A position is free if it is at least a hundredth of a step away from
+/// the node itself, its parent and its existing children. Without this rule, a node between balanced points would get
+/// equal children again and again.
 class ChildPositions {
  public:
   explicit ChildPositions(double step) : closest_(0.01 * step) {}
 
-  /// Takes note of the newest node of the skeleton; to be called for every node in turn.
+  /// Registers the newest node of the skeleton. Call it for every node in order.
   void add_node(NodeIndex parent);
   bool is_free(const Skeleton& skeleton, NodeIndex node, Vec3 position) const;
 

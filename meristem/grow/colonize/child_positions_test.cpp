@@ -5,7 +5,7 @@
 
 namespace meristem::child_positions_test {
 
-// A root, its child 1, and two children of that, 2 and 3.
+// A root, its child 1, and two children of node 1: 2 and 3.
 class ChildPositionsTest : public testing::Test {
  protected:
   ChildPositionsTest() {

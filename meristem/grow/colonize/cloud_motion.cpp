@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Moves the points of each cloud by a common shift and a drift of each point, both toward brighter positions. Light is
+// computed once per node that pulls points.
 #include "meristem/grow/colonize/cloud_motion.h"
 
 #include <algorithm>
@@ -36,7 +38,7 @@ void CloudMotion::move(MovingPoints& points, const Progress& progress) {
   });
 }
 
-/// All nodes that pull points of clouds which move, sorted, each once for each cloud.
+/// Returns all nodes that pull points of moving clouds, sorted by cloud and node, without duplicates.
 std::vector<CloudMotion::Pulled> CloudMotion::pulled_nodes(const MovingPoints& points) const {
   std::vector<Pulled> pulled;
   for (const MovingPoint& point : points.points()) {
@@ -63,7 +65,7 @@ void CloudMotion::seek_light(std::span<const Pulled> pulled, const Progress& pro
   });
 }
 
-/// The shift of each cloud as a whole.
+/// Returns the common shift of each cloud.
 std::vector<DVec3> CloudMotion::shifts(std::span<const Pulled> pulled) const {
   std::vector<DVec3> shifts(clouds_.size(), DVec3(0));
   for (const Pulled& one : pulled) shifts[one.cloud] += nodes_[one.node].brighter;
@@ -81,7 +83,8 @@ DVec3 CloudMotion::displacement(const MovingPoint& point, std::span<const DVec3>
   return way;
 }
 
-/// Brings the mean of a cloud's points, and with it its top, back to the height from which they move.
+/// Returns the scale factor for the heights of each cloud that keeps the mean height of its points, and so its top,
+/// constant.
 std::vector<double> CloudMotion::height_factors(const MovingPoints& points, std::span<const DVec3> shifts) const {
   std::vector<double> rise(clouds_.size(), 0);
   std::vector<std::uint64_t> count(clouds_.size(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How clouds of attraction points move with the light that falls on the nodes which they pull.
+// Moves clouds of attraction points with the light on the nodes that they pull.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,24 @@ namespace meristem {
 
 class CloudMotion {
  public:
-  /// The points that one tree has brought.
+  /// The points that one tree brought.
   struct Cloud {
     LightResponse response;
-    double base = 0;  ///< metres up to the root of its tree
-    double top = 0;   ///< metres from there to its highest point; where the height is held, that stays
+    double base = 0;  ///< height of its tree's root, metres
+    double top = 0;   ///< height of its highest point above the root, metres; constant if the height is held
   };
 
-  /// Points with the group k are of `clouds[k]`; `origin` is where their coordinates begin in the world. `scene` must
-  /// outlive this.
+  /// A point with the group k belongs to `clouds[k]`. `origin` is the world position of the points' coordinate origin.
+  /// `scene` must outlive this object.
   CloudMotion(const Scene& scene, Vec3 origin, std::vector<Cloud> clouds)
       : scene_(scene), origin_(origin), clouds_(std::move(clouds)) {}
 
-  /// The next node, counted from 0; light that arrives at it has this weight over light that it is shaded from.
+  /// Adds the next node; nodes are numbered from 0. `sunlit_weight` is the weight of light that arrives, relative to
+  /// blocked light.
   void add_node(Vec3 position, double sunlit_weight) { nodes_.push_back({position, sunlit_weight}); }
 
-  /// Moves all clouds by one step, and sets which of their points are inert, inside obstacles, from then on. Light is
-  /// sought once for each node that comes to pull. Points end equal on any number of threads. Throws Cancelled.
+  /// Moves all clouds by one step, and marks points inside obstacles as inert. Light is computed once for each node
+  /// that pulls points. The result does not depend on the number of threads. Throws Cancelled.
   void move(MovingPoints& points, const Progress& progress);
 
  private:
@@ -41,7 +42,7 @@ class CloudMotion {
     bool knows_light = false;
     DVec3 brighter{0};
   };
-  /// A node with points of a cloud.
+  /// A node that pulls points of a cloud.
   struct Pulled {
     std::uint32_t cloud;
     NodeIndex node;

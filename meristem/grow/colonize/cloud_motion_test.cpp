@@ -12,7 +12,7 @@ namespace meristem::cloud_motion_test {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// One cloud of four points over a root, in the light of a scene.
+// A cloud of four points above a root, in the light of a scene.
 class Motion {
  public:
   Motion(const Scene& scene, const LightResponse& response)
@@ -73,7 +73,7 @@ TEST(CloudMotion, HoldsTheTopAtItsHeight) {
   for (int k = 0; k < 20; ++k) motion.move();
   EXPECT_NEAR(motion[3].position.y, 4, 1e-4);
   EXPECT_NEAR(motion[3].position.z, 20 * 0.08, 1e-4);
-  EXPECT_GT(motion[0].position.y, 1);  // what is below rises a little toward the top
+  EXPECT_GT(motion[0].position.y, 1);  // lower points rise a little toward the top
   EXPECT_LT(motion[0].position.y, 2.3);
 }
 
@@ -83,7 +83,7 @@ TEST(CloudMotion, LaysPointsToRestInsideObstaclesAndWakesThemBeyond) {
   wall.mesh = box_mesh({-1, 0.5, 0.15}, {0.2, 1.5, 0.25});
   scene.obstacles = Obstacles({wall});
   Motion motion(scene, {.shift = 0.1, .sunlit_weight = 1});
-  // The node at the origin is in the open: the wall begins above it.
+  // The node at the origin is not shaded: the wall begins above it.
   motion.move();
   EXPECT_FALSE(motion[0].is_inert);
   motion.move();

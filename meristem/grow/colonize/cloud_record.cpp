@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kHistoriesPerCheck = 4096;
 
-/// Positions in some order, to look for equal ones.
+/// Sort key of positions, to find equal ones.
 std::tuple<float, float, float> ordered(Vec3 position) { return {position.x, position.y, position.z}; }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::vector<PointHistory> CloudRecord::histories(std::size_t trees, const Progre
   for (const Brought& one : brought_) points.push_back({.position = one.position, .is_removed = one.is_removed});
 
   if (places_.empty()) {
-    // Points that stay are found by where they stand.
+    // Points at rest are found by their positions.
     std::vector<Used> used = used_;
     std::ranges::stable_sort(used, {}, [](const Used& one) { return ordered(one.position); });
     std::size_t asked = 0;
@@ -61,7 +61,7 @@ std::vector<PointHistory> CloudRecord::histories(std::size_t trees, const Progre
       if (found != used.end() && found->position == point.position) point.used_in = found->step;
     }
   } else {
-    // Those that move keep their order, so each step tells where the ones are that are left.
+    // Moving points keep their order, so each step lists the positions of the remaining points.
     std::vector<std::size_t> left;
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (!points[k].is_removed) left.push_back(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trees among obstacles, in the light, and in each other's shade.
+// Trees among obstacles, in the light, and in the shade of other trees.
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -54,7 +54,7 @@ Scene scene_with(TriangleMesh mesh) {
   return scene;
 }
 
-// A beam right through the crown.
+// A beam through the crown.
 Scene beam() { return scene_with(box_mesh({-2, 1.8, 0.2}, {2, 2.3, 0.6})); }
 
 Scene walled_day() {
@@ -87,7 +87,7 @@ TEST(ColonizeAmongObstacles, NothingGrowsIntoThemOrThroughThem) {
     }
     highest = std::max(highest, tree.position[node].y);
   }
-  EXPECT_GT(highest, 2.7F);  // it has grown around the beam
+  EXPECT_GT(highest, 2.7F);  // the tree has grown around the beam
 }
 
 TEST(ColonizeAmongObstacles, WhatIsDoneAfterGrowthEntersThemNeither) {
@@ -157,7 +157,7 @@ TEST(ColonizeAmongObstacles, AWallBetweenRootAndCrownIsRefused) {
 }
 
 TEST(ColonizeInTheLight, GrowsTheSameWithoutAResponse) {
-  // The sun alone changes nothing, nor do the parts of a response that are off.
+  // The sun alone has no effect, and neither have disabled parts of a response.
   ColonizeParameters parameters = kSmall;
   parameters.light.sunlit_weight = 0.25;
   parameters.light.hold_height = true;
@@ -168,7 +168,7 @@ TEST(ColonizeInTheLight, GrowsTheSameWithoutAResponse) {
 }
 
 TEST(ColonizeInTheLight, GrowsTheSameIntoACloudThatHardlyMoves) {
-  // Moving and still points are found in different ways.
+  // Moving and resting points use different data structures.
   ColonizeParameters parameters = kSmall;
   parameters.light.shift = 1e-30;
   EXPECT_TRUE(are_same(grow(Scene(), parameters), grow(Scene())));
@@ -203,7 +203,7 @@ TEST(ColonizeInTheLight, LeansTowardTheSun) {
 }
 
 TEST(ColonizeInTheLight, FollowsACloudThatRunsAheadOfItsRoot) {
-  // The cloud moves at half the pace of growth, away from the root: more than 30 steps go by before the first kill.
+  // The cloud moves away from the root at half the speed of growth: the first kill comes after more than 30 steps.
   Scene scene;
   scene.light.sun = {{kUp, 1}};
   ColonizeParameters parameters = kSmall;
@@ -224,7 +224,7 @@ TEST(ColonizeInTheLight, TheSunlitSideOfALimitedCrownStays) {
   EXPECT_GT(centre(grow(scene, parameters)).z, centre(grow(scene)).z + 0.1F);  // to the south
 }
 
-// The nodes of a low tree that grows slowly, with a tall one to its south, where the sun is, or without.
+// Counts the nodes of a low, slowly growing tree, with or without a tall tree to its south, toward the sun.
 std::size_t nodes_of_low_tree(bool feels_shade, bool has_neighbour) {
   ColonizeParameters tall = kSmall;
   tall.influence = 0.5;
@@ -257,7 +257,7 @@ TEST(ColonizeInShade, PointsOfOtherTreesCountInTheLimit) {
     for (const Vec3 position : tree.position) sum += position.x;
     return sum / static_cast<float>(tree.node_count());
   };
-  // The other's points stand over one side of the crown.
+  // The points of the other tree are above one side of the crown.
   EXPECT_LT(middle(grow({{low, parameters}, {high, kSmall}}, Scene())[0]),
             middle(grow({{low, parameters}}, Scene())[0]) - 0.1F);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth in its plainest form, with a loop over all pairs of points and nodes in every step, against the incremental
-// one.
+// Compares the incremental growth with the simplest implementation, which tests all pairs of points and nodes in every
+// step.
 #include <cmath>
 
 #include <gtest/gtest.h>

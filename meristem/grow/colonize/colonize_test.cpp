@@ -20,8 +20,8 @@ namespace meristem::colonize_test {
 const Scene kOpenScene;
 constexpr Finish kUnfinished{.decimate = 0, .relax = false, .subdivide = 0};
 
-// Uniform in a ball of radius 0.6 about a point 0.9 m above the root, on multiples of 2^-16 m, so that they can be
-// scaled and moved without rounding.
+// Points uniform in a ball of radius 0.6 around a point 0.9 m above the root. Coordinates are multiples of 2^-16 m, so
+// that they can be scaled and moved without rounding.
 std::vector<Vec3> ball(std::uint64_t count, RandomKey key = RandomKey(3)) {
   std::vector<Vec3> points;
   for (std::uint64_t k = 0; k < count; ++k) {
@@ -32,7 +32,7 @@ std::vector<Vec3> ball(std::uint64_t count, RandomKey key = RandomKey(3)) {
   return points;
 }
 
-// 0.8 nodes per point, as a crown of many twigs has.
+// 0.8 nodes per point, as in a crown of many twigs.
 ColonizeParameters ball_parameters(std::uint64_t count) {
   const double step = 0.03 * std::cbrt(1000.0 / static_cast<double>(count));
   return {.step = step, .influence = 17 * step, .kill = 2 * step, .finish = kUnfinished};
@@ -64,7 +64,7 @@ std::size_t count_inner(const Skeleton& skeleton) {
   return inner;
 }
 
-// The mean over all forks of the angles between the segments to two children, in degrees.
+// Returns the mean angle between the segments to two children over all forks, in degrees.
 double mean_fork_angle_deg(const Skeleton& skeleton) {
   const Children children(skeleton);
   double sum = 0;
@@ -131,7 +131,8 @@ TEST(Colonize, SegmentsAreOneStepLongAndSiblingsApart) {
 }
 
 TEST(Colonize, GrowsTheEvaluationTreeToItsKnownSize) {
-  // An independent implementation, which leaves points between balanced tips unreached, has some 6,200 nodes and 3.6 m.
+  // An independent implementation has about 6,200 nodes and a height of 3.6 m. It leaves points between balanced tips
+  // unreached.
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Skeleton skeleton = evaluation_tree(seed);
     EXPECT_NEAR(static_cast<double>(skeleton.node_count()), 6200, 400);
@@ -168,7 +169,7 @@ TEST(Colonize, MovedInputGivesTheMovedTree) {
   }
 }
 
-// Steps in which no node of ball(1000) meets balanced points: how those are turned away is drawn and does not turn with
+// Number of steps in which no node of ball(1000) has balanced points. Random turns of balanced nodes do not rotate with
 // the scene.
 constexpr int kStepsWithoutTurns = 36;
 
@@ -191,7 +192,7 @@ TEST(Colonize, ASceneTurnedByARightAngleGivesTheTurnedTreeToTheBit) {
 }
 
 TEST(Colonize, ASceneTurnedByAnyAngleGivesTheTurnedTree) {
-  // Rounding moves a point across a boundary now and then, so a few twigs may differ, but not the tree.
+  // Rounding may move a point across a boundary, so a few twigs may differ, but not the tree.
   const double angle = 0.6;
   const auto turn = [&](Vec3 position) {
     const auto [c, s] = std::pair(std::cos(angle), std::sin(angle));
@@ -214,7 +215,7 @@ TEST(Colonize, ASceneTurnedByAnyAngleGivesTheTurnedTree) {
   EXPECT_GT(found, 0.95 * original.node_count());
 }
 
-// Two balls of points that overlap by half, each over its own root 0.6 m from the other.
+// Two half-overlapping balls of points, each above its own root; the roots are 0.6 m apart.
 std::vector<Skeleton> two_neighbours() {
   Stand stand;
   for (const float x : {-0.3F, 0.3F}) {
@@ -232,9 +233,9 @@ TEST(Colonize, NeighboursShareTheGroundBetweenThem) {
   const std::vector<Skeleton> trees = two_neighbours();
   ASSERT_EQ(trees.size(), 2U);
   for (const Skeleton& tree : trees) ASSERT_TRUE(check_skeleton(tree));
-  // The clouds are mirrored, and so are the trees but for what rounding and random turns make of them.
+  // The clouds are mirrored, so the trees are mirrored except for rounding and random turns.
   EXPECT_NEAR(trees[0].node_count(), trees[1].node_count(), 0.03 * trees[0].node_count());
-  // Each keeps to its own side, though half of its points lie on the other.
+  // Each tree stays on its own side, although half of its points are on the other side.
   const auto strays = std::count_if(trees[0].position.begin(), trees[0].position.end(),
                                     [](Vec3 position) { return position.x > 0.05F; });
   EXPECT_LT(strays, 0.02 * static_cast<double>(trees[0].node_count()));
@@ -312,9 +313,9 @@ TEST(Colonize, GrowsTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(Colonize, KeepsItsBytes) {
-  // The hash of one finished tree, recorded when the step was first right. It changes with every change of the growth
-  // step, the finishing, the mathematics or the random streams below them; a change here is a change of every user's
-  // trees and belongs into the change log.
+  // The hash of one finished tree, recorded when the step was first correct. It changes with every change of the growth
+  // step, the finishing, the mathematics or the random streams. A change here changes the trees of all users and must
+  // be listed in the change log.
   const Finish finish{.decimate = 4, .relax = true, .subdivide = 1};
   EXPECT_EQ(skeleton_hash(grown_ball(1000, finish)), "d46e1ff1b0c128ce629734f8d0d64502");
 }
@@ -324,7 +325,7 @@ TEST(Colonize, DecimationKeepsForksAndAboutThirtyPercentOfNodes) {
   const Skeleton thinned = decimate(full, 4 * 0.02, 0.02);
   EXPECT_EQ(full.node_count() - count_inner(full), thinned.node_count() - count_inner(thinned));
   const double share = static_cast<double>(thinned.node_count()) / static_cast<double>(full.node_count());
-  EXPECT_NEAR(share, 0.31, 0.02);  // the source: 69 % of the nodes go
+  EXPECT_NEAR(share, 0.31, 0.02);  // in the source, 69 % of the nodes are removed
 }
 
 TEST(Colonize, RelaxingLowersMeanForkAnglesFromARightAngleToHalf) {
@@ -346,7 +347,7 @@ TEST(Colonize, AStraightStemGrowsToAFarCrown) {
   const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .finish = kUnfinished};
   const Skeleton skeleton = grow({{3, 4, 0}}, parameters);
   ASSERT_TRUE(check_skeleton(skeleton));
-  EXPECT_EQ(skeleton.node_count(), 19U);  // 5 m less the kill distance in steps, and the root
+  EXPECT_EQ(skeleton.node_count(), 19U);  // 5 m minus the kill distance in steps, plus the root
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     EXPECT_LT(glm::distance(skeleton.position[node], 0.25F * node * Vec3(0.6F, 0.8F, 0)), 1e-5F);
     EXPECT_EQ(skeleton.birth[node], static_cast<float>(node));
@@ -412,7 +413,7 @@ TEST(Colonize, BalancedPointsAreBothReached) {
 }
 
 TEST(Colonize, GrowthEndsBetweenPointsThatItCannotReach) {
-  // The kill distance is so short and the step so long that tips pass by their points again and again.
+  // The kill distance is so short and the step so long that tips pass their points again and again.
   const ColonizeParameters parameters{
       .step = 1, .influence = 100, .kill = 1e-3, .iterations = 1'000'000, .finish = kUnfinished};
   const Skeleton skeleton = grow({{3.3F, 0.2F, 0}, {-3.3F, 0.2F, 0}, {0, 3.3F, 0.3F}, {0.2F, 0.2F, 0.2F}}, parameters);
@@ -434,7 +435,7 @@ TEST(Colonize, ABiasBendsShootsItsWay) {
   ColonizeParameters parameters{.step = 0.1, .influence = 10, .kill = 0.3, .finish = kUnfinished};
   parameters.bias = Vec3(0, 0.3F, 0);
   const Skeleton skeleton = grow({{3, 0, 0}}, parameters);
-  // The first segment is along (1, 0.3); later ones aim down at the point and are lifted again.
+  // The first segment has the direction (1, 0.3). Later segments aim down at the point and are bent up again.
   EXPECT_NEAR(skeleton.position[1].y / skeleton.position[1].x, 0.3, 1e-6);
   EXPECT_GT(bounds(skeleton).high.y, 0.3F);
 }

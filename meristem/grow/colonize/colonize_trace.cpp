@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t kTracedTreesAtOnce = 4;
 constexpr std::size_t kPointsPerCheck = 1024;
 
-/// The number of nodes that there were after a step.
+/// Returns the number of nodes after a step.
 std::size_t count_at(const Skeleton& skeleton, int step) {
   const auto end = std::ranges::upper_bound(skeleton.birth, static_cast<float>(step));
   return static_cast<std::size_t>(end - skeleton.birth.begin());
 }
 
-/// The first nodes of a skeleton that has grown and no more.
+/// Returns the first `count` nodes of a raw skeleton.
 Skeleton first_nodes(const Skeleton& skeleton, std::size_t count) {
   Skeleton first;
   first.reserve(count);
@@ -68,7 +68,7 @@ StepMarks ColonizeTrace::marks_of(int step, TraceWish wish, const Progress& prog
   return marks;
 }
 
-/// Each free point pulls its nearest node, where that is near enough.
+/// Returns the pull of each free point on its nearest node, if the node is within the influence distance.
 std::vector<TracedWay> ColonizeTrace::pulls(int step, const std::vector<TracedPlace>& points,
                                             const Progress& progress) const {
   std::vector<TracedWay> pulls;

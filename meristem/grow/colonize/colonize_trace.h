@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A growth of colonizing trees, step by step. Nodes never move and never go, so the nodes that were there after a step
-// are the first ones, and the tree of that step is what is made of them; nothing is kept for each step but where
-// points moved to.
+// The recorded growth of colonizing trees. Nodes never move or disappear, so the nodes after a step are the first ones
+// of the final list. The tree of a step is finished from these nodes. Only the positions of moving points are stored
+// for each step.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@
 
 namespace meristem {
 
-/// One tree: its nodes, relative to its root, as they have grown, and its points, relative to `origin`.
+/// One tree: its raw nodes relative to its root, and its points relative to `origin`.
 struct TracedTree {
   Vec3 root{0};
-  Skeleton skeleton;  ///< births do not fall from node to node
+  Skeleton skeleton;  ///< births never fall from node to node
   PointHistory points;
   Vec3 origin{0};
 };
@@ -30,7 +30,7 @@ class ColonizeTrace : public GrowthTrace {
 
  private:
   Skeleton standing_after(int step, const Scene& scene, Progress& progress) const override;
-  /// Points, and which of these trees' nodes they will pull next.
+  /// Returns the points, and the pulls on these trees' nodes in the next step.
   StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const override;
   std::vector<TracedWay> pulls(int step, const std::vector<TracedPlace>& points, const Progress& progress) const;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of growth: every node that attraction points pull gets a child. The cloud removes the points that the
-// children have reached before the next round. Growth is computed relative to the root, so that a tree far from the
-// world's origin loses no digits; the finished skeleton is moved to its position.
+// Growth of colonizing trees. In one step, every node that attraction points pull gets a child. Before the next round,
+// the cloud removes the points that the children have reached. Growth is computed relative to the root, which keeps
+// precision far from the world's origin; the finished skeleton is moved to its position.
 //
-// Deviations, so that growth ends: a child that would stand where its node already has one (points balanced on both
-// sides pull a node the same way for ever) is turned by a keyed draw, a little more each time and kMostTurns times at
-// most. Growth stops after kBarrenSteps steps in which no point was removed or came nearer to the tree.
+// Two deviations from the source ensure that growth ends. First, a child at the position of an existing child is
+// rotated at random; points balanced on both sides would otherwise pull a node in one direction forever. The rotation
+// grows with each attempt, up to kMostTurns times. Second, growth stops after kBarrenSteps steps in which no point was
+// removed or came nearer to the tree.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -37,9 +38,9 @@ namespace {
 constexpr std::size_t kTreesAtOnce = 4;
 constexpr int kBarrenSteps = 30;
 constexpr int kMostTurns = 4;
-// Length of the random vector added to the unit direction at a node's first turn; twice that at its second. Without
-// turns a tree of 900 points and 6,200 nodes leaves 56 points unreached; with them none, for 3 % more nodes. At 0.25
-// three times as many of the new forks are narrow.
+// Length of the random vector that is added to the unit direction at a node's first turn; doubled at its second turn,
+// and so on. Without turns, a tree of 900 points and 6,200 nodes leaves 56 points unreached; with them it reaches all
+// points with 3 % more nodes. A value of 0.25 makes three times as many narrow forks.
 constexpr double kTurn = 1;
 
 void check_parameters(const ColonizeParameters& parameters) {
@@ -66,9 +67,9 @@ class Tree {
     note_node(kNoNode, Vec3(0));
   }
 
-  /// Returns whether the tree may grow further. Reads the cloud alone, so that trees may step side by side.
+  /// Grows one step and returns true if the tree may grow further. Only reads the cloud, so trees may step in parallel.
   bool step();
-  /// Tells cloud and space of the nodes of the step.
+  /// Reports the nodes of the step to the cloud and the space.
   void tell();
   Skeleton take_skeleton() { return std::move(skeleton_); }
   const Skeleton& skeleton() const { return skeleton_; }
@@ -95,7 +96,7 @@ class Tree {
   AttractionCloud::Tree member_;
   Vec3 root_;
   Skeleton skeleton_;
-  NodeIndex told_ = 1;  // number of nodes that cloud and space know; they know the root from the start
+  NodeIndex told_ = 1;  // number of reported nodes; the root is known from the start
   ChildPositions places_;
   std::vector<std::uint8_t> turns_;  // by node
   Approach approach_;
@@ -112,7 +113,7 @@ bool Tree::step() {
   return grow_toward_cloud();
 }
 
-/// Plans the stem to the cloud, and returns whether there is a cloud to grow to.
+/// Plans the stem to the cloud. Returns false if there is no point to grow to.
 bool Tree::start_approach() {
   const ColonizeParameters& parameters = species_->parameters;
   const std::optional<Vec3> target = cloud_->nearest_point(member_);
@@ -127,7 +128,7 @@ bool Tree::start_approach() {
         fmt::format("more than {} iterations, a longer step, or a crown nearer to the root", approach_.steps));
   }
   species_->require_nodes(approach_.steps, "step");
-  // One more in case rounding keeps the point just outside.
+  // One more step, in case rounding leaves the point just outside.
   approach_steps_left_ = approach_.steps + 1;
   return true;
 }
@@ -159,7 +160,7 @@ bool Tree::grow_into_cloud(std::span<const Pull> pulls) {
   return true;
 }
 
-/// What is added to the direction in which a node's points pull.
+/// Returns the vector that is added to the pull of a node's points.
 DVec3 Tree::bias_at(NodeIndex node) const {
   const Directions& directions = species_->parameters.directions;
   const Vec3 position = root_ + skeleton_.position[node];
@@ -175,7 +176,7 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
     const Vec3 point(from + step * *direction);
     if (places_.is_free(skeleton_, pull.node, point)) return point;
   }
-  // Turn a direction that leads nowhere, or pass the node by in this step.
+  // Rotate the blocked direction, or skip the node in this step.
   if (turns_[pull.node] == kMostTurns) return std::nullopt;
   const int turn = ++turns_[pull.node];
   const DVec3 random(key_.child(pull.node).direction(static_cast<std::uint64_t>(turn)));
@@ -234,12 +235,12 @@ class Colonizer : public Grower {
   Skeleton take_skeleton(Progress& progress) override;
 
  private:
-  /// Light comes first: what points pull depends on it.
+  /// Creates the light first, because the pull of points depends on it.
   static AttractionCloud& cloud_of(Stand& stand) {
     stand.commons<StandSpace>();
     return stand.commons<AttractionCloud>();
   }
-  /// Shade falls the way the scene's light does.
+  /// Returns shade parameters with the direction of the scene's light.
   ShadowParameters form_of(const ShadeResponse& response) const {
     ShadowParameters form = response.form;
     form.toward_light = species_.scene.light.mean_direction();
@@ -259,13 +260,13 @@ class Colonizer : public Grower {
 
   ColonizingSpecies species_;
   AttractionCloud& cloud_;
-  std::vector<std::vector<Vec3>> inner_points_;  // by tree: those that obstacles have removed, where they are recorded
+  std::vector<std::vector<Vec3>> inner_points_;  // by tree: points removed by obstacles, if points are recorded
   std::vector<Tree> trees_;
-  std::vector<std::uint8_t> grows_;  // by tree, so that each can be written by a thread of its own
-  int steps_ = 0;                    // that it has taken, or begun
+  std::vector<std::uint8_t> grows_;  // by tree; bytes, so that each thread can write its own
+  int steps_ = 0;                    // number of steps begun
 };
 
-/// Bounds what moving points leave at each step.
+/// Limits the memory of recorded moving points.
 void Colonizer::require_record() const {
   if (!records_points() || cloud_.record_bytes() <= species_.limits.mesh_bytes) return;
   throw_limit("bytes of attraction points that are recorded step by step", static_cast<double>(cloud_.record_bytes()),
@@ -285,7 +286,7 @@ bool Colonizer::step(Progress& progress) {
   return std::ranges::count(grows_, 0) < static_cast<std::ptrdiff_t>(grows_.size());
 }
 
-/// Removes the points that lie in obstacles.
+/// Removes the points inside obstacles.
 void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) {
   const Obstacles& obstacles = species_.scene.obstacles;
   inner_points_.resize(seedlings.size());

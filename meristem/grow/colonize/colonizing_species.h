@@ -11,7 +11,7 @@
 
 namespace meristem {
 
-/// What all colonizing trees of one component have in common.
+/// The common data of all colonizing trees of one component.
 struct ColonizingSpecies {
   ColonizeParameters parameters;
   const Scene& scene;
@@ -19,15 +19,15 @@ struct ColonizingSpecies {
   std::string component;
   const ShadowGrid* felt_shade = nullptr;
 
-  /// The path of a parameter in the document.
+  /// Returns the path of a parameter in the document.
   std::string path(const char* parameter) const;
   /// Throws an InputError at a parameter.
   [[noreturn]] void refuse(const char* parameter, std::string message, std::string expected) const;
-  /// Throws one where there are more nodes than may be.
+  /// Throws an InputError if `nodes` exceeds the limit.
   void require_nodes(std::uint64_t nodes, const char* parameter) const;
 };
 
-/// A tree that has grown about its root, post-processed, with radii and axes, in world space.
+/// Returns a grown tree after post-processing, with radii and axes, in world space. `skeleton` is relative to its root.
 Skeleton finished_tree(const ColonizingSpecies& species, Skeleton skeleton, Vec3 root, Progress& progress);
 
 }  // namespace meristem

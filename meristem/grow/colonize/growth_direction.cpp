@@ -6,7 +6,7 @@
 namespace meristem {
 namespace {
 
-constexpr double kVanishing = 1e-5;  // shorter sums are what rounding leaves of balanced points
+constexpr double kVanishing = 1e-5;  // shorter sums are rounding errors of balanced points
 
 std::optional<DVec3> unit(DVec3 vector) {
   const double length = std::sqrt(squared_length(vector));

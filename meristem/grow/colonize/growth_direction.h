@@ -7,8 +7,8 @@
 
 namespace meristem {
 
-/// The unit vector of the unit vector of `pull` (a sum of unit vectors) plus `bias`; nothing where one of them
-/// vanishes, as between two opposite points.
+/// Returns the unit vector along normalize(`pull`) + `bias`. `pull` is a sum of unit vectors. Returns nothing if one of
+/// the vectors vanishes, as between two opposite points.
 std::optional<DVec3> growth_direction(DVec3 pull, DVec3 bias);
 
 }  // namespace meristem

@@ -11,7 +11,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kPointsPerBlock = 256;
-constexpr float kBelow = 0.999998F;  // what rounding may have taken from a distance or from several moves
+constexpr float kBelow = 0.999998F;  // margin for the rounding of a distance or of several moves
 
 float squared_distance(Vec3 a, Vec3 b) { return squared_length(a - b); }
 
@@ -57,7 +57,7 @@ void MovingPoints::update(MovingPoint& point, const std::optional<NodeTree>& add
   }
   const bool is_sure = nearest.count() > 0 && std::sqrt(nearest.distance2(0)) < point.others;
   if (!is_sure) {
-    // What it knows bounds the search.
+    // The known nodes bound the search.
     forest_.search(point.position, nearest);
     point.others = std::numeric_limits<float>::infinity();
   }
@@ -68,7 +68,7 @@ void MovingPoints::update(MovingPoint& point, const std::optional<NodeTree>& add
   find_influence(point, nearest);
 }
 
-/// Sets which node influences a point that has these nearest.
+/// Sets the node that influences a point, given its nearest nodes.
 void MovingPoints::find_influence(MovingPoint& point, const NearestFew& nearest) const {
   const auto reaches = [&](NodeIndex node, float square) { return square <= nodes_[node].within2; };
   point.node = kNoNode;
@@ -78,7 +78,7 @@ void MovingPoints::find_influence(MovingPoint& point, const NearestFew& nearest)
     point.node = nearest.node(0);
     point.distance2 = nearest.distance2(0);
   } else if (!are_alike_) {
-    // A tree that reaches farther may influence the point past a nearer node that does not.
+    // A tree with a larger reach may influence the point past a nearer node that does not reach it.
     float within2 = widest_ * widest_;
     for (const NodeTree& tree : forest_.trees()) {
       tree.visit(point.position, within2, [&](NodeIndex node, float square) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Living attraction points that move, and for each the nearest node that influences it.
+// Living attraction points that move, and for each point the nearest node that influences it.
 //
-// A point that has looked knows the few nodes around it and how far all others are at least. New nodes that come nearer
-// it gets to know at once. As long as one it knows must be the nearest, however far it has moved, it only measures
-// those anew; else it looks again, in trees of all nodes.
+// Each point stores the few nodes around it and a lower bound for the distance of all other nodes. New nodes within
+// this bound are added immediately. While one of the known nodes must be the nearest, an update only measures the known
+// nodes. Otherwise it searches trees of all nodes.
 #pragma once
 
 #include <algorithm>
@@ -23,28 +23,28 @@ namespace meristem {
 
 struct MovingPoint {
   Vec3 position{0};
-  std::uint32_t cloud = 0;                                   ///< any number of its group
-  bool is_inert = false;                                     ///< pulls nothing and is not used up
-  NodeIndex node = kNoNode;                                  ///< that influences it
-  float distance2 = std::numeric_limits<float>::infinity();  ///< squared, to it
+  std::uint32_t cloud = 0;                                   ///< group number, chosen by the caller
+  bool is_inert = false;                                     ///< true: pulls no node and is not used up
+  NodeIndex node = kNoNode;                                  ///< the node that influences it
+  float distance2 = std::numeric_limits<float>::infinity();  ///< squared distance to that node
 
  private:
   friend class MovingPoints;
-  static constexpr std::size_t kMostKnown = 8;  // with 1 growth takes a third longer
+  static constexpr std::size_t kMostKnown = 8;  // a value of 1 makes growth a third slower
   std::array<NodeIndex, kMostKnown> known{};
   std::uint32_t known_count = 0;
-  float others = -1;  // all nodes that it does not know are at least so far away; below 0 where nothing is sure
+  float others = -1;  // lower bound for the distance of all unknown nodes; negative if there is no bound
 };
 
 class MovingPoints {
  public:
   using NewNode = NearestNodes::NewNode;
 
-  /// Points must be finite, else std::invalid_argument.
+  /// Points must be finite. Throws std::invalid_argument otherwise.
   explicit MovingPoints(std::vector<MovingPoint> points);
 
-  /// Brings all points up to date with the new nodes, which have the numbers `first`, `first` + 1, ..., and with their
-  /// own moves. Among nodes at the same distance the one with the lower number counts. Throws Cancelled.
+  /// Adds nodes with the numbers `first`, `first` + 1, ... and updates all points for the new nodes and for their own
+  /// moves. Ties go to the node with the lower number. Throws Cancelled.
   void add_nodes(NodeIndex first, std::span<const NewNode> nodes, const Progress& progress);
 
   std::size_t living() const { return points_.size(); }
@@ -52,10 +52,10 @@ class MovingPoints {
   std::optional<Vec3> nearest_point(Vec3 position) const;
 
   void set_inert(std::size_t point, bool is_inert) { points_[point].is_inert = is_inert; }
-  /// Moves a point; which node is nearest stays as it is until nodes are added.
+  /// Moves a point. Its nearest node is updated by the next call of add_nodes().
   void move(std::size_t point, Vec3 to);
 
-  /// As NearestNodes::sweep: for every point that a node influences and that is not inert.
+  /// Like NearestNodes::sweep(), for every point that a node influences and that is not inert.
   template <class Keeps>
   void sweep(Keeps keeps) {
     const auto is_done = [&](const MovingPoint& point) {
@@ -67,7 +67,7 @@ class MovingPoints {
  private:
   struct Node {
     Vec3 position;
-    float within2;  // it takes points whose squared distances are at most this
+    float within2;  // squared influence distance
   };
 
   void update(MovingPoint& point, const std::optional<NodeTree>& added) const;
@@ -76,8 +76,8 @@ class MovingPoints {
   std::vector<MovingPoint> points_;
   std::vector<Node> nodes_;
   NodeForest forest_;
-  float widest_ = 0;       // influence of any node
-  bool are_alike_ = true;  // all nodes have that
+  float widest_ = 0;       // largest influence distance of any node
+  bool are_alike_ = true;  // true if all nodes have equal influence distances
 };
 
 }  // namespace meristem

@@ -37,8 +37,8 @@ NodeIndex nearest_by_force(Vec3 position, const std::vector<NewNode>& nodes) {
   return nearest;
 }
 
-// Rounds in which nodes come, in a chain that grows as branches do, and all points move by up to `stride`. Returns how
-// often a point's node was another one than all pairs say.
+// Runs rounds in which nodes are added in a growing chain and all points move by up to `stride`. Returns how often a
+// point's node differs from the result of testing all pairs.
 int disagreements(float stride, const std::vector<float>& influences, int rounds = 40) {
   MovingPoints points = random_points(300);
   std::vector<NewNode> nodes;

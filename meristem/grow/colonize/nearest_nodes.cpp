@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// New nodes descend a tree of points together. A tree node stores the largest distance of its points to their nodes, so
+// the descent skips parts that no new node can improve.
 #include "meristem/grow/colonize/nearest_nodes.h"
 
 #include <algorithm>
@@ -16,21 +18,21 @@ namespace {
 
 constexpr int kPartLevel = 5;  // 32 parts at most
 constexpr std::size_t kCandidatesAtOnce = 1024;
-constexpr std::size_t kNodesToShare = 64;  // fewer new nodes are not worth a second thread
+constexpr std::size_t kNodesToShare = 64;  // fewer new nodes are handled by one thread
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Vectors of the compilers' own, since neither makes them of a loop over the points within one over the candidates;
-// they halve the time of all growth.
+// Explicit vector types: compilers do not vectorise a loop over points inside a loop over candidates. They halve the
+// time of the whole growth.
 constexpr std::uint32_t kLanes = 4;
 using Floats [[gnu::vector_size(kLanes * sizeof(float))]] = float;
 using Indices [[gnu::vector_size(kLanes * sizeof(NodeIndex))]] = NodeIndex;
 
-/// The first `count` lanes from an array, and 0 in the others.
+/// Loads the first `count` lanes from an array, and sets the others to 0.
 template <class Vector, class Element>
 Vector load(const Element* from, std::uint32_t count) {
   Vector lanes{};
   if (count == kLanes) {
-    std::memcpy(&lanes, from, sizeof(lanes));  // a constant size is one instruction, a variable one is a call
+    std::memcpy(&lanes, from, sizeof(lanes));  // a constant size is one instruction, a variable size is a function call
   } else {
     std::memcpy(&lanes, from, count * sizeof(Element));
   }
@@ -46,7 +48,7 @@ void store(const Vector& lanes, Element* to, std::uint32_t count) {
   }
 }
 
-// Infinity bounds nothing, but everything is below it.
+// Infinity stays infinity, and any other value becomes the next larger float.
 float just_above(float square) { return std::nextafter(square, kInfinity); }
 
 }  // namespace
@@ -90,8 +92,8 @@ void NearestNodes::add_nodes(NodeIndex first, std::span<const NewNode> nodes, Pr
   start_descent(0, 0, all, candidates);
 }
 
-/// Sends each candidate to the parts that it may be near, and lets these be descended side by side. Parts are disjoint,
-/// so each may be written by a thread of its own.
+/// Sends each candidate to the parts that it may be near, and descends the parts in parallel. Parts are disjoint, so
+/// each can be written by its own thread.
 void NearestNodes::descend_in_parts(const Candidates& candidates, const Progress& progress) {
   const std::size_t parts = influenced_.size();
   const std::size_t count = candidates.x.size();
@@ -101,7 +103,7 @@ void NearestNodes::descend_in_parts(const Candidates& candidates, const Progress
     progress.check();
     std::vector<std::uint32_t>* const own = near.data() + begin / kCandidatesAtOnce * parts;
     for (auto candidate = static_cast<std::uint32_t>(begin); candidate < end; ++candidate) {
-      // From the top of the tree down, so that far halves are passed by at once.
+      // Descend from the top of the tree, so that distant halves are skipped early.
       std::array<std::uint32_t, (1U << kPartLevel) + 1> open{0};
       std::size_t open_count = is_near(0, candidate, candidates) ? 1 : 0;
       while (open_count > 0) {
@@ -132,10 +134,10 @@ void NearestNodes::descend_in_parts(const Candidates& candidates, const Progress
   for (std::uint32_t node = PointTree::place(part_level_, 0); node-- > 0;) join_halves(node);
 }
 
-/// `near` are the candidates that may be near, by rising numbers.
+/// Starts the descent of one part. `near` lists the candidates that may be near, in rising order.
 void NearestNodes::start_descent(int level, std::uint32_t index, std::span<const std::uint32_t> near,
                                  const Candidates& candidates) {
-  // Room for the list of all and one for each level.
+  // Reserve space for the list of all candidates and one list per level.
   const std::size_t count = near.size();
   Descent descent{&candidates,
                   std::vector<std::uint32_t>(count * static_cast<std::size_t>(tree_.leaf_level() - level + 2))};
@@ -144,15 +146,15 @@ void NearestNodes::start_descent(int level, std::uint32_t index, std::span<const
   if (top > count) descend(level, index, count, top, descent);
 }
 
-/// Whether a candidate may take over a point in a node of the tree.
+/// Returns true if a candidate may become the nearest node of a point in a node of the tree.
 bool NearestNodes::is_near(std::uint32_t tree_node, std::uint32_t candidate, const Candidates& candidates) const {
   const Vec3 position(candidates.x[candidate], candidates.y[candidate], candidates.z[candidate]);
   const float within2 = std::min(farthest2_[tree_node], candidates.within2[candidate]);
   return distance2(tree_.boxes()[tree_node], position) < within2;
 }
 
-/// Puts those of the candidates from `first` to `last` on the stack that may take over a point in a node of the tree,
-/// and returns the stack's new top.
+/// Pushes the candidates from `first` to `last` that may be near a point in a node of the tree. Returns the new top of
+/// the stack.
 std::size_t NearestNodes::push_near(std::uint32_t tree_node, std::size_t first, std::size_t last,
                                     Descent& descent) const {
   const Box box = tree_.boxes()[tree_node];
@@ -171,8 +173,8 @@ std::size_t NearestNodes::push_near(std::uint32_t tree_node, std::size_t first, 
   return top;
 }
 
-/// Lets the candidates from `first` to `last` of the stack take over points in a node of the tree. Recurses no deeper
-/// than the tree, whose height is the logarithm of the points.
+/// Assigns points in a node of the tree to the candidates from `first` to `last` of the stack, where these are nearer.
+/// The recursion is as deep as the tree: the logarithm of the number of points.
 void NearestNodes::descend(int level, std::uint32_t index, std::size_t first, std::size_t last, Descent& descent) {
   if (level == tree_.leaf_level()) {
     const std::span<const std::uint32_t> near = std::span(descent.stack).subspan(first, last - first);
@@ -189,20 +191,20 @@ void NearestNodes::descend(int level, std::uint32_t index, std::size_t first, st
   join_halves(PointTree::place(level, index));
 }
 
-/// Gives those of a leaf's points over to candidates that are nearer to one, and returns whether there are any.
+/// Assigns the points of a leaf to nearer candidates. Returns true if any point of the leaf has a node.
 bool NearestNodes::compare(Leaf leaf, std::span<const std::uint32_t> near, const Candidates& candidates) {
   bool any = false;
   float farthest2 = 0;
   for (std::uint32_t k = begin_[leaf]; k < end_[leaf]; k += kLanes) {
-    // Four points at a time stay in registers while all candidates pass by. The horizontal squares are added first:
-    // turning a cloud about the vertical by a right angle then changes no bit.
+    // Four points stay in registers while all candidates are tested. The horizontal squares are added first, so that
+    // rotating a cloud about the vertical by a right angle changes no bit.
     const std::uint32_t count = std::min(kLanes, end_[leaf] - k);
     const auto x = load<Floats>(x_.data() + k, count);
     const auto y = load<Floats>(y_.data() + k, count);
     const auto z = load<Floats>(z_.data() + k, count);
     const auto before2 = load<Floats>(distance2_.data() + k, count);
     const auto before = load<Indices>(node_.data() + k, count);
-    // Where all candidates reach equally far, their reach is looked at once instead of for each.
+    // If all candidates have equal reach, compare it once instead of for each candidate.
     const Floats reach2 = Floats{} + candidates.within2[near[0]];
     auto least2 = candidates.are_alike ? (reach2 < before2 ? reach2 : before2) : before2;
     auto nearest = before;
@@ -259,7 +261,7 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 position) const {
     open.pop_back();
     if (!(gap2(node) < least2)) continue;
     if (node.level < tree_.leaf_level()) {
-      // Look into the nearer half first.
+      // Search the nearer half first.
       Node first{node.level + 1, 2 * node.index};
       Node second{node.level + 1, 2 * node.index + 1};
       if (gap2(second) < gap2(first)) std::swap(first, second);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The living attraction points and, for each, the nearest node that influences it.
+// The living attraction points and, for each point, the nearest node that influences it.
 //
-// Nodes never move and never go, so a new node can only take points over, and only from nodes that are farther away: a
-// point's nearest node is kept, and compared with new nodes alone. A round's new nodes descend a tree of the points
-// together; each part of it knows how far its points are from their nodes at most, so parts that are already well
-// served are passed by. Costs per new node: the points it comes nearer to, and a few more around.
+// Nodes never move or disappear, so a new node can only take points from nodes that are farther away. Each point stores
+// its nearest node and compares it with new nodes only. The new nodes of a round descend a tree of the points together.
+// Each part of the tree stores the largest distance of its points to their nodes, so parts that no new node can improve
+// are skipped. Cost per new node: the points that it comes nearer to, and a few more around them.
 #pragma once
 
 #include <algorithm>
@@ -24,23 +24,23 @@ class NearestNodes {
  public:
   struct NewNode {
     Vec3 position{0};
-    float influence = 0;  ///< metres within which it takes points, above 0, may be infinite
+    float influence = 0;  ///< metres within which it takes points; above 0, may be infinite
   };
 
   /// Throws std::invalid_argument for points that are not finite.
   NearestNodes(std::vector<Vec3> points, Progress& progress);
 
-  /// Compares all living points with the new nodes, which have the numbers `first`, `first` + 1, ... Among nodes at the
-  /// same distance the one with the lower number stays. Throws Cancelled.
+  /// Compares all living points with the new nodes, which have the numbers `first`, `first` + 1, ... Ties go to the
+  /// node with the lower number. Throws Cancelled.
   void add_nodes(NodeIndex first, std::span<const NewNode> nodes, Progress& progress);
 
   std::size_t living() const { return living_; }
-  /// The living point nearest to a position, if there is one.
+  /// Returns the living point nearest to a position, or nothing if no point is left.
   std::optional<Vec3> nearest_point(Vec3 position) const;
 
-  /// Calls `keeps(position, node, squared distance)` for every living point that a node influences, and removes those
-  /// for which it says no. The order means nothing. `expect(node)` is called a little before, so that what is known of
-  /// a node can be fetched meanwhile.
+  /// Calls `keeps(position, node, squared distance)` for every living point that a node influences. Removes the point
+  /// if it returns false. The order is unspecified. `expect(node)` is called a little earlier, so that the caller can
+  /// prefetch data of the node.
   template <class Keeps, class Expect>
   void sweep(Keeps keeps, Expect expect) {
     for (std::vector<Leaf>& part : influenced_) {
@@ -72,18 +72,19 @@ class NearestNodes {
  private:
   using Leaf = std::uint32_t;
 
-  /// A round's new nodes, structure of arrays.
+  /// The new nodes of a round as a structure of arrays.
   struct Candidates {
     NodeIndex first = 0;
     std::vector<float> x, y, z;
-    std::vector<float> within2;  // squared distances below this are influenced
-    bool are_alike = true;       // in that
+    std::vector<float> within2;  // squared influence distances
+    bool are_alike = true;       // true if all influence distances are equal
   };
 
-  /// What a thread needs to let candidates descend one part of the tree.
+  /// The working memory of a thread that descends one part of the tree.
   struct Descent {
     const Candidates* candidates;
-    std::vector<std::uint32_t> stack;  // which of them are near a node of the tree lies above those near its parent
+    // Lists of candidates near the tree nodes on the path; the list of a child is above that of its parent.
+    std::vector<std::uint32_t> stack;
   };
 
   void descend_in_parts(const Candidates& candidates, const Progress& progress);
@@ -99,19 +100,19 @@ class NearestNodes {
 
   std::size_t living_;
   PointTree tree_;
-  int part_level_;  // parts of the tree that threads share out are its nodes on this level
+  int part_level_;  // threads share the subtrees below this level
 
   // By point, in the tree's order.
   std::vector<float> x_, y_, z_;
-  std::vector<float> distance2_;  // squared, to the nearest node; infinite without one
+  std::vector<float> distance2_;  // squared distance to the nearest node; infinite without one
   std::vector<NodeIndex> node_;
 
-  std::vector<float> farthest2_;  // by node of the tree: no living point in it has a larger distance2
+  std::vector<float> farthest2_;  // by tree node: upper bound of distance2_ of its living points
   // By leaf: its living points are [begin, end).
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> end_;
-  std::vector<std::uint8_t> is_influenced_;    // whether a node has influenced a point in it
-  std::vector<std::vector<Leaf>> influenced_;  // those leaves, for each part
+  std::vector<std::uint8_t> is_influenced_;    // by leaf: a node has influenced one of its points
+  std::vector<std::vector<Leaf>> influenced_;  // such leaves, for each part
 };
 
 }  // namespace meristem

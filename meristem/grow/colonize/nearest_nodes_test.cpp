@@ -58,7 +58,7 @@ void add(NearestNodes& nearest, NodeIndex first, std::span<const Vec3> positions
   nearest.add_nodes(first, nodes, progress);
 }
 
-// Nodes in batches of growing size, as growth adds them.
+// Adds nodes in batches of increasing size, as growth does.
 void add_in_batches(NearestNodes& nearest, const std::vector<Vec3>& nodes, float influence) {
   for (std::size_t first = 0, size = 1; first < nodes.size(); first += size, size += 7) {
     const std::size_t count = std::min(size, nodes.size() - first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes of growing trees, to find those nearest to a position. Nodes only come; trees of them double in size, so
-// each is built into a new one as often as the logarithm of their number.
+// The nodes of growing trees, with search for the nodes nearest to a position. Nodes are only added. Search trees
+// double in size, so each node is inserted into a new tree a logarithmic number of times.
 //
 // Based on: J. Bentley, J. Saxe: Decomposable searching problems I (1980).
 #pragma once
@@ -17,8 +17,8 @@
 
 namespace meristem {
 
-/// The nodes nearest to a position, up to kMost of them, the nearest first; of nodes equally near the ones with the
-/// lower numbers. A node may be offered again.
+/// Collects the nodes nearest to a position, up to kMost of them, nearest first. Ties go to the lower number. A node
+/// may be offered several times.
 class NearestFew {
  public:
   static constexpr std::size_t kMost = 9;
@@ -26,7 +26,7 @@ class NearestFew {
   std::size_t count() const { return count_; }
   NodeIndex node(std::size_t k) const { return node_[k]; }
   float distance2(std::size_t k) const { return distance2_[k]; }
-  /// The squared distance beyond which no node counts any more.
+  /// Returns the squared distance beyond which offers have no effect.
   float within2() const { return count_ < kMost ? std::numeric_limits<float>::infinity() : distance2_[kMost - 1]; }
 
   void offer(NodeIndex node, float distance2) {
@@ -52,7 +52,7 @@ class NearestFew {
   std::array<float, kMost> distance2_{};
 };
 
-/// Some nodes, ordered once.
+/// A static search tree of nodes.
 class NodeTree {
  public:
   NodeTree(std::vector<NumberedPoint> nodes, const Progress& progress)
@@ -61,7 +61,7 @@ class NodeTree {
   const std::vector<NumberedPoint>& nodes() const { return nodes_; }
   /// Offers all nodes that may be among the nearest.
   void search(Vec3 position, NearestFew& nearest) const;
-  /// Calls `see(node, squared distance)` for all nodes up to the root of `within2` away; it may lower that.
+  /// Calls `see(node, squared distance)` for all nodes up to the squared distance `within2`, which `see` may reduce.
   template <class See>
   void visit(Vec3 position, float& within2, See see) const;
 
@@ -72,7 +72,7 @@ class NodeTree {
   PointTree tree_;
 };
 
-/// Nodes that become more.
+/// A growing set of nodes.
 class NodeForest {
  public:
   void add(std::span<const NumberedPoint> nodes, const Progress& progress);
@@ -95,7 +95,7 @@ void NodeTree::visit(Vec3 position, float& within2, See see) const {
   const auto part_at = [&](int level, std::uint32_t index) {
     return Part{level, index, distance2(tree_.boxes()[PointTree::place(level, index)], position)};
   };
-  // One part waits on each level; more than 2^32 nodes do not exist.
+  // A stack with one entry per level suffices; there are no more than 2^32 nodes.
   Part waiting[34];
   int count = 0;
   waiting[count++] = part_at(0, 0);
@@ -103,7 +103,7 @@ void NodeTree::visit(Vec3 position, float& within2, See see) const {
     const Part part = waiting[--count];
     if (part.gap2 > within2) continue;
     if (part.level < tree_.leaf_level()) {
-      // Look into the nearer half first.
+      // Search the nearer half first.
       const Part left = part_at(part.level + 1, 2 * part.index);
       const Part right = part_at(part.level + 1, 2 * part.index + 1);
       const bool is_left_nearer = left.gap2 <= right.gap2;

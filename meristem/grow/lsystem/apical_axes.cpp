@@ -17,12 +17,12 @@ Vec3 direction_to(const Skeleton& skeleton, NodeIndex node) {
   return normalized_or(skeleton.position[node] - skeleton.position[skeleton.parent[node]], Vec3(0));
 }
 
-/// Cosine of the turn at the node's parent.
+/// Returns the cosine of the angle between the segment of a node and the segment of its parent.
 float straightness(const Skeleton& skeleton, NodeIndex node) {
   return glm::dot(direction_to(skeleton, skeleton.parent[node]), direction_to(skeleton, node));
 }
 
-/// Whether a child may call its parent's axis its own rather than `other`, an earlier one.
+/// Returns true if `child` continues its parent's axis rather than `other`, an earlier child.
 bool is_stronger(const Skeleton& skeleton, const std::vector<std::uint8_t>& begins_branch, NodeIndex child,
                  NodeIndex other) {
   if (begins_branch[child] != begins_branch[other]) return begins_branch[child] == 0;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Derives words: rewrites all modules in parallel, step by step, then applies decompositions until none applies. In
+// timed
+// grammars, modules are replaced when their lives end. See derive.h.
 #include "meristem/grow/lsystem/derive.h"
 
 #include <algorithm>
@@ -17,10 +20,11 @@ namespace meristem {
 
 namespace {
 
-/// Rounds after which rules that go on applying are taken to have no end.
+/// Number of rounds after which rules that still apply are treated as endless.
 constexpr std::uint64_t kMostRounds = 1'000;
-constexpr double kSoonEnough = 1e-9;                     // of the time: what rounding has made a life longer by
-constexpr Births kInherited{.all_are_inherited = true};  // what is drawn is as old as what it is drawn for
+constexpr double kSoonEnough = 1e-9;  // relative to the time: tolerance for the rounding of lives
+// Interpretation modules are as old as the modules that they draw.
+constexpr Births kInherited{.all_are_inherited = true};
 
 Word axiom_word(const Grammar& grammar, const Limits& limits) {
   Word word;
@@ -41,7 +45,7 @@ Word axiom_word(const Grammar& grammar, const Limits& limits) {
   return word;
 }
 
-/// Removes each % with all behind it up to the ] of the branch it is in. Returns whether there was any.
+/// Removes each % and everything after it up to the ] of its branch. Returns true if there was any.
 bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) {
   const auto first = std::find(word.letters.begin(), word.letters.end(), grammar.cut);
   if (first == word.letters.end()) return false;
@@ -49,7 +53,7 @@ bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) 
   std::size_t kept_parameters = 0;
   std::size_t in = 0;
   bool is_cutting = false;
-  std::size_t depth = 0;  // of branches within what is cut
+  std::size_t depth = 0;  // of branches within the removed part
   for (std::size_t k = 0; k < word.letters.size(); ++k) {
     if (k % 65'536 == 0) progress.check();
     const LetterIndex letter = word.letters[k];
@@ -76,8 +80,8 @@ bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) 
   return true;
 }
 
-/// Rewrites `word`, by way of `next`, until no rule applies. Returns whether any did, or may where the lot falls
-/// otherwise.
+/// Rewrites `word`, using `next` as a buffer, until no rule applies. Returns true if any rule applied, or may apply
+/// with other random numbers.
 bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, std::string_view stage, Word& word,
                     Word& next, Births births) {
   if (plan.rules.empty()) return false;
@@ -93,8 +97,8 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
   }
 }
 
-/// Replaces what has come to the end of its life, and what came then, until nothing has by the time `end`. Rules see no
-/// neighbours and no chance, so the order is all the same.
+/// Replaces all modules whose lives end by the time `end`, and their successors, until none is left. Rules depend on
+/// neither neighbours nor random numbers, so the order does not matter.
 Word timed_word(const Grammar& grammar, double end, RandomKey key, const Limits& limits, Progress& progress) {
   const RewritePlan production(grammar, grammar.production);
   const Births births{.by_life = true, .until = end + kSoonEnough * (1 + std::abs(end))};
@@ -148,7 +152,7 @@ Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, c
   const RewritePlan interpretation(grammar, grammar.interpretation);
   const RandomKey interpretation_key = key.child("interpretation");
   Rewriter rewriter(grammar, limits, progress);
-  // The first round reads the word where it is.
+  // The first round reads the original word without copying it.
   Word first;
   first.time = word.time;
   const RewriteOutcome outcome =
@@ -160,7 +164,7 @@ Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, c
   return first;
 }
 
-/// Calls `call`, and names the grammar's file in its faults, which know their line alone.
+/// Calls `call` and adds the grammar's file to its errors, which only have lines.
 template <class Call>
 Word naming_file(const Grammar& grammar, Call call) {
   try {

@@ -9,22 +9,22 @@
 
 namespace meristem {
 
-/// The grammar's word after `steps` steps, which are whole; fewer where it can change no more. All modules of a word
-/// are rewritten at once. The word of a timed grammar is the one at the time `steps`, which may have a fraction. Draws
-/// depend on key, step and position alone, so the word is the same on any number of threads.
+/// Returns the grammar's word after `steps` steps, a whole number. Ends early if the word can no longer change. All
+/// modules of a word are rewritten in parallel. For a timed grammar, `steps` is the time and may be fractional. Random
+/// numbers depend only on key, step and position, so the word does not depend on the number of threads.
 ///
-/// Throws InputError, with the grammar's file and the rule's line, for parameters that are not finite, decompositions
-/// without an end, lives that are not above 0, and words beyond the limits: before the memory is spent, naming the rule
-/// that adds most. Throws Cancelled.
+/// Throws InputError, with the grammar's file and the rule's line, for parameters that are not finite, endless
+/// decompositions, and lives that are not above 0. If a word would exceed the limits, throws InputError before the
+/// memory is used and names the rule that adds most. Throws Cancelled.
 Word derive(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress);
 
-/// Whether a word keeps the steps in which its modules have come about.
+/// Whether a word stores the step in which each module was created.
 enum class KeepBirths { no, yes };
 
-/// The word as it is drawn: with the grammar's interpretation rules applied. Throws what `derive` throws.
+/// Returns the word for drawing: applies the grammar's interpretation rules. Throws what derive() throws.
 Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress);
 
-/// Both: the word after `steps` steps as it is drawn.
+/// Returns interpreted(derive(...)): the word after `steps` steps for drawing.
 Word derive_drawn(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress,
                   KeepBirths births = KeepBirths::no);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivations against those of an independent program, by length, counts and digest, and against published ones.
+// Compares derivations with an independent program (length, counts and digest) and with published derivations.
 #include <fstream>
 #include <map>
 
@@ -16,7 +16,7 @@ namespace meristem::derive_conformance_test {
 
 using Json = nlohmann::json;
 
-/// Rules as the reference data has them: "F": "FF", or with one neighbour a side "001": "1[+F1F1]".
+/// Converts rules of the reference data: "F": "FF", or with one neighbour on each side "001": "1[+F1F1]".
 GrammarText grammar_text(const Json& entry) {
   GrammarText text;
   text.axiom = entry["axiom"];
@@ -29,7 +29,7 @@ GrammarText grammar_text(const Json& entry) {
       text.rules.push_back(key + "->" + to);
     }
   }
-  // ABOP, figure 1.31a, exchanges the signs in each step; the data leaves these two rules to its program.
+  // ABOP, figure 1.31a, exchanges the signs in each step. The data omits these two rules.
   if (!text.ignored.empty()) {
     text.rules.push_back("+ -> -");
     text.rules.push_back("- -> +");
@@ -90,7 +90,7 @@ TEST(DeriveConformance, AbopsParametricSequence) {
   EXPECT_EQ(fifth.parameters[2], 8.0 / 7);
 }
 
-// ABOP, figure 1.30: a signal that rises through a branched plant.
+// ABOP, figure 1.30: a signal that travels up a branched plant.
 TEST(DeriveConformance, AbopsAcropetalSignal) {
   const GrammarText text{"B[+A]A[-A]A[+A]A", {"B < A -> B"}, "+-"};
   const char* const words[] = {"B[+A]A[-A]A[+A]A", "B[+B]B[-A]A[+A]A", "B[+B]B[-B]B[+A]A", "B[+B]B[-B]B[+B]B"};
@@ -119,7 +119,7 @@ TEST(DeriveConformance, AbopsMonopodialTree) {
   EXPECT_EQ(counts, expected);
 }
 
-// ABOP, figure 2.8: 3^n apices, and segments that are lengthened and not replaced.
+// ABOP, figure 2.8: 3^n apices, and segments that are lengthened instead of replaced.
 TEST(DeriveConformance, AbopsTernaryTree) {
   const GrammarText text{"!(1)F(200)/(45)A",
                          {"A -> !(1.732)F(50)[&(18.95)F(50)A]/(94.74)[&(18.95)F(50)A]/(132.63)[&(18.95)F(50)A]",
@@ -132,7 +132,7 @@ TEST(DeriveConformance, AbopsTernaryTree) {
   EXPECT_EQ(counts_of(word, grammar.alphabet), expected);
 }
 
-// The source's worked example.
+// The worked example of the source.
 TEST(DeriveConformance, WordLengthsOfTheSpruceExample) {
   const Grammar grammar = read({"A", {"A -> ^^FB", "B -> C+++C---", "C -> [^F&B]"}});
   Progress progress;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivation against a plain rewriting of strings that searches contexts by walking the word, over random grammars.
+// Compares derivation with a simple rewriting of strings that finds contexts by walking the word, for random grammars.
 #include <gtest/gtest.h>
 
 #include "meristem/grow/lsystem/derive.h"
@@ -24,7 +24,7 @@ struct PlainGrammar {
 
 bool is_ignored(const PlainGrammar& grammar, char letter) { return grammar.ignored.find(letter) != kNowhere; }
 
-/// The bracket that closes the one at `open`.
+/// Returns the position of the bracket that closes the one at `open`.
 std::size_t closing(const std::string& word, std::size_t open) {
   int depth = 0;
   for (std::size_t k = open; k < word.size(); ++k) {
@@ -56,7 +56,7 @@ bool matches_left(const PlainGrammar& grammar, const std::string& word, std::siz
   return true;
 }
 
-/// Whether `context` matches what stands in the word from `at` on, to the end of its axis.
+/// Returns true if `context` matches the word from `at` to the end of its axis.
 bool matches_right(const PlainGrammar& grammar, const std::string& word, std::size_t at, const std::string& context) {
   if (context.empty()) return true;
   while (at < word.size() && is_ignored(grammar, word[at])) ++at;
@@ -92,7 +92,7 @@ std::string rewritten(const PlainGrammar& grammar, const std::string& word) {
   return result;
 }
 
-/// Strings and rules by chance.
+/// Generates random strings and rules.
 class GrammarDice {
  public:
   explicit GrammarDice(std::uint64_t seed) : key_(seed) {}
@@ -119,7 +119,7 @@ class GrammarDice {
   }
   char letter() { return "abc+"[below(4)]; }
 
-  /// At least `length` letters, with or without branches.
+  /// Returns at least `length` letters, with or without branches.
   std::string string(std::uint64_t length, bool branched) {
     std::string result;
     std::uint64_t depth = 0;

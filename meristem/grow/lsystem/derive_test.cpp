@@ -128,12 +128,12 @@ TEST(Derive, InterpretationLeavesTheWordAlone) {
 }
 
 TEST(Derive, EndsEarlyWhereNothingCanChange) {
-  // Without the early end this would take days.
+  // Without the early end, this would take days.
   EXPECT_EQ(derived({"A(1)F", {"A(x) -> B(x)", "F -> F"}}, 2'000'000'000), "B(1)F");
 }
 
 TEST(Derive, GoesOnWhereOnlyChanceChangedNothing) {
-  // The chance of A to survive is 0.99^3000, or 1e-13.
+  // The probability of A to survive is 0.99^3000, or 1e-13.
   const GrammarText text{"A", {"A : : 99 -> A", "A : : 1 -> B"}};
   EXPECT_EQ(derived(text, 3000), "B");
 }
@@ -149,7 +149,7 @@ TEST(Derive, DrawsRulesInProportionToTheirWeights) {
   Progress progress;
   constexpr double kDraws = 20'000;
   Word axiom = derive(grammar, 0, RandomKey(), Limits(), progress);
-  // 20,000 modules by way of a grammar whose axiom repeats the module.
+  // The axiom repeats the module to get 20,000 modules.
   Grammar many = grammar;
   many.axiom.assign(static_cast<std::size_t>(kDraws), grammar.axiom.front());
   const Word word = derive(many, 1, RandomKey(7), Limits(), progress);
@@ -160,12 +160,12 @@ TEST(Derive, DrawsRulesInProportionToTheirWeights) {
     chi_square += (found - share * kDraws) * (found - share * kDraws) / (share * kDraws);
   }
   ASSERT_EQ(word.letters.size(), static_cast<std::size_t>(kDraws));
-  // Two degrees of freedom: exceeded once in a thousand seeds, and this seed is fixed.
+  // Two degrees of freedom: exceeded for one in a thousand seeds, and this seed is fixed.
   EXPECT_LT(chi_square, 13.8);
 }
 
 TEST(Derive, NumbersOfOneModuleAreIndependent) {
-  // The rule drawn tells nothing about the parameters, nor one parameter about the other.
+  // The parameters are independent of the chosen rule and of each other.
   const Grammar grammar = build_grammar({std::string(20'000, 'A'),
                                          {"A : : 1 -> B(rand(),rand())",  //
                                           "A : : 1 -> C(rand(),rand())"}});
@@ -181,7 +181,7 @@ TEST(Derive, NumbersOfOneModuleAreIndependent) {
     ++count[which];
     product += (word.parameters[2 * k] - 0.5) * (word.parameters[2 * k + 1] - 0.5);
   }
-  // Deviations: 0.289/100 of the means; 1/12/141 of the covariance. Four of them are allowed.
+  // Standard deviations: 0.289/100 of the means; 1/12/141 of the covariance. The test allows four of them.
   EXPECT_NEAR(sum[0] / count[0], 0.5, 0.0116);
   EXPECT_NEAR(sum[1] / count[1], 0.5, 0.0116);
   EXPECT_NEAR(product / 20'000, 0, 0.0024);
@@ -218,7 +218,7 @@ TEST(Derive, RefusesWeightsThatAreNone) {
 }
 
 TEST(Derive, StopsExplosionsBeforeTheyHappenAndNamesTheRule) {
-  // The next step would take 200 GB.
+  // The next step would need 200 GB.
   const GrammarText text{"A", {"B -> BB", "A -> " + std::string(1000, 'A')}};
   Limits limits;
   limits.modules = 1'000'000;
@@ -233,7 +233,7 @@ TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
   Limits limits;
   limits.modules = 200'000'000;
   Progress progress;
-  progress.cancel();  // deriving would end with Cancelled
+  progress.cancel();  // a derivation that starts then throws Cancelled
   const auto outcome = [&](const GrammarText& text, int steps) -> std::string {
     try {
       derive(build_grammar(text), steps, RandomKey(), limits, progress);
@@ -246,7 +246,7 @@ TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
   };
   EXPECT_TRUE(has(outcome({"A", {"A -> AA"}}, 28), "268435456 modules of a word are too many"));
   EXPECT_EQ(outcome({"A", {"A -> AA"}}, 27), "cancelled");
-  // Where a letter's rule depends on more than the letter, the forecast counts only on what all rules share.
+  // If a letter's rule depends on more than the letter, the forecast counts only the modules that all rules share.
   EXPECT_EQ(outcome({"A(1)", {"A(x) : x > 2 -> A(x)A(x)"}}, 60), "cancelled");
   EXPECT_TRUE(has(outcome({"BA(1)", {"A(x) : x > 2 -> A(x)A(x)", "B -> BB"}}, 60), "'B -> BB' adds most"));
   EXPECT_TRUE(has(outcome({"A", {"A : : 0.5 -> BA", "A : : 0.5 -> AB", "B -> BBB"}, ""}, 60), "cancelled"));

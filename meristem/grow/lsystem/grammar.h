@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parametric, context-sensitive, stochastic, bracketed L-systems: what a grammar's text means, compiled.
+// Compiled grammars: parametric, context-sensitive, stochastic, bracketed L-systems.
 //
 // Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), chapters 1 to 4, and 6 for
 // grammars in continuous time, whose modules have ages.
@@ -16,37 +16,39 @@
 
 namespace meristem {
 
-/// The most parameters that both contexts and the predecessor of one rule have together, and so the most of one letter.
+/// The largest number of parameters of a rule: both contexts and the predecessor together. Also the limit for one
+/// letter.
 inline constexpr std::size_t kMostVariables = 64;
-/// Largest number of steps; more are refused.
+/// The largest number of steps; more are an error.
 inline constexpr int kMostSteps = 1'000'000;
 
-/// A module of a successor or an axiom: an expression for each parameter.
+/// A module of a successor or an axiom, with an expression for each parameter.
 struct ModuleTemplate {
   LetterIndex letter = kNoLetter;
   std::vector<Expression> parameters;
 };
 
-/// A module of a context: it matches this letter, and its parameters become variables of the rule.
+/// A module of a context. It matches modules with its letter, and their parameters become variables of the rule.
 struct ContextModule {
   LetterIndex letter = kNoLetter;
-  std::uint32_t first_variable = 0;  ///< the rule's variables from here on are this module's parameters
+  std::uint32_t first_variable = 0;  ///< index of the rule's variable for this module's first parameter
 };
 
 /// `[id :] [left <] predecessor [> right] [@ life] [: condition] [: weight] -> successor`.
 struct Rule {
   std::string text;  ///< as written, for messages
-  int line = 0;      ///< in the grammar's text, from 1
+  int line = 0;      ///< line in the grammar's text, from 1
   LetterIndex predecessor = kNoLetter;
   std::uint32_t first_variable = 0;  ///< index of the predecessor's first parameter
-  std::uint32_t variable_count = 0;  ///< parameters of left context, predecessor and right context together, and age
-  bool sees_age = false;             ///< the last variable is the age of the predecessor's module
-  std::vector<ContextModule> left;   ///< from the root toward the predecessor; no brackets
-  std::vector<ContextModule> right;  ///< away from it; may hold brackets, whose modules have the letters of [ and ]
+  /// Parameters of left context, predecessor and right context together, and the age.
+  std::uint32_t variable_count = 0;
+  bool sees_age = false;             ///< true: the last variable is the age of the predecessor's module
+  std::vector<ContextModule> left;   ///< from the root toward the predecessor; without brackets
+  std::vector<ContextModule> right;  ///< away from the predecessor; may contain the letters of [ and ]
   std::optional<Expression> condition;
   /// The age at which a module of a timed grammar is replaced.
   std::optional<Expression> life;
-  /// Weight of a stochastic rule: one of the rules that match is drawn in proportion to their weights.
+  /// Weight of a stochastic rule: among matching rules, one is drawn with a probability proportional to its weight.
   std::optional<Expression> weight;
   std::vector<ModuleTemplate> successor;
 };
@@ -58,22 +60,21 @@ struct RuleSet {
 };
 
 struct Grammar {
-  std::string file;  ///< the grammar's name in messages
+  std::string file;  ///< name of the grammar in messages
   Alphabet alphabet;
-  LetterIndex open = kNoLetter;          ///< [
-  LetterIndex close = kNoLetter;         ///< ]
-  LetterIndex cut = kNoLetter;           ///< %
-  std::vector<ModuleTemplate> axiom;     ///< the word that derivation begins with; its expressions are constants
-  RuleSet production;                    ///< one step
-  RuleSet decomposition;                 ///< after each step, until none applies
-  RuleSet interpretation;                ///< before drawing, until none applies; never changes the word that is derived
-  std::vector<std::uint8_t> is_ignored;  ///< by contexts; one per letter
-  /// Its rules have lives, and words stand at times: all modules grow older, and each is replaced at the end of its
-  /// life.
+  LetterIndex open = kNoLetter;       ///< [
+  LetterIndex close = kNoLetter;      ///< ]
+  LetterIndex cut = kNoLetter;        ///< %
+  std::vector<ModuleTemplate> axiom;  ///< the first word of a derivation; its expressions are constants
+  RuleSet production;                 ///< applied once per step
+  RuleSet decomposition;              ///< applied after each step until none applies
+  RuleSet interpretation;             ///< applied before drawing until none applies; does not change the derived word
+  std::vector<std::uint8_t> is_ignored;  ///< ignored by contexts; one flag per letter
+  /// True if rules have lives and words depend on time: all modules age, and each is replaced at the end of its life.
   bool is_timed = false;
-  bool asks_ages = false;       ///< rules see the ages of modules, so that words have to keep births
+  bool asks_ages = false;       ///< true: rules use the ages of modules, so words must store births
   std::optional<int> steps;     ///< #steps
-  std::optional<double> time;   ///< #time, of a timed grammar
+  std::optional<double> time;   ///< #time of a timed grammar
   std::optional<double> angle;  ///< #angle, degrees
 };
 

@@ -13,7 +13,7 @@ namespace meristem {
 
 namespace {
 
-/// Which letters can come about: a flag each. Conditions and contexts are taken to hold.
+/// Finds all letters that can occur in a word. Conditions and contexts are assumed to hold.
 class ReachedLetters {
  public:
   explicit ReachedLetters(const Grammar& grammar) : is_reached_(grammar.alphabet.size()) {}
@@ -25,7 +25,7 @@ class ReachedLetters {
       found_.push_back(module.letter);
     }
   }
-  /// Applies the rules of the sets to all letters until no new one comes about.
+  /// Applies the rules of the sets to all letters until no new letter occurs.
   void follow(const std::vector<const RuleSet*>& sets) {
     for (std::size_t k = 0; k < found_.size(); ++k) {
       for (const RuleSet* set : sets) {
@@ -41,7 +41,7 @@ class ReachedLetters {
   std::vector<LetterIndex> found_;
 };
 
-/// Whether the rule is taken wherever its letter stands.
+/// Returns true if the rule applies to every module of its letter.
 bool always_applies(const Rule& rule) {
   const bool may_fail = rule.condition && !(rule.condition->is_constant() && rule.condition->evaluate() != 0);
   return !may_fail && !rule.weight && rule.left.empty() && rule.right.empty();
@@ -58,7 +58,7 @@ void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view
   }
 }
 
-/// Warns of the first module of a context that can be no neighbour.
+/// Warns of the first context module that can never match.
 void warn_of_missing_context(const Grammar& grammar, const Rule& rule, std::string_view place,
                              const ReachedLetters& reached, GrammarFaults& faults) {
   for (const std::vector<ContextModule>* context : {&rule.left, &rule.right}) {
@@ -78,7 +78,7 @@ void warn_of_missing_context(const Grammar& grammar, const Rule& rule, std::stri
 
 void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const std::vector<std::string_view>& places,
                              const ReachedLetters& reached, GrammarFaults& faults) {
-  std::map<std::string_view, std::uint16_t> arities;  // one of each symbol that words can have
+  std::map<std::string_view, std::uint16_t> arities;  // one entry per symbol that words can contain
   for (const LetterIndex letter : reached.all()) {
     arities.emplace(grammar.alphabet[letter].symbol, grammar.alphabet[letter].arity);
   }

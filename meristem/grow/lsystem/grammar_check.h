@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a grammar's rules are to each other: private to the reader of grammars.
+// Checks relations between the rules of a grammar. Private to the reader of grammars.
 #pragma once
 
 #include <string_view>
@@ -10,15 +10,15 @@
 
 namespace meristem {
 
-/// Where each rule of the three sets stands in the text; rules of inclusions stand at their directive.
+/// The text position of each rule of the three sets. Rules of inclusions have the position of their directive.
 struct RuleTexts {
   std::vector<std::string_view> production;
   std::vector<std::string_view> decomposition;
   std::vector<std::string_view> interpretation;
 };
 
-/// Warns of rules that can never match: no word has their predecessor or a neighbour that they ask for, or an earlier
-/// rule is always taken.
+/// Warns of rules that can never match. No word has their predecessor or a required neighbour, or an earlier rule
+/// always applies.
 void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarFaults& faults);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reader of grammars says about each kind of fault, and where.
+// The messages and positions of all kinds of errors in grammars.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -26,7 +26,7 @@ Texts faults_of(std::string_view text, const GrammarOptions& options = {}) {
   return {};
 }
 
-/// The only fault of the rule, which is line 2.
+/// Returns the only error of the rule, which is line 2.
 std::string fault_of(std::string_view rule) {
   const Texts faults = faults_of(fmt::format("A\n{}\n", rule));
   EXPECT_EQ(faults.size(), 1U) << rule;

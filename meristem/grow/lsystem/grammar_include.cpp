@@ -30,7 +30,7 @@ class NumberExpressions {
 
 std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const Limits& limits,
                                           Alphabet& alphabet) {
-  // Every reading draws with the same key: an included word is a part of the grammar and not of the plant.
+  // Random numbers of included words use a fixed key: an included word is a part of the grammar, not of the plant.
   const RandomKey key = RandomKey().child("include");
   Progress progress;
   Limits bounded = limits;

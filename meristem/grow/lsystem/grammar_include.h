@@ -11,11 +11,11 @@
 
 namespace meristem {
 
-/// More modules than this are refused where a grammar is included: each of them is kept as a form of its own.
+/// Largest number of modules of an included word, because each module is stored as a template.
 inline constexpr std::size_t kLongestIncludedWord = 1'000'000;
 
-/// The drawn word of `included` after `steps` steps, in letters of `alphabet`, which takes those that it has not.
-/// Throws InputError as `derive` does, and std::length_error where the alphabet is full.
+/// Returns the interpreted word of `included` after `steps` steps, in letters of `alphabet`. Adds missing letters to
+/// `alphabet`. Throws InputError as derive() does, and std::length_error if the alphabet is full.
 std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const Limits& limits,
                                           Alphabet& alphabet);
 

@@ -24,9 +24,9 @@ constexpr std::size_t kDeepestInclusion = 16;
 constexpr int kMostInclusions = 100;
 constexpr std::size_t kLongestName = 64;
 
-/// What the readers of a grammar and of those it includes have in common.
+/// State shared by the readers of a grammar and of the grammars that it includes.
 struct Inclusions {
-  std::vector<std::string> files;  ///< from the first to the one being read
+  std::vector<std::string> files;  ///< chain of files from the first to the current one
   int count = 0;
 };
 
@@ -44,7 +44,7 @@ const std::vector<std::string>& directive_names() {
 
 bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// A # that a letter follows; a # before anything else is a symbol.
+/// Parses a directive: # and a letter. A # before any other character is a symbol.
 std::optional<Directive> as_directive(std::string_view line) {
   if (line.size() < 2 || line[0] != '#' || !is_ascii_letter(line[1])) return std::nullopt;
   std::size_t end = 1;
@@ -52,7 +52,7 @@ std::optional<Directive> as_directive(std::string_view line) {
   return Directive{line, line.substr(0, end), trimmed(line.substr(end))};
 }
 
-/// Takes the next word off `rest`; one in quotes may hold blanks.
+/// Removes the next word from `rest` and returns it. Quoted words may contain blanks.
 std::string_view take_word(std::string_view& rest) {
   rest = trimmed(rest);
   const bool is_quoted = rest.starts_with('"') && rest.find('"', 1) != std::string_view::npos;
@@ -121,7 +121,7 @@ class GrammarReader {
   RuleReader rules_;
   RuleTexts places_;
   Section section_ = Section::preamble;
-  std::vector<std::string_view> open_brackets_;  ///< of the axiom
+  std::vector<std::string_view> open_brackets_;  ///< unclosed brackets of the axiom
   std::vector<std::string_view> ignored_;
   std::vector<std::string> defined_;  ///< names of constants
   std::vector<std::string_view> symbols_;
@@ -160,7 +160,7 @@ std::vector<GrammarWord> GrammarReader::words_of(std::vector<std::string_view> p
   return words;
 }
 
-// Names come first, so that a symbol may be declared behind its use.
+// Names are read first, so that symbols may be declared after their use.
 
 void GrammarReader::read_names(const std::vector<std::string_view>& lines) {
   for (const std::string_view line : lines) {
@@ -203,7 +203,7 @@ double GrammarReader::overridden(const std::string& name, double value) const {
 }
 
 void GrammarReader::check_overrides(std::string_view place) {
-  constexpr std::size_t kMostNames = 12;  // in a message
+  constexpr std::size_t kMostNames = 12;  // names in a message
   const std::vector<std::string> names(
       defined_.begin(), defined_.begin() + static_cast<std::ptrdiff_t>(std::min(defined_.size(), kMostNames)));
   for (const auto& constant : options_.overrides) {
@@ -234,7 +234,7 @@ void GrammarReader::read_symbols(const Directive& directive) {
   }
 }
 
-// Lines in their order.
+// Reads the lines in order.
 
 void GrammarReader::read_directive(const Directive& directive) {
   const auto begin = [&](Section section) {
@@ -379,14 +379,14 @@ void GrammarReader::read_include(const Directive& directive) {
   if (letter != kNoLetter) include(directive, file, letter, steps);
 }
 
-/// The text of the file `name`, which this grammar calls `written`.
+/// Returns the text of the included file `name`. Error messages use `written`, the name in this grammar.
 std::optional<std::string> GrammarReader::included_text(const Directive& directive, const std::string& written,
                                                         const std::string& name) {
   try {
     return options_.read(name);
   } catch (const InputError& error) {
     for (const Diagnostic& fault : error.diagnostics()) {
-      // As it would be written here.
+      // Convert the suggestion to a path relative to this grammar.
       const std::filesystem::path nearest = std::filesystem::path(fault.nearest).filename();
       faults_.add(directive.all, fmt::format("{}: {}", in_quotes(written), fault.message), fault.expected,
                   nearest.empty() ? "" : (std::filesystem::path(written).parent_path() / nearest).string());
@@ -402,7 +402,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     return false;
   };
   auto& files = inclusions_.files;
-  // From the folder of this grammar; `read` begins at that of the first.
+  // Paths are relative to the folder of this grammar, but `read` starts in the folder of the first grammar.
   const auto folder = files.size() > 1 ? std::filesystem::path(files.back()).parent_path() : std::filesystem::path();
   const std::string name = (folder / file).lexically_normal().string();
   if (!options_.read) return fail("this grammar cannot include others", "a grammar that is read from a file");
@@ -454,14 +454,14 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
   }
 }
 
-// All together.
+// Checks of the whole grammar.
 
 bool GrammarReader::is_identity(const Rule& rule) const {
   if (rule.condition || rule.life || rule.weight || !rule.left.empty() || !rule.right.empty()) return false;
   if (rule.successor.size() != 1 || rule.successor.front().letter != rule.predecessor) return false;
   const auto& parameters = rule.successor.front().parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    // An expression of a name alone uses its variable and is as long as it.
+    // An expression that consists of one name and uses this variable is the variable itself.
     if (!parameters[k].uses(rule.first_variable + k) || !is_identifier(parameters[k].text())) return false;
   }
   return true;
@@ -484,7 +484,7 @@ void GrammarReader::drop_identities(RuleSet& set, std::vector<std::string_view>&
   }
 }
 
-/// In a timed grammar all rules have lives, and nothing counts steps or chance.
+/// Checks that all rules of a timed grammar have lives, and that nothing depends on steps or random numbers.
 void GrammarReader::check_lives() {
   const auto has_life = [](const Rule& rule) { return rule.life.has_value(); };
   grammar_.is_timed = std::ranges::any_of(grammar_.production.rules, has_life);

@@ -41,7 +41,7 @@ std::string text_of(const std::vector<ContextModule>& modules, const Alphabet& a
   return text;
 }
 
-/// What was understood: "left < A/2 > right : condition : weight -> successor".
+/// Returns the parsed rule as text: "left < A/2 > right : condition : weight -> successor".
 std::string rule_text(const Grammar& grammar, const Rule& rule) {
   std::string text;
   if (!rule.left.empty()) text += text_of(rule.left, grammar.alphabet) + " < ";
@@ -62,7 +62,7 @@ std::vector<std::string> rule_texts(const Grammar& grammar) {
 
 using Texts = std::vector<std::string>;
 
-/// The only rule of a grammar with this line.
+/// Returns the parsed text of the only rule of a grammar with this line.
 std::string read_rule(std::string_view line) {
   const Grammar grammar = read_grammar(fmt::format("#axiom\nA\n#rules\n{}\n", line));
   EXPECT_EQ(grammar.production.rules.size(), 1U) << line;
@@ -93,7 +93,7 @@ Texts warnings_of(std::string_view text) {
   return texts;
 }
 
-// Whole grammars, as they are printed.
+// Whole grammars, as printed in publications.
 
 TEST(GrammarReader, ReadsTheSpruce) {
   const Grammar grammar = read_grammar(R"(#axiom
@@ -167,7 +167,7 @@ TEST(GrammarReader, ReadsTheBushWithItsRunsOfSlashes) {
   EXPECT_EQ(grammar.angle, 22.5);
 }
 
-// One rule.
+// Single rules.
 
 TEST(GrammarReader, TellsConditionsFromWeights) {
   EXPECT_EQ(read_rule("A : .33 -> AA"), "A w .33 -> AA");
@@ -326,7 +326,7 @@ RC_GTEST_PROP(GrammarReader, ReadsTheTextOfAWordBackAsTheWord, (const std::vecto
   }
   RC_PRE(!modules.empty());
   const std::string text = word_text(word, written.alphabet);
-  // Names are declared where the word has them: word_text parts those of its own alphabet.
+  // Declare names in the word's own order, because word_text only separates names of its own alphabet.
   std::string names;
   for (const char* name : {"Leaf", "Le"}) {
     for (const int arity : {0, 1}) {

@@ -58,7 +58,7 @@ void GrammarText::blank(std::size_t begin, std::size_t end) {
 
 void GrammarText::remove_comments() {
   const std::string_view text = text_;
-  bool is_line_empty = true;  // so far
+  bool is_line_empty = true;  // true until a character that is not blank
   for (std::size_t k = 0; k < text.size(); ++k) {
     const std::string_view rest = text.substr(k);
     const bool follows_blank = k == 0 || is_blank(text[k - 1]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layer under the reader of grammars: a text without its comments in which every byte keeps its position, and the
-// list of what is wrong with it. Pieces of the text are views into it, so that a piece knows its position. Private to
+// The lowest layer of the reader of grammars: a text in which comments are blanked and every byte keeps its position,
+// and the list of errors. Pieces of the text are views into it, so that the position of a piece is known. Private to
 // the reader.
 #pragma once
 
@@ -14,23 +14,23 @@
 
 namespace meristem {
 
-/// Without the blanks at both ends.
+/// Returns the text without the blanks at both ends.
 std::string_view trimmed(std::string_view text);
 bool is_blank(char c);
-/// Bytes of the first character. `text` is UTF-8 and not empty.
+/// Returns the number of bytes of the first character. `text` is UTF-8 and not empty.
 std::size_t character_bytes(std::string_view text);
 
 class GrammarText {
  public:
-  /// Replaces comments, joined line ends and the byte order mark by blanks. Throws InputError for text that is too
-  /// long, is not UTF-8, or ends within a comment.
+  /// Replaces comments, joined line ends and the byte order mark by blanks. Throws InputError if the text is too long,
+  /// is not UTF-8, or ends within a comment.
   GrammarText(std::string_view text, std::string file, const Limits& limits);
   GrammarText(const GrammarText&) = delete;
   GrammarText& operator=(const GrammarText&) = delete;
 
-  /// The lines that are not blank, trimmed.
+  /// Returns the lines that are not blank, trimmed.
   std::vector<std::string_view> lines() const;
-  /// Where `piece` of the lines begins.
+  /// Returns the offset of `piece`, which must be a part of the lines.
   std::size_t offset(std::string_view piece) const;
   int line(std::string_view piece) const;
   const std::string& file() const { return file_; }
@@ -46,15 +46,15 @@ class GrammarText {
   std::vector<std::size_t> line_starts_;
 };
 
-/// Collects faults and warnings, up to the limit of each.
+/// Collects errors and warnings, up to the limit of each.
 class GrammarFaults {
  public:
   GrammarFaults(const GrammarText& text, std::size_t most) : text_(text), most_(most) {}
 
-  /// `at` is a piece of the text.
+  /// Adds an error. `at` is a piece of the text.
   void add(std::string_view at, std::string message, std::string expected, std::string nearest = "");
   void warn(std::string_view at, std::string message, std::string expected = "");
-  /// Faults of an included file, at the position of its inclusion.
+  /// Adds the errors of an included file, at the position of its inclusion.
   void add_all(std::string_view at, const std::vector<Diagnostic>& others);
 
   bool is_full() const { return faults_.size() >= most_; }

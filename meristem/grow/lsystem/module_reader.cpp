@@ -55,7 +55,7 @@ std::optional<ModuleText> ModuleReader::next(std::string_view& rest) {
   rest.remove_prefix(module.symbol.size());
   if (noted_ != nullptr) noted_->push_back(module.symbol);
 
-  // Parameters, cut at the commas that no inner parentheses hold.
+  // Split the parameters at commas outside inner parentheses.
   std::size_t at = 0;
   while (at < rest.size() && is_blank(rest[at])) ++at;
   if (at == rest.size() || rest[at] != '(') {

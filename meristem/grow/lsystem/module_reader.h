@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a grammar's words into modules and makes letters of them. Private to the reader of grammars.
+// Splits the words of a grammar into modules and their letters. Private to the reader of grammars.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace meristem {
 
 inline constexpr std::string_view kArrow = "\u2192";
 
-/// A module as it stands in the text.
+/// A module as written in the text.
 struct ModuleText {
   std::string_view all;
   std::string_view symbol;
@@ -24,24 +24,24 @@ struct ModuleText {
 
 class ModuleReader {
  public:
-  /// Faults go to `faults`, letters to `alphabet`.
+  /// Adds errors to `faults` and letters to `alphabet`.
   ModuleReader(GrammarFaults& faults, Alphabet& alphabet) : faults_(faults), alphabet_(alphabet) {}
-  /// Takes each symbol as it stands in the text, some of them twice; null: none.
+  /// Appends each symbol of the text to `symbols`, some of them twice. Null disables this.
   void note_symbols(std::vector<std::string_view>* symbols) { noted_ = symbols; }
 
-  /// Makes `name`, a piece of the grammar's text, a symbol of its own; others are single characters.
+  /// Declares `name`, a piece of the grammar's text, as one symbol. All other symbols are single characters.
   void declare(std::string_view name);
   bool is_declared(std::string_view name) const { return symbols_.count(name) > 0; }
 
-  /// The next module of `rest`, which is shortened by it; nothing at its end or after adding a fault (`rest` is empty
-  /// then).
+  /// Removes the next module from `rest` and returns it. Returns nothing at the end. After an error, adds the error,
+  /// clears `rest` and returns nothing.
   std::optional<ModuleText> next(std::string_view& rest);
-  /// kNoLetter after adding a fault.
+  /// Returns the letter of a module. Returns kNoLetter after adding an error.
   LetterIndex letter_of(const ModuleText& module);
 
-  /// Keeps account of the brackets that are not closed yet; false after adding a fault for one that closes none.
+  /// Updates the list of open brackets. Adds an error and returns false for a closing bracket without an opening one.
   bool match_bracket(const ModuleText& module, std::vector<std::string_view>& open);
-  /// Adds a fault for each of the brackets.
+  /// Adds an error for each open bracket.
   void report_unclosed(const std::vector<std::string_view>& open);
 
  private:
@@ -50,8 +50,8 @@ class ModuleReader {
   GrammarFaults& faults_;
   Alphabet& alphabet_;
   std::vector<std::string_view>* noted_ = nullptr;
-  std::unordered_set<std::string_view> symbols_;  ///< the declared ones
-  std::vector<std::size_t> symbol_sizes_;         ///< of these, largest first
+  std::unordered_set<std::string_view> symbols_;  ///< the declared symbols
+  std::vector<std::size_t> symbol_sizes_;         ///< sizes of the declared symbols, largest first
 };
 
 }  // namespace meristem

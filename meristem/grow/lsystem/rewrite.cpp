@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::size_t kModulesBetweenChecks = 65'536;
 
-/// Memory for `count` items whose values do not matter; what is too small goes first.
+/// Resizes a column without keeping its values. Memory that is too small is freed before new memory is allocated.
 template <typename Item>
 void make_room(WordColumn<Item>& items, std::size_t count) {
   if (items.capacity() < count) items = {};
   items.resize(count);
 }
 
-/// A few items at a time, for which a call of memcpy would cost more than the copying.
+/// Copies items. For a few items, a loop is faster than a call of memcpy.
 template <typename Item>
 void copy_items(const Item* from, std::size_t count, Item* to) {
   if (count > 16) {
@@ -41,10 +41,10 @@ struct Rewriter::Scratch {
   RuleChooser chooser;
   RuleBatch batch;
   std::vector<std::vector<Lane>> lanes;  // by rule
-  std::vector<RuleChoice> rules;         // those that have any
+  std::vector<RuleChoice> rules;         // rules that have lanes
 };
 
-/// Scratch memory for as long as a chunk takes.
+/// Scratch memory for the duration of a chunk.
 class Rewriter::Lease {
  public:
   explicit Lease(Rewriter& owner) : owner_(owner) {
@@ -85,7 +85,7 @@ RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, Rand
   progress_.begin(stage, word.module_count());
   progress_.check();
 
-  // Choose each module's rule.
+  // Choose the rule of each module.
   places_.find(word, arities_, progress_);
   if (plan.needs.any()) context_.find(grammar_, word.letters, plan.needs, progress_);
   const OldWord old{word, context_, places_, key};
@@ -102,7 +102,7 @@ RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, Rand
     count(plan, word, begin, end);
   });
 
-  // See how long the word becomes, and where each chunk goes.
+  // Compute the length of the new word and the begin of each chunk.
   RewriteOutcome outcome;
   std::size_t modules = 0;
   std::size_t parameters = 0;
@@ -115,7 +115,7 @@ RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, Rand
   if (outcome.rule == nullptr) return outcome;
   require_room(plan, modules, parameters);
 
-  // Write it.
+  // Write the new word.
   next.letters.clear();
   next.parameters.clear();
   make_room(next.letters, modules);
@@ -195,7 +195,7 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
     out += in - first_in;
     if (k == end) break;
 
-    // Replace it; its expressions are left for later, to be evaluated together.
+    // Replace it. Its expressions are evaluated later, together with others.
     const RuleChoice choice = choices[k];
     const RulePlan& rule = plan.rules[choice - 1];
     copy_items(rule.letters.data(), rule.letters.size(), letters_out);
@@ -217,7 +217,8 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
   }
 }
 
-/// A module of the predecessor's letter that no bracket of the rule parts from it goes on from it, and is as old.
+/// Writes the births of the new modules. A module of the successor continues the predecessor, and inherits its birth,
+/// if it has the predecessor's letter and is outside brackets.
 void Rewriter::write_births(const RewritePlan& plan, const Word& word, std::size_t begin, std::size_t end,
                             Births births, Word& next) const {
   double* out = next.births.data() + chunks_[begin / kChunk].modules;

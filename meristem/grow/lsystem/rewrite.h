@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One rewriting of a whole word, in two passes over fixed chunks of it: the first chooses each module's rule and counts
-// what the chunk grows to, so that the second can write letters and parameters where they belong.
+// Rewrites a whole word once, in two passes over fixed chunks. The first pass chooses each module's rule and counts the
+// size of the chunk's result. The second pass writes letters and parameters to their final positions.
 #pragma once
 
 #include <cstddef>
@@ -21,27 +21,29 @@
 namespace meristem {
 
 struct RewriteOutcome {
-  const Rule* rule = nullptr;  ///< the first that was applied, by position; null if nothing changed
-  bool may_change = false;     ///< another draw may apply other rules
+  const Rule* rule = nullptr;  ///< the first applied rule, by position; null if nothing changed
+  bool may_change = false;     ///< true: other random numbers may apply other rules
 };
 
-/// When the modules of a successor have come about, in words that keep it.
+/// How the births of successor modules are computed, in words that store births.
 struct Births {
-  double step = 0;                 ///< that of the rewriting
-  bool all_are_inherited = false;  ///< from what they replace; else those alone that go on from it
-  bool by_life = false;            ///< when what they replace comes to the end of its life, if that is
-  double until = 0;                ///< by then: else it is not replaced
+  double step = 0;  ///< step of the rewriting
+  /// True: all modules inherit the birth of their predecessor; false: only continuing modules do.
+  bool all_are_inherited = false;
+  bool by_life = false;  ///< true: the birth is the end of the predecessor's life, if it ends in time
+  double until = 0;      ///< end of that time; modules with longer lives are not replaced
 };
 
-/// Rewrites words of one grammar; its memory serves one word after another. Beside the old word and the new one that
-/// is 2 bytes per module, and 4 for each kind of neighbours that contexts ask for.
+/// Rewrites words of one grammar and reuses its memory from word to word. In addition to the old and the new word, it
+/// needs 2 bytes per module, and 4 bytes per module for each kind of neighbour that contexts use.
 class Rewriter {
  public:
-  /// All three must outlive it.
+  /// All three arguments must outlive this object.
   Rewriter(const Grammar& grammar, const Limits& limits, Progress& progress);
   ~Rewriter();
 
-  /// `next` becomes what `word` is rewritten to; it is left alone if nothing changes. Throws InputError and Cancelled.
+  /// Writes the result of rewriting `word` to `next`. Leaves `next` unchanged if nothing changes. Throws InputError and
+  /// Cancelled.
   RewriteOutcome rewrite(const RewritePlan& plan, const Word& word, RandomKey key, std::string_view stage, Word& next,
                          Births births = {});
 
@@ -49,7 +51,7 @@ class Rewriter {
   struct Scratch;
   class Lease;
 
-  /// What a chunk of the word becomes: first how much, then where it begins.
+  /// The result of a chunk: first its size, later its begin.
   struct Chunk {
     std::size_t modules = 0;
     std::size_t parameters = 0;
@@ -71,12 +73,12 @@ class Rewriter {
   Progress& progress_;
   std::vector<std::uint16_t> arities_;
   WordColumn<RuleChoice> choices_;
-  WordColumn<double> ends_;  // of the lives of modules that are replaced, where births are by life
+  WordColumn<double> ends_;  // ends of the lives of replaced modules, in timed grammars
   std::vector<Chunk> chunks_;
   ParameterOffsets places_;
   WordContext context_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Scratch>> scratch_;  // what no thread uses
+  std::vector<std::unique_ptr<Scratch>> scratch_;  // scratch memory that no thread uses
 };
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of a rule over many of the modules that it may replace.
+// Evaluates expressions of a rule for many modules that it may replace.
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@
 
 namespace meristem {
 
-/// Modules of a word that are dealt with together, by one thread.
+/// Number of modules that one thread processes together.
 inline constexpr std::size_t kChunk = 8'192;
 
-/// Where the modules' parameters begin.
+/// Index of each module's first parameter.
 class ParameterOffsets {
  public:
   void find(const Word& word, std::span<const std::uint16_t> arities, const Progress& progress);
@@ -32,7 +32,7 @@ class ParameterOffsets {
   const Word* word_ = nullptr;
   std::span<const std::uint16_t> arities_;
   std::vector<std::size_t> chunks_;
-  std::vector<std::uint32_t> blocks_;  // from their chunk's beginning
+  std::vector<std::uint32_t> blocks_;  // relative to the begin of their chunk
 };
 
 /// A word that is being rewritten.
@@ -45,19 +45,19 @@ struct OldWord {
 
 /// A module that a rule may replace.
 struct Lane {
-  std::uint32_t module = 0;  ///< its position
+  std::uint32_t module = 0;  ///< position of the module
   std::size_t in = 0;        ///< its first parameter
-  std::size_t out = 0;       ///< its successor's first parameter
+  std::size_t out = 0;       ///< first parameter of its successor
 };
 
-/// Values of formulas for the modules of a batch; memory is kept from one to the next.
+/// Values of formulas for the modules of a batch. Memory is reused from batch to batch.
 class RuleBatch {
  public:
   static constexpr std::size_t kLanes = 256;
 
-  /// At most kLanes lanes, all with the rule's predecessor and in its contexts.
+  /// Starts a batch of at most kLanes lanes. All lanes must have the rule's predecessor and match its contexts.
   void begin(const OldWord& old, const RulePlan& plan, std::span<const Lane> lanes);
-  /// A value per lane; they hold until the next call.
+  /// Returns one value per lane, valid until the next call.
   std::span<const double> values(const RuleFormula& formula);
   std::span<const double> values(const VariableSource& source);
 
@@ -70,7 +70,7 @@ class RuleBatch {
   bool has_matched_ = false;
   std::vector<std::size_t> matched_;  // first parameter of each lane's context modules, lane after lane
   std::vector<std::uint32_t> matched_of_lane_;
-  std::vector<std::array<double, kLanes>> columns_;  // one per variable
+  std::vector<std::array<double, kLanes>> columns_;  // one column per variable
   std::vector<std::uint8_t> is_gathered_;
   std::vector<const double*> pointers_;
   std::vector<RandomKey> keys_;

@@ -57,7 +57,7 @@ void RuleChooser::decide(const RewritePlan& plan, const OldWord& old, LetterInde
     if (candidates.empty()) return;
     progress.check();
     const RulePlan& rule = plan.rules[index];
-    // Once one is to be drawn, rules without a weight come too late.
+    // If weighted rules match, a later rule without a weight does not apply.
     matching_.clear();
     for (std::uint32_t k = 0; k < candidates.size(); ++k) {
       if (rule.weight || candidates[k].weight == 0) matching_.push_back(k);
@@ -89,7 +89,7 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
   for_each_batch(matching_, [&](std::span<const std::uint32_t> batch) {
     begin_batch(old, plan, candidates, batch);
     const std::span<const double> values = batch_.values(*plan.condition);
-    // What is kept never overtakes what is read.
+    // Writing in place is safe: the write position never passes the read position.
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
       if (!std::isfinite(values[lane])) {
         throw_rule_fault(*plan.rule, fmt::format("the condition of {} has no value", in_quotes(plan.rule->text)),
@@ -101,7 +101,7 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
   matching_.resize(kept);
 }
 
-/// The rule of a module is the first that matches, whether its life is over or not.
+/// Chooses the first matching rule of a module, and replaces the module only if its life is over.
 void RuleChooser::decide_by_life(const OldWord& old, const RulePlan& plan, RuleChoice choice,
                                  std::vector<Candidate>& candidates, std::span<RuleChoice> choices,
                                  const LifeSpan& lives) {
@@ -134,8 +134,8 @@ void RuleChooser::draw(const OldWord& old, const RulePlan& plan, RuleChoice choi
       if (weights[lane] == 0) continue;
       Candidate& candidate = candidates[batch[lane]];
       candidate.weight += weights[lane];
-      // Each rule in turn takes the place of the ones before it with its share of the weights so far: in the end all
-      // have it in proportion to their weights.
+      // Weighted sampling in one pass: each rule replaces the earlier choice with the probability of its share of the
+      // weights so far. In the end, probabilities are proportional to the weights.
       const bool is_first = candidate.weight == weights[lane];
       const RandomKey key = old.key.child(candidate.lane.module).child(std::uint64_t{0});
       if (is_first || key.uniform(plan.index) * candidate.weight < weights[lane])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rule applies to each module of a chunk. A rule is tried on all modules that may still take it at once, so that
-// its expressions run over many lanes.
+// Chooses the rule for each module of a chunk. A rule is tested on all candidate modules together, so that its
+// expressions run over many lanes.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@
 
 namespace meristem {
 
-/// Lives of words in continuous time: modules are replaced that come to the end of theirs by a time.
+/// Lives of words in continuous time. Modules are replaced if their lives end by the time `until`.
 struct LifeSpan {
   double until = 0;
-  std::span<double> ends;  ///< takes when those do, by position
+  std::span<double> ends;  ///< output: the end of each life, by position
 };
 
 class RuleChooser {
  public:
-  /// Writes the choices of the modules from `begin` to `end`, a chunk, to their positions in `choices`. Returns whether
-  /// any module's letter was not enough to tell. Throws InputError for weights and lives that are none, and Cancelled.
+  /// Writes the choices of the modules from `begin` to `end`, a chunk, to their positions in `choices`. Returns true if
+  /// the letter alone does not decide the choice of some module. Throws InputError for invalid weights and lives.
+  /// Throws Cancelled.
   bool choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities, std::size_t begin,
               std::size_t end, std::span<RuleChoice> choices, const std::optional<LifeSpan>& lives,
               const Progress& progress);
@@ -32,7 +33,7 @@ class RuleChooser {
   /// A module whose rule is not known yet.
   struct Candidate {
     Lane lane;
-    double weight = 0;  ///< of all rules to draw from that were tried; more than 0 if one is to be drawn
+    double weight = 0;  ///< sum of the weights of the tested rules; above 0 if a rule must be drawn
     bool is_decided = false;
   };
 
@@ -48,8 +49,8 @@ class RuleChooser {
                    std::span<const std::uint32_t> batch);
 
   std::vector<std::vector<Candidate>> candidates_;  // by letter
-  std::vector<LetterIndex> letters_;                // those that have any
-  std::vector<std::uint32_t> matching_;             // candidates that the rule matches, as far as it was tried
+  std::vector<LetterIndex> letters_;                // letters that have candidates
+  std::vector<std::uint32_t> matching_;             // candidates that the rule matches so far
   std::vector<std::uint32_t> matched_;
   std::vector<Lane> lanes_;
   RuleBatch batch_;

@@ -10,13 +10,13 @@
 
 namespace meristem {
 
-/// An InputError at the rule's line.
+/// Throws an InputError at the rule's line.
 [[noreturn]] void throw_rule_fault(const Rule& rule, std::string message, std::string expected);
-/// The InputError of limits.modules: `wanted` of `what` where `limit` are allowed, most of them by this rule.
+/// Throws the InputError of limits.modules: `wanted` of `what` exceed `limit`, and this rule adds most.
 [[noreturn]] void throw_word_too_long(std::string_view what, double wanted, std::uint64_t limit, const Rule& rule);
-/// Throws the fault of a rule for values of the formula that are infinite or no number.
+/// Throws the rule's error if a value of the formula is infinite or NaN.
 void require_finite(std::span<const double> values, const Rule& rule, const RuleFormula& formula);
-/// Throws it for such values and for negative ones.
+/// Like require_finite(), but also rejects negative values.
 void require_weights(std::span<const double> values, const Rule& rule, const RuleFormula& formula);
 
 }  // namespace meristem

@@ -42,7 +42,7 @@ class RulePlanner {
       plan_.letters.push_back(form.letter);
       for (const Expression& expression : form.parameters) add_parameter(expression);
     }
-    plan_.is_identity = !rule_.life && is_identity();  // what begins anew is young
+    plan_.is_identity = !rule_.life && is_identity();  // a rule with a life resets the age, so it is no identity
     return std::move(plan_);
   }
 
@@ -59,7 +59,7 @@ class RulePlanner {
     const auto place = static_cast<std::uint32_t>(plan_.parameters.size());
     plan_.parameters.push_back(0);
     if (expression.is_constant()) {
-      // What is not finite is left to the rewriting, which tells where it is used.
+      // Values that are not finite are reported by the rewriting, which knows their place.
       if (const double value = expression.evaluate(); std::isfinite(value)) {
         plan_.parameters.back() = value;
         return;
@@ -107,7 +107,7 @@ class RulePlanner {
   RulePlan plan_;
 };
 
-/// What becomes of a letter with these rules, as far as the letter tells.
+/// Returns the choice for a letter, if the letter alone decides it.
 RuleChoice choice_of_letter(const std::vector<RulePlan>& rules, const std::vector<std::uint32_t>& of_letter) {
   if (of_letter.empty()) return kCopied;
   const RulePlan& first = rules[of_letter.front()];

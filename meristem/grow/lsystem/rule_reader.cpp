@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kAlways = "*";
 constexpr std::string_view kAgeName = "age";
 
-/// Offsets of `character` outside parentheses.
+/// Returns the offsets of `character` outside parentheses.
 std::vector<std::size_t> find_outside_parentheses(std::string_view text, char character) {
   std::vector<std::size_t> found;
   int depth = 0;
@@ -28,24 +28,25 @@ std::vector<std::size_t> find_outside_parentheses(std::string_view text, char ch
   return found;
 }
 
-/// Where another sign stands for the arrow, as in "F: FF", "F = FF" or "F => FF": the arrow. Else nothing.
+/// Returns "->" if another sign is used as the arrow, as in "F: FF", "F = FF" or "F => FF". Otherwise returns an empty
+/// text.
 std::string arrow_instead(std::string_view line) {
   for (const std::string_view other : {"=>", "\u21D2", "\u27F6"}) {
     if (line.find(other) != std::string_view::npos) return "->";
   }
   for (const char other : {':', '='}) {
     const std::vector<std::size_t> found = find_outside_parentheses(line, other);
-    // With a condition the colon has its own meaning, and what lacks is the arrow behind it.
+    // With a condition, the colon has its own meaning, and the arrow after it is missing.
     if (found.size() != 1 || line.find_first_of("<>!") != std::string_view::npos) continue;
     if (!trimmed(line.substr(0, found[0])).empty() && !trimmed(line.substr(found[0] + 1)).empty()) return "->";
   }
   return {};
 }
 
-/// A condition as the book writes it (= & |) in the spelling of expressions (== && ||).
+/// A condition of the book's notation (= & |), converted to the notation of expressions (== && ||).
 struct Condition {
   std::string text;
-  std::vector<std::size_t> doubled;  ///< where in `text` a character was added
+  std::vector<std::size_t> doubled;  ///< offsets in `text` of added characters
 
   std::size_t original_offset(std::size_t offset) const {
     const auto before = std::lower_bound(doubled.begin(), doubled.end(), offset);
@@ -78,7 +79,7 @@ std::optional<Arrow> find_arrow(std::string_view line) {
   const std::size_t pretty = line.substr(0, plain).find(kArrow);
   if (pretty != std::string_view::npos) return Arrow{pretty, kArrow.size()};
   if (plain == std::string_view::npos) return std::nullopt;
-  // In F-->G the arrow is -->, for a predecessor stands before it; in - -> G, and in A < --> G, it is ->.
+  // In F-->G the arrow is -->, because a predecessor precedes it. In - -> G and in A < --> G, it is ->.
   if (plain > 0 && line[plain - 1] == '-') {
     const std::string_view before = trimmed(line.substr(0, plain - 1));
     const bool is_symbol = before.empty() || before.back() == '<' || before.back() == '>' || before.back() == ':';
@@ -115,7 +116,7 @@ std::vector<ExpressionNames::Constant> GrammarConstants::used_in(std::string_vie
   return used;
 }
 
-/// The pieces of a rule's line, trimmed; those that are not there are empty and have no position.
+/// The parts of a rule's line, trimmed. Missing parts are empty and have no position.
 struct RuleReader::Parts {
   std::string_view left;
   std::string_view predecessor;
@@ -144,7 +145,7 @@ bool RuleReader::read_modules(std::string_view text, std::vector<std::string_vie
   while (!faults_.is_full()) {
     const std::string_view before = rest;
     const auto module = modules_.next(rest);
-    // A module that has a fault leaves nothing of the rest either.
+    // After an error in a module, nothing of the rest is read.
     if (!module) return is_good && trimmed(before).empty();
     is_good = modules_.match_bracket(*module, open) && is_good;
     ModuleTemplate form;
@@ -165,12 +166,12 @@ bool RuleReader::read_modules(std::string_view text, std::vector<std::string_vie
 void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>& open,
                             std::vector<ModuleTemplate>& axiom) {
   begin_rule();
-  // The book's "ω :" may stand before it.
+  // Skip an optional "ω :", as in the book.
   if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
     const std::string_view name = trimmed(text.substr(0, colon));
     if (name == "\u03C9" || (name.size() > 1 && is_identifier(name))) text.remove_prefix(colon + 1);
   }
-  // No word has a colon, so this is meant for a rule.
+  // No word contains a colon, so this line is probably a rule without an arrow.
   if (!find_outside_parentheses(text, ':').empty()) {
     faults_.add(trimmed(text), fmt::format("{} has no arrow", in_quotes(trimmed(text))), "predecessor -> successor",
                 arrow_instead(text));
@@ -222,7 +223,7 @@ std::optional<Expression> RuleReader::read_expression(std::string_view text, boo
   try {
     expression = compile(constants_.used_in(spelled.text));
   } catch (const ExpressionError&) {
-    // Once more with all names: the nearest may be any of them.
+    // Compile again with all names, so that the message can suggest the nearest of all names.
     try {
       compile(constants_.all());
     } catch (const ExpressionError& error) {
@@ -272,7 +273,7 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
   const bool has_age = kind == Kind::interpretation && !is_hidden && variables_.size() < kMostVariables;
   if (has_age) variables_.emplace_back(kAgeName);
   rule.variable_count = static_cast<std::uint32_t>(variables_.size());
-  if (!is_good) return std::nullopt;  // its names would be unknown
+  if (!is_good) return std::nullopt;  // later errors would only follow from unknown names
   is_good = read_conditions(parts, rule);
   is_good = read_life(parts, kind, rule) && is_good;
   std::vector<std::string_view> open;
@@ -285,7 +286,7 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
   return rule;
 }
 
-/// Whether any of a rule's expressions asks for the age, which is the last of its variables.
+/// Sets Rule::sees_age if any expression of the rule uses the age, which is its last variable.
 void RuleReader::note_age(Rule& rule) {
   const std::size_t age = rule.variable_count - 1;
   const auto asks = [&](const std::optional<Expression>& expression) { return expression && expression->uses(age); };
@@ -312,7 +313,7 @@ bool RuleReader::split_left_side(std::string_view left_side, Parts& parts) {
   std::string_view rest = left_side;
   auto colons = find_outside_parentheses(rest, ':');
   if (!colons.empty()) {
-    // A name before the first colon is the rule's, if it is not a symbol.
+    // A name before the first colon is the rule's id, unless it is a symbol.
     const std::string_view id = trimmed(rest.substr(0, colons.front()));
     if (id.size() > 1 && is_identifier(id) && !modules_.is_declared(id)) {
       rest.remove_prefix(colons.front() + 1);
@@ -325,7 +326,7 @@ bool RuleReader::split_left_side(std::string_view left_side, Parts& parts) {
 }
 
 bool RuleReader::split_conditions(std::string_view text, Parts& parts) {
-  // A colon that belongs to a question mark divides nothing.
+  // Ignore colons that belong to a question mark.
   std::vector<std::size_t> colons;
   int depth = 0;
   int questions = 0;
@@ -372,7 +373,7 @@ bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
   const std::size_t begin = left.empty() ? 0 : left[0] + 1;
   parts.predecessor = trimmed(text.substr(begin, end - begin));
   if (parts.predecessor.empty()) return fail(0, "the rule has no predecessor");
-  // A @ that something stands before is no symbol, as a predecessor is one module.
+  // An @ after other characters is no symbol, because a predecessor is one module.
   const auto lives = find_outside_parentheses(parts.predecessor, '@');
   if (!lives.empty() && lives.back() > 0) {
     const std::size_t at = lives.front() > 0 ? lives.front() : lives.back();

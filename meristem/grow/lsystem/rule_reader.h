@@ -18,24 +18,25 @@ namespace meristem {
 
 inline constexpr std::string_view kEmptyWord = "\u03B5";
 
-/// The arrow of a line: where it begins, and how long it is.
+/// Position and size of the arrow in a line.
 struct Arrow {
   std::size_t begin;
   std::size_t size;
 };
 
-/// The first arrow of a line.
+/// Finds the first arrow of a line.
 std::optional<Arrow> find_arrow(std::string_view line);
 
-/// Names with values that the grammar's expressions may use.
+/// Named constants for the grammar's expressions.
 class GrammarConstants {
  public:
   explicit GrammarConstants(std::vector<ExpressionNames::Constant> constants);
-  /// Hides an earlier one of the name.
+  /// Sets a constant. A later value hides an earlier one.
   void set(const std::string& name, double value);
   bool has(const std::string& name) const { return index_.count(name) > 0; }
   const std::vector<ExpressionNames::Constant>& all() const { return constants_; }
-  /// The constants that `text` names, so that the cost of compiling it does not depend on how many constants there are.
+  /// Returns the constants that `text` uses. The cost of compiling therefore does not depend on the number of
+  /// constants.
   std::vector<ExpressionNames::Constant> used_in(std::string_view text) const;
 
  private:
@@ -50,21 +51,22 @@ class RuleReader {
 
   GrammarConstants& constants() { return constants_; }
 
-  /// Takes each name in an expression that is no parameter of its rule, some of them twice; null: none.
+  /// Appends each name in an expression that is no parameter of its rule to `names`, some of them twice. Null disables
+  /// this.
   void note_names(std::vector<std::string_view>* names) { noted_ = names; }
 
-  /// What rules of a section may have.
+  /// The features that rules of a section may use.
   enum class Kind {
     production,      ///< lives
-    decomposition,   ///< nothing more
-    interpretation,  ///< the name `age` for the age of the module that they draw
+    decomposition,   ///< no additional features
+    interpretation,  ///< the name `age` for the age of the drawn module
   };
 
-  /// A rule with no fault, or nothing after adding its faults. Rules that rewrite a bracket to itself are nothing too.
+  /// Returns the rule. Returns nothing after adding errors, and for rules that rewrite a bracket to itself.
   std::optional<Rule> read_rule(std::string_view line, Kind kind);
-  /// Appends the axiom's modules. `open` has the brackets that are not closed yet.
+  /// Appends the axiom's modules. `open` lists the brackets that are not closed yet.
   void read_axiom(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& axiom);
-  /// A constant with a finite value.
+  /// Returns the finite value of a constant expression, or nothing after adding errors.
   std::optional<double> read_constant(std::string_view text);
 
  private:
@@ -93,8 +95,8 @@ class RuleReader {
   GrammarConstants constants_;
   std::vector<std::string_view>* noted_ = nullptr;
 
-  std::vector<std::string> variables_;                       ///< of the rule
-  std::unordered_map<std::string, Expression> expressions_;  ///< of the rule, by their text
+  std::vector<std::string> variables_;                       ///< variables of the rule
+  std::unordered_map<std::string, Expression> expressions_;  ///< expressions of the rule, by their text
 };
 
 }  // namespace meristem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grammars in continuous time: modules of an age, against the closed forms of The Algorithmic Beauty of Plants, chapter
-// 6, and what the reader refuses in them.
+// Grammars in continuous time: modules with ages, compared with closed forms of The Algorithmic Beauty of Plants,
+// chapter 6, and errors of the reader.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -50,7 +50,7 @@ std::string fault_of(const std::string& rules) {
   return faults.empty() ? "" : faults.front();
 }
 
-/// Anabaena catenula, section 6.1. Lengths grow as e^(a t), with no jump where a cell divides: e^a is the golden ratio.
+/// Anabaena catenula, section 6.1. Lengths grow as e^(a t), without a jump at cell divisions: e^a is the golden ratio.
 const std::string kAnabaena = R"(
 #symbols ar al br bl
 #define a = log((1 + sqrt(5))/2)
@@ -82,7 +82,7 @@ TEST(TimedGrammar, AnabaenasFilamentGrowsExponentially) {
   }
 }
 
-/// A compound leaf, section 6.3: an apex leaves a segment with two side apices behind; those begin after a delay.
+/// A compound leaf, section 6.3: an apex produces a segment with two lateral apices, which start after a delay.
 std::string compound_leaf(const std::string& delay) {
   return "#define rate = 0.4\na\n#rules\na @ 1 -> s[b][b]a\nb @ " + delay +
          " -> a\n#interpret\na -> F(age)\ns -> F(exp(rate*age))\n";
@@ -101,7 +101,7 @@ TEST(TimedGrammar, ACompoundLeafHasApicesByItsRecurrence) {
 }
 
 TEST(TimedGrammar, ACompoundLeafsAxisGrowsAsItsSegmentsDo) {
-  // The stem alone, as its side apices rest for ever.
+  // The stem alone, because its lateral apices never start.
   for (double time = 0.05; time < 6; time += 0.21) {
     double expected = time - std::floor(time);
     for (double birth = 1; birth <= time; ++birth) expected += std::exp(0.4 * (time - birth));
@@ -114,7 +114,8 @@ TEST(TimedGrammar, NothingJumpsWhereAModuleIsReplaced) {
   constexpr double kStep = 0.004;
   for (double time = kStep; time < 4; time += kStep) {
     const double length = sum_of_parameters(drawn(compound_leaf("0.7"), time));
-    // Each apex grows by 1 a unit of time, each segment by its rate: together less than three lengths and the apices.
+    // Each apex grows by 1 per unit of time, each segment by its rate: together less than three lengths plus the
+    // apices.
     EXPECT_LT(std::abs(length - before), kStep * (3 * length + 200)) << "at " << time;
     EXPECT_GE(length, before - 1e-9);
     before = length;
@@ -140,7 +141,7 @@ TEST(TimedGrammar, CutsAsStepsDo) {
 }
 
 TEST(TimedGrammar, AgesAreKnownToGrammarsThatCountSteps) {
-  // Segments are as old as the steps since they came; F of the axis is drawn by its age.
+  // The age of a segment is the number of steps since its birth. F of the axis is drawn by the age.
   const Word word = drawn("A\n#rules\nA -> SA\n#interpret\nS -> F(age)\n", 4);
   EXPECT_EQ(std::vector<double>(word.parameters.begin(), word.parameters.end()), (std::vector<double>{3, 2, 1, 0}));
 }
@@ -166,7 +167,8 @@ TEST(TimedGrammar, WordsBeyondTheLimitAreRefused) {
   EXPECT_THROW(derive(read_grammar(compound_leaf("0.3")), 30, RandomKey(1), limits, progress), InputError);
 }
 
-/// How deriving until that time ends if it is cancelled from the start: refusals come before the first word is made.
+/// Returns the error of a derivation until `time` that is cancelled from the start. Forecast errors come before the
+/// first word.
 std::string outcome(const std::string& text, double time) {
   Progress progress;
   progress.cancel();
@@ -189,7 +191,7 @@ TEST(TimedGrammar, WordsThatWillBeTooLongAreRefusedBeforeTheFirst) {
   EXPECT_TRUE(has(fault, "'F(x) @ 0.5 -> F(x)F(x)' adds most")) << fault;
   EXPECT_TRUE(has(fault, "limits.modules")) << fault;
   EXPECT_EQ(outcome(doubling, 13.9), "cancelled");
-  // Modules of different lives: after each unit of time a golden ratio more.
+  // Modules with different lives: the word grows by the golden ratio per unit of time.
   EXPECT_TRUE(has(outcome("A\n#rules\nA @ 0.1 -> AB\nB @ 0.2 -> A\n", 100), "modules of a word are too many"));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws a word in one pass with a state machine, the turtle. A stack holds the states of open branches. See turtle.h.
 #include "meristem/grow/lsystem/turtle.h"
 
 #include <algorithm>
@@ -20,11 +21,11 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kBlock = 65'536;       // modules between two looks at the progress
+constexpr std::size_t kBlock = 65'536;       // modules between two checks of progress
 constexpr double kParallel = 1e-9;           // sine of an angle below which directions count as parallel
-constexpr double kStraightUp = 1e-6;         // sine of the angle to straight up below which `$` finds no level
-constexpr double kFarthest = 1e9;            // metres; beyond, squares of floats lose themselves
-constexpr std::size_t kDeepest = 1'000'000;  // brackets in one another
+constexpr double kStraightUp = 1e-6;         // sine of the angle to the vertical below which `$` has no effect
+constexpr double kFarthest = 1e9;            // metres; limit for the precision of squared floats
+constexpr std::size_t kDeepest = 1'000'000;  // nested brackets
 constexpr double kShortest = 1e-9;           // metres; shorter segments make no node
 constexpr std::size_t kMostCorners = 2000;
 constexpr std::size_t kFewestCorners = 3;  // of a polygon
@@ -38,13 +39,13 @@ void turn(DVec3& a, DVec3& b, double cosine, double sine) {
 
 struct State {
   DVec3 position{0};
-  DVec3 heading{0}, left{0}, up{0};  // unit, right-handed
+  DVec3 heading{0}, left{0}, up{0};  // unit vectors, right-handed
   double elevation = 0, azimuth = 0;
   double width = 0;
   NodeIndex node = kNoNode;
-  std::uint32_t gap = 0;  // how many moves without a segment came before
+  std::uint32_t gap = 0;  // number of preceding moves without a segment
   std::uint32_t colour = 0;
-  bool begins_branch = false;  // the next segment is the first after a [
+  bool begins_branch = false;  // true if the next segment is the first after a [
 };
 
 class Turtle {
@@ -96,7 +97,8 @@ class Turtle {
   }
 
  private:
-  /// What limits are asked about before anything is drawn. Few letters matter, and a word is quickly searched for one.
+  /// Counts the modules for the limits before drawing anything. Few letters matter, and searching a word for a letter
+  /// is fast.
   void count_modules() {
     for (std::size_t k = 0; k < meanings_.size(); ++k) {
       const auto letter = static_cast<LetterIndex>(k);
@@ -112,7 +114,7 @@ class Turtle {
     }
   }
 
-  /// Makes all columns that long: nodes are written where they belong and not appended to one column after the other.
+  /// Resizes all columns, so that nodes can be written by index instead of being appended column by column.
   void make_room(std::size_t nodes) {
     Skeleton& skeleton = drawing_.skeleton;
     skeleton.parent.resize(nodes);
@@ -126,7 +128,7 @@ class Turtle {
     ends_.resize(nodes);
   }
 
-  /// `parameter` is the module's first; it moves on where the next module is read, too.
+  /// Executes a module. `parameter` points to its first parameter, and moves on if the next module is also consumed.
   void act(LetterMeaning& meaning, const double*& parameter) {
     const auto value = [&](double otherwise) { return meaning.arity > 0 ? parameter[0] : otherwise; };
     switch (meaning.action) {
@@ -205,9 +207,9 @@ class Turtle {
     throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path_});
   }
 
-  // --- Turning
+  // --- Rotation
 
-  /// Makes the letter's sine and cosine those of its sign times `degrees`.
+  /// Updates the letter's sine and cosine for its sign times `degrees`.
   static void look_up(LetterMeaning& meaning, double degrees) {
     if (degrees == meaning.angle) return;
     meaning.angle = degrees;
@@ -241,7 +243,7 @@ class Turtle {
     turn(state_.heading, state_.left, math::cos_deg(degrees), math::sin_deg(degrees));
   }
 
-  /// The frame of elevation and azimuth.
+  /// Computes the frame from elevation and azimuth.
   void aim() {
     const double sine = math::sin_deg(state_.elevation);
     const double cosine = math::cos_deg(state_.elevation);
@@ -254,7 +256,8 @@ class Turtle {
 
   DVec3 down() const { return DVec3(parameters_.directions.down(Vec3(state_.position))); }
 
-  /// Rolls until the left is level. A heading straight up or down has no level left more than another: it stays.
+  /// Rolls until the left vector is horizontal. A vertical heading does not change, because every left vector is
+  /// horizontal.
   void level() {
     const DVec3 left = glm::cross(-down(), state_.heading);
     const double length = glm::length(left);
@@ -264,7 +267,7 @@ class Turtle {
   }
 
   void bend() {
-    // The sum has no negative zeros, so that gravity bends as a tropism that says the same.
+    // Adding avoids negative zeros, so that gravity bends exactly like an equal tropism.
     const Vec3 position(state_.position);
     DVec3 pull = DVec3(parameters_.directions.light_sense().given_at(position));
     pull +=
@@ -285,7 +288,7 @@ class Turtle {
     state_.up = glm::cross(state_.heading, state_.left);
   }
 
-  // --- Going
+  // --- Movement
 
   void go(double length) {
     state_.position += scale_ * length * state_.heading;
@@ -306,7 +309,7 @@ class Turtle {
     if (!is_polar_ && parameters_.elasticity != 0) bend();
   }
 
-  /// All branches from a position where nothing was drawn before share its node.
+  /// Returns the root node at this position. All branches that start at a position without a node share it.
   NodeIndex root(double width) {
     NodeIndex& root = root_after_gap_[state_.gap];
     if (root == kNoNode) root = add_node(kNoNode, width);
@@ -317,7 +320,7 @@ class Turtle {
     if (!(scale_ * width <= kFarthest)) {
       fail("is wider than the world", fmt::format("a radius of at most {:.0f} m", kFarthest));
     }
-    // Roots stand beside the segments.
+    // Reserve more nodes, because roots are not counted as segments.
     if (nodes_ == begins_branch_.size()) make_room(nodes_ + nodes_ / 4 + 16);
     const NodeIndex node = nodes_++;
     drawing_.skeleton.parent[node] = parent;
@@ -328,7 +331,7 @@ class Turtle {
     return node;
   }
 
-  /// Grammars are read only with balanced brackets, and % cuts to the branch's end: no ] is without its [.
+  /// Every ] has its [: the reader checks brackets, and % cuts only up to the branch's end.
   void pop() {
     if (stack_.empty()) return;
     const NodeIndex end = node_here();
@@ -348,7 +351,7 @@ class Turtle {
 
   Frame frame() const { return {Mat3(glm::dmat3(-state_.left, state_.heading, state_.up)), Vec3(state_.position)}; }
 
-  /// The node where the turtle is, kNoNode where nothing has been drawn there.
+  /// Returns the node at the turtle's position, or kNoNode if nothing has been drawn there.
   NodeIndex node_here() const { return state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node; }
 
   void begin_polygon() {
@@ -378,9 +381,9 @@ class Turtle {
     open_.pop_back();
   }
 
-  /// Passes the name over, which is nothing to draw, and gives the number of its parameters.
+  /// Places a component. Skips the name module and returns its number of parameters.
   std::uint16_t place(const double* parameter) {
-    // The name's own parameters follow those of ~.
+    // The parameters of the name follow those of ~.
     const std::size_t next = at_ + 1;
     if (next == word_.module_count()) fail("is a ~ without a name", "the name of a component behind it");
     const LetterIndex letter = word_.letters[next];
@@ -408,20 +411,20 @@ class Turtle {
   const TurtleParameters& parameters_;
   const std::string& path_;
   bool is_polar_;
-  bool decays_ = true;  // the word sets no widths
+  bool decays_ = true;  // true if the word sets no widths
   std::uint64_t segments_ = 0;
-  std::uint64_t instances_ = 0;  // polygons and placed components
+  std::uint64_t instances_ = 0;  // number of polygons and placed components
   double scale_ = 1;
-  glm::dmat3 base_{1};  // of the polar reading: right, heading and upper at the start
+  glm::dmat3 base_{1};  // for the polar reading: right, heading and upper vectors at the start
   std::vector<LetterMeaning> meanings_;
   State state_;
   std::vector<State> stack_;
   std::vector<OpenPolygon> open_;
   std::vector<NodeIndex> root_after_gap_{kNoNode};  // by gap; the first is the start
-  NodeIndex nodes_ = 0;                             // drawn so far
+  NodeIndex nodes_ = 0;                             // number of nodes drawn so far
   std::vector<std::uint8_t> begins_branch_;         // by node
   std::vector<float> ends_;                         // by node: 1 where a branch ends
-  std::size_t at_ = 0;                              // module
+  std::size_t at_ = 0;                              // position of the current module
   Drawing drawing_;
 };
 

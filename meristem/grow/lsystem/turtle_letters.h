@@ -27,11 +27,10 @@ enum class TurtleAction : std::uint8_t {
   place,
 };
 
-/// What a letter tells a turtle, looked up once per letter and not once per module; its last angle's sine and cosine
-/// stand with it.
+/// The meaning of a letter for the turtle, computed once per letter. Caches the sine and cosine of its last angle.
 struct LetterMeaning {
   TurtleAction action = TurtleAction::none;
-  bool records = false;  ///< whether the position it leads to is a corner of an open polygon
+  bool records = false;  ///< true if its end position is a corner of an open polygon
   std::uint16_t arity = 0;
   double sign = 1;
   double angle = std::numeric_limits<double>::quiet_NaN();  ///< degrees

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr float kNear = 1e-5F;
 
-/// The axiom alone, without rules.
+/// Draws the axiom without rules.
 Drawing drawn(const std::string& word, const TurtleParameters& parameters = {.angle = 90, .length = 1},
               const Frame& start = {}) {
   const Grammar grammar = read_grammar("#axiom\n" + word + "\n#rules\n");
@@ -62,7 +62,7 @@ TEST(Turtle, BeginsUpwardWithItsLeftToTheWest) {
 
 TEST(Turtle, KnowsWhichModuleDrewWhat) {
   const Drawing drawing = drawn("F[+F]f F{.+f.+f.}~A");
-  // Nodes: the root and the tip of the first F, the tip of the second, and those of the one behind the gap.
+  // Nodes: the root and the tip of the first F, the tip of the second, and both nodes of the F after the gap.
   EXPECT_THAT(drawing.module_of_node, ElementsAre(0, 0, 3, 6, 6));
   ASSERT_EQ(drawing.polygons.size(), 1U);
   EXPECT_EQ(drawing.polygons[0].module, 7U);
@@ -135,7 +135,7 @@ TEST(Turtle, WithoutWidthsInTheWordEachLevelDecays) {
 }
 
 TEST(Turtle, LevelsItsLeft) {
-  // Rolled and pitched, the left is at a slant; $ makes it level and leaves the heading.
+  // After a roll and a pitch, the left vector is inclined. $ makes it horizontal and keeps the heading.
   const Vec3 before = tip_of("&(50)/(33)F");
   expect_near(tip_of("&(50)/(33)$F"), before);
   const Vec3 left = tip_of("&(50)/(33)$+F");
@@ -149,13 +149,13 @@ TEST(Turtle, AVerticalHeadingIsLevelAsItIs) {
 }
 
 TEST(Turtle, TropismTurnsByTheTorqueAfterEachSegment) {
-  // At right angles to the pull: e radians, 12.605 degrees for 0.22.
+  // At right angles to the pull, the turn is e radians: 12.605 degrees for 0.22.
   const TurtleParameters pulled{.angle = 90, .length = 1, .elasticity = 0.22};
   const Drawing drawing = drawn("+FF", pulled);
   expect_near(drawing.skeleton.position[1], {-1, 0, 0});
   const Vec3 second = drawing.skeleton.position[2] - drawing.skeleton.position[1];
   EXPECT_NEAR(math::asin(-second.y) * 180 / 3.14159265358979, 12.605, 0.001);
-  // Along the pull nothing turns; on a slant by the sine.
+  // Along the pull there is no turn; at an angle, the turn is proportional to the sine.
   expect_near(tip_of("FF", pulled), {0, 2, 0});
   const Skeleton slanted = drawn("+(30)FF", pulled).skeleton;
   const Vec3 before = slanted.position[1];
@@ -191,7 +191,7 @@ TEST(PolarTurtle, RaisesAHeadingFromLevel) {
   expect_near(tip_of("^^^^F", polar), {0, 1, 0});
   expect_near(tip_of("^^^^&&&&F", polar), {1, 0, 0});
   expect_near(tip_of("++++F", polar), {0, 0, -1});
-  // The azimuth holds at any elevation: turning an upright heading changes where it leans to.
+  // The azimuth applies at any elevation: turning an upright heading changes the direction in which it later leans.
   expect_near(tip_of("^^^^----&&&&F", polar), {0, 0, 1});
   expect_near(tip_of("^^^^+(90)&(45)F", polar), Vec3(0, 1, -1) * std::sqrt(0.5F));
   expect_near(tip_of("^(90)\\(45)$/F", polar), {0, 1, 0});
@@ -307,14 +307,14 @@ TEST(TurtlePolygon, DrawsTheLeavesOfTheBooksBush) {
   EXPECT_EQ(drawing.skeleton.node_count(), 3891U + 1);
   for (const TurtlePolygon& leaf : drawing.polygons) {
     ASSERT_EQ(leaf.count, 6U);
-    // A leaf ends where it began, flat in the plane of the turtle's left.
+    // A leaf ends where it began and is flat in the plane of the turtle's left vector.
     expect_near(drawing.corners[leaf.first + 5], leaf.frame.origin, 1e-4F);
     const Vec3 across = drawing.corners[leaf.first + 1] - drawing.corners[leaf.first + 4];
     EXPECT_NEAR(glm::dot(across, leaf.frame.upper()), 0, 1e-4);
   }
 }
 
-/// The reference's figures in the plane: their letters that draw become F.
+/// The plane figures of the reference. Their drawing letters become F.
 TEST(TurtleReference, DrawsTheBooksFigures) {
   const auto path = find_shared_data("reference/lsystems.json");
   if (!path) GTEST_SKIP() << kNoSharedData;
@@ -328,7 +328,7 @@ TEST(TurtleReference, DrawsTheBooksFigures) {
     if (entry.contains("draw")) {
       drawing_letters = entry["draw"].get<std::string>();
     }
-    if (entry.contains("ignore")) continue;  // context-sensitive: its rules are written otherwise
+    if (entry.contains("ignore")) continue;  // context-sensitive: its rules have another notation
     for (const auto& [letter, successor] : entry["rules"].items()) {
       text += letter + " -> " + successor.get<std::string>() + "\n";
     }
@@ -357,7 +357,7 @@ TEST(TurtleReference, DrawsTheBooksFigures) {
     EXPECT_NEAR(least.y, box[1].get<double>(), 1e-3) << name;
     EXPECT_NEAR(most.x, box[2].get<double>(), 1e-3) << name;
     EXPECT_NEAR(most.y, box[3].get<double>(), 1e-3) << name;
-    // Where a branch in brackets goes on as the stem, the stem is longer than the turtle's own way.
+    // If a bracketed branch continues the stem, the stem is longer than the turtle's unbracketed path.
     const Vec3 end(expected["end"][0].get<float>(), expected["end"][1].get<float>(), 0);
     const auto stem = Axes(skeleton);
     const auto ends_at = [&](NodeIndex node) { return glm::length(skeleton.position[node] - end) < 1e-3F; };
@@ -376,11 +376,11 @@ TEST(Turtle, TheColumnEndMarksWhereBranchesEnd) {
   EXPECT_THAT(ends("FF"), ElementsAre(0, 0, 0));
   EXPECT_THAT(ends("F[+F]F"), ElementsAre(0, 0, 1, 0));
   EXPECT_THAT(ends("F[+F[-FF]F]"), ElementsAre(0, 0, 0, 0, 1, 1));
-  // Branches of no length, too, wherever they stand.
+  // Branches without length count, too.
   EXPECT_THAT(ends("F[]F"), ElementsAre(0, 1, 0));
   EXPECT_THAT(ends("F[+(10)]F[]"), ElementsAre(0, 1, 1));
   EXPECT_THAT(ends("[]F"), ElementsAre(0, 0));
-  // After a gap nothing has been drawn where the branch ends.
+  // After a gap, nothing has been drawn at the end of the branch.
   EXPECT_THAT(ends("F[+Ff]F"), ElementsAre(0, 0, 0, 0));
   EXPECT_TRUE(drawn("[][+]f[]").skeleton.extra.at("end").empty());
 }

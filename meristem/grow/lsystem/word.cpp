@@ -21,7 +21,7 @@ void append_number(std::string& text, double number) {
   text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
 }
 
-/// Whether `symbol` is, or may be a part of, a name of several characters.
+/// Returns true if `symbol` is, or may be a part of, a name with several characters.
 bool is_name_part(std::string_view symbol) {
   const char c = symbol.back();
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -63,7 +63,7 @@ void write_word_text(const Word& word, const Alphabet& alphabet,
   const bool keeps_apart = has_longer_names(alphabet);
   std::string piece;
   std::size_t begin = 0;        // the first module of the piece
-  bool follows_a_name = false;  // without parameters, which would part it from the next
+  bool follows_a_name = false;  // the last module has a name and no parameters that would separate it from the next
   std::size_t parameter = 0;
   for (std::size_t module = 0; module < word.letters.size(); ++module) {
     const Letter& letter = alphabet[word.letters[module]];

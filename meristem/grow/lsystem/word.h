@@ -20,7 +20,7 @@ namespace meristem {
 using LetterIndex = std::uint16_t;
 inline constexpr LetterIndex kNoLetter = std::numeric_limits<LetterIndex>::max();
 
-/// A symbol with a number of parameters. F, F(l) and F(l, w) are three letters: the number is part of a match.
+/// A symbol with a number of parameters. F, F(l) and F(l, w) are three letters, because matching includes the number.
 struct Letter {
   std::string symbol;
   std::uint16_t arity = 0;
@@ -28,12 +28,12 @@ struct Letter {
   bool operator==(const Letter&) const = default;
 };
 
-/// The letters of a grammar: [ ] and % first, then in the order in which its text first has them.
+/// The letters of a grammar: first [ ] and %, then the others in the order of their first occurrence in the text.
 class Alphabet {
  public:
-  /// The letter's index; it is added if it is new. Throws std::length_error beyond 65,534 letters.
+  /// Returns the letter's index, and adds the letter if it is new. Throws std::length_error beyond 65,534 letters.
   LetterIndex add(std::string_view symbol, std::uint16_t arity);
-  /// kNoLetter where there is none.
+  /// Returns kNoLetter if the letter does not exist.
   LetterIndex find(std::string_view symbol, std::uint16_t arity) const;
 
   std::size_t size() const { return letters_.size(); }
@@ -41,11 +41,11 @@ class Alphabet {
 
  private:
   std::vector<Letter> letters_;
-  std::unordered_map<std::string, LetterIndex> index_;  ///< by symbol, a zero byte, and the arity in decimals
+  std::unordered_map<std::string, LetterIndex> index_;  ///< key: symbol, a zero byte, and the arity in decimals
 };
 
-/// Leaves new items of a vector as the memory is, where standard ones would set them to zero: long words are written by
-/// many threads, and each is to be the first to touch its part.
+/// Leaves new items of a vector uninitialised. Long words are written by many threads, and each thread should touch its
+/// own part first.
 template <typename Item>
 struct UnsetAllocator : std::allocator<Item> {
   template <typename Other>
@@ -62,38 +62,38 @@ struct UnsetAllocator : std::allocator<Item> {
   }
 };
 
-/// A column of a word; after `resize` new items have any value.
+/// A column of a word. After `resize`, new items have undefined values.
 template <typename Item>
 using WordColumn = std::vector<Item, UnsetAllocator<Item>>;
 
-/// A bracketed string of modules: their letters, and all their parameters one after another. A module's parameters
-/// follow those of the module before it, as many as its letter has.
+/// A bracketed string of modules: their letters, and all their parameters in sequence. Each module has as many
+/// parameters as its letter.
 struct Word {
   WordColumn<LetterIndex> letters;
   WordColumn<double> parameters;
-  /// The step in which each module has come about, 0 for those of an axiom; of timed grammars the time. Empty where
-  /// nobody has asked for it.
+  /// The step in which each module was created, 0 for those of an axiom; in timed grammars the time. Empty unless
+  /// births were requested.
   WordColumn<double> births;
-  double time = 0;  ///< steps, or time, at which the word stands
+  double time = 0;  ///< number of steps, or the time, of the word
 
   std::size_t module_count() const { return letters.size(); }
   bool operator==(const Word&) const = default;
 };
 
-/// "A(1,2)[+B]": numbers with the fewest digits that read back as the same. Where the alphabet has names of several
-/// characters, blanks keep neighbours apart that would read as one.
+/// Returns the word as text, such as "A(1,2)[+B]". Numbers have the fewest digits that restore the exact value. If the
+/// alphabet has names with several characters, blanks separate neighbours that would read as one name.
 std::string word_text(const Word& word, const Alphabet& alphabet);
 
-/// Hands out the same text piece by piece, each the text of the next `modules` modules, so that a long word's text need
-/// not be in memory as a whole: pieces have some 64 kB. None for a word without modules.
+/// Passes the text of word_text() to `write` piece by piece, each with about 64 kB and its number of modules, so that a
+/// long text need not be in memory. No call for a word without modules.
 void write_word_text(const Word& word, const Alphabet& alphabet,
                      FunctionRef<void(std::string_view piece, std::size_t modules)> write);
 
-/// A symbol and how many modules have it.
+/// A symbol and the number of modules with this symbol.
 using SymbolCount = std::pair<std::string, std::uint64_t>;
 
-/// Counts a word's modules by symbol, with any number of parameters together. Symbols that it has not are left out; the
-/// others are in the order of the alphabet.
+/// Counts the modules of a word by symbol, for all numbers of parameters together. Returns only symbols that occur, in
+/// the order of the alphabet.
 std::vector<SymbolCount> symbol_counts(const Word& word, const Alphabet& alphabet);
 
 }  // namespace meristem

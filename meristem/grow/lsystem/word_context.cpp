@@ -108,14 +108,14 @@ bool WordContext::matches_right(const Rule& rule, std::uint32_t position, std::u
     std::size_t in_rule;
     std::uint32_t in_word;
   };
-  std::vector<Branch> branches;  // those begun, in which `position` is
+  std::vector<Branch> branches;  // the open branches that contain `position`
   std::size_t k = 0;
   while (k < rule.right.size()) {
     const LetterIndex letter = rule.right[k].letter;
     std::uint32_t next = kNoModule;
     matched[k] = kNoModule;
     if (letter == grammar_->close) {
-      // Whatever else the branch holds is passed over.
+      // Skip the rest of the branch.
       next = symbol_[branches.back().in_word];
       branches.pop_back();
       if (next == kNoModule) return false;
@@ -125,7 +125,7 @@ bool WordContext::matches_right(const Rule& rule, std::uint32_t position, std::u
         if (letter == grammar_->open) branches.push_back({k, next});
         matched[k] = next;
       } else {
-        // The innermost branch begun is another one than the rule's: go on behind it.
+        // The innermost open branch is not the rule's branch. Continue after it.
         if (branches.empty()) return false;
         k = branches.back().in_rule;
         position = symbol_[branches.back().in_word];

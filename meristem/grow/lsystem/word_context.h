@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbours of a word's modules as contexts see them: along the axis that carries them, over the brackets and over
-// ignored letters.
+// Finds the neighbours of modules for contexts: along the axis that carries the module, without brackets and ignored
+// letters.
 //
-// Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), section 1.8. It is silent about
-// a context that names a branch where several stand in a row: here the first of them that matches is taken.
+// Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), section 1.8. The book does not
+// define a context that names a branch if there are several branches in a row. This implementation uses the first one
+// that matches.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +19,11 @@ namespace meristem {
 
 inline constexpr std::uint32_t kNoModule = std::numeric_limits<std::uint32_t>::max();
 
-/// Which neighbours the contexts of some rules ask for; each kind costs 4 bytes per module.
+/// The kinds of neighbours that some rules use. Each kind costs 4 bytes per module.
 struct ContextNeeds {
   bool left = false;
   bool right = false;
-  bool branches = false;  ///< a right context names a branch
+  bool branches = false;  ///< a right context contains a branch
 
   bool any() const { return left || right; }
 };
@@ -31,12 +32,12 @@ ContextNeeds context_needs(const Grammar& grammar, const RuleSet& set);
 
 class WordContext {
  public:
-  /// Finds the neighbours in `letters`, which must outlive the matching. Linear in their number, with a stack as deep
-  /// as the brackets.
+  /// Finds the neighbours in `letters`, which must outlive the matching. Cost: linear, with a stack as deep as the
+  /// brackets.
   void find(const Grammar& grammar, std::span<const LetterIndex> letters, ContextNeeds needs, const Progress& progress);
 
-  /// Whether the module at `position` stands in the rule's contexts. If so, `matched` has the positions of the left
-  /// context's modules and then those of the right context's; brackets have none.
+  /// Returns true if the module at `position` matches the rule's contexts. Then `matched` contains the positions of the
+  /// left context's modules, followed by those of the right context's. Brackets have no entry.
   bool matches(const Rule& rule, std::uint32_t position, std::vector<std::uint32_t>& matched) const;
 
  private:
@@ -49,9 +50,9 @@ class WordContext {
 
   std::span<const LetterIndex> letters_;
   const Grammar* grammar_ = nullptr;
-  std::vector<std::uint32_t> left_;    // the module before it on its axis, or where its branch stands
-  std::vector<std::uint32_t> right_;   // the module after it on its axis
-  std::vector<std::uint32_t> symbol_;  // of [ its ]; of others the next letter or bracket that is not ignored
+  std::vector<std::uint32_t> left_;    // the previous module on its axis, or the one that its branch grows from
+  std::vector<std::uint32_t> right_;   // the next module on its axis
+  std::vector<std::uint32_t> symbol_;  // for [ its ]; for other modules the next letter or bracket that is not ignored
 };
 
 }  // namespace meristem

@@ -15,18 +15,18 @@ namespace meristem {
 
 namespace {
 
-/// Bounds the work of a forecast, in letters of successors: some milliseconds.
+/// Limits the work of a forecast to some milliseconds, measured in letters of successors.
 constexpr std::size_t kMostWork = 4'000'000;
 
 using Counts = std::vector<double>;  // by letter
 
-/// A number of modules of one letter.
+/// A number of modules with one letter.
 struct LetterCount {
   LetterIndex letter = kNoLetter;
   double count = 0;
 };
 
-/// How many there are of each letter, in the order of the letters.
+/// Counts each letter, in the order of the letters.
 std::vector<LetterCount> counted(std::vector<LetterIndex> letters) {
   std::ranges::sort(letters);
   std::vector<LetterCount> counts;
@@ -43,7 +43,7 @@ std::vector<LetterCount> counted(const std::vector<ModuleTemplate>& modules) {
   return counted(std::move(letters));
 }
 
-/// Lowers `counts` to what `others` have, too.
+/// Reduces `counts` to the minimum of `counts` and `others`.
 void keep_common(std::vector<LetterCount>& counts, const std::vector<LetterCount>& others) {
   auto other = others.begin();
   for (LetterCount& own : counts) {
@@ -54,7 +54,8 @@ void keep_common(std::vector<LetterCount>& counts, const std::vector<LetterCount
   std::erase_if(counts, [](const LetterCount& own) { return own.count == 0; });
 }
 
-/// What at least becomes of a letter: what its rule writes, or what all of its rules and its being copied share.
+/// Returns the smallest successor of a letter: the successor of its rule, or the common part of all of its rules and of
+/// the unchanged letter.
 std::vector<LetterCount> least_successor(const RewritePlan& production, LetterIndex letter) {
   const RuleChoice choice = production.by_letter[letter];
   if (choice != kCopied && choice != kUndecided) return counted(production.rules[choice - 1].letters);
@@ -72,7 +73,7 @@ double sum_of(const Counts& counts) {
   return sum;
 }
 
-/// The rule, among those of the letters that a word has, whose successors add most; null where no rule adds any.
+/// Returns the rule whose successors add most modules to a word with these letters, or null if no rule adds any.
 const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
   const Rule* longest = nullptr;
   double most = 0;
@@ -88,12 +89,12 @@ const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
   return longest;
 }
 
-/// What is known of a letter of a timed grammar: after which life it is replaced, and by what.
+/// The known facts about a letter of a timed grammar: its life and its successor.
 struct TimedLetter {
-  std::optional<double> life;  // unset: nothing is known to replace it
+  std::optional<double> life;  // unset: no known replacement
   std::vector<LetterCount> successor;
   const Rule* rule = nullptr;  // the rule that replaces it
-  bool stays = true;           // without a known life: there is always one of it, whatever its rules do
+  bool stays = true;  // for letters without a known life: true if every rule keeps at least one module of the letter
 };
 
 TimedLetter timed_letter(const RewritePlan& production, LetterIndex letter) {
@@ -109,7 +110,7 @@ TimedLetter timed_letter(const RewritePlan& production, LetterIndex letter) {
   return {{}, {}, nullptr, std::ranges::any_of(least, [&](LetterCount one) { return one.letter == letter; })};
 }
 
-/// Modules of a word that will be replaced, by birth and letter, and how many others there are.
+/// Modules that will be replaced, by birth and letter, and the number of all other modules.
 struct TimedCounts {
   std::map<std::pair<double, LetterIndex>, double> living;
   double resting = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long words become, told from their letters before any is made. A step takes each letter to the letters of its
-// successor, so counts of letters follow from counts alone, in no more time than the rules are long.
+// Computes how long words become before they are derived. A step replaces each letter by the letters of its successor,
+// so counts of letters determine the next counts. The cost depends only on the length of the rules.
 #pragma once
 
 #include "meristem/base/limits.h"
@@ -9,15 +9,15 @@
 
 namespace meristem {
 
-/// Throws the InputError that deriving `steps` steps from the axiom would end with, where the letters tell that a word
-/// outgrows limits.modules. A letter whose rules also depend on parameters, neighbours or chance counts with what all
-/// of them have in common, so that words are never taken for longer than they are. Says nothing of grammars that
-/// decompose or cut words, and of what happens after some thousands of steps.
+/// Throws the InputError of deriving `steps` steps from the axiom if counts of letters prove that a word exceeds
+/// limits.modules. If the rules of a letter also depend on parameters, neighbours or random numbers, only the common
+/// part of all its rules is counted. The forecast is therefore never too long. It does not cover grammars that
+/// decompose or cut words, nor steps after the first few thousand.
 void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const Limits& limits);
 
-/// Like `require_bounded_words`, for a timed grammar that replaces modules whose lives end until the time `until`.
-/// Counts modules by letter and birth. Only a letter whose first rule has a constant life and no condition is known to
-/// be replaced; any other letter counts with what all of its rules have in common.
+/// Like require_bounded_words(), for a timed grammar that replaces modules whose lives end until the time `until`.
+/// Counts modules by letter and birth. A letter is known to be replaced only if its first rule has a constant life and
+/// no condition. For other letters, only the common part of all their rules is counted.
 void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& production, double until,
                                  const Limits& limits);
 

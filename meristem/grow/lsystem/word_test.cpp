@@ -65,7 +65,7 @@ TEST(WordText, ComesInPiecesOfWholeModulesWithTheSameText) {
   std::size_t modules = 0;
   std::size_t pieces = 0;
   write_word_text(word, alphabet, [&](std::string_view piece, std::size_t count) {
-    // Each of three modules that repeat begins with a capital of its own.
+    // Each of the three repeated modules begins with one capital letter.
     EXPECT_EQ(std::count_if(piece.begin(), piece.end(), [](char c) { return c == 'L' || c == 'F'; }),
               static_cast<std::ptrdiff_t>(count));
     EXPECT_LT(piece.size(), 70'000U);

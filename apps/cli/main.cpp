@@ -15,6 +15,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include "build_info.h"
 #include "commands.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/progress.h"
@@ -29,6 +30,14 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kWrongInput = 2;
 constexpr int kPartlyDone = 3;
+
+/// Returns the answer to --version, such as "meristem 0.1.0 (72fe62c0, Release)". Omits facts that are unknown.
+std::string version_line() {
+  std::string facts(build_commit());
+  if (!facts.empty() && !build_type().empty()) facts += ", ";
+  facts += build_type();
+  return facts.empty() ? fmt::format("meristem {}", version()) : fmt::format("meristem {} ({})", version(), facts);
+}
 
 /// The valid word nearest to one that the command line did not expect.
 std::string nearest_word(const CLI::App& app, const std::string& word) {
@@ -108,7 +117,7 @@ int run_and_report(const cli::Run& run) {
 int main(int argc, char** argv) {
   std::set_terminate(end_with_a_word);
   CLI::App app("Grows plants from documents into meshes and pictures.", "meristem");
-  app.set_version_flag("--version", fmt::format("meristem {}", version()));
+  app.set_version_flag("--version", version_line());
   app.require_subcommand(0, 1);
   app.footer("Example: meristem grow oak -o oak.glb");
   cli::Run run;

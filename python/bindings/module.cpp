@@ -2,6 +2,7 @@
 // The compiled half of the Python module: meristem._core.
 #include <pybind11/pybind11.h>
 
+#include "build_info.h"
 #include "call.h"
 #include "document.h"
 #include "errors.h"
@@ -30,4 +31,5 @@ PYBIND11_MODULE(_core, module) {
   bind_word(module);
   bind_component_types(module);
   module.attr("__version__") = std::string(meristem::version());
+  module.attr("__commit__") = std::string(meristem::build_commit());
 }

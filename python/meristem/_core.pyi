@@ -12,6 +12,8 @@ from ._errors import Diagnostic
 from ._variable import Variable
 
 __version__: str
+#: The first digits of the git commit that was built; empty if the source tree had no git.
+__commit__: str
 
 #: Names of the measures that need the light on leaves.
 LIGHT_MEASURES: frozenset[str]

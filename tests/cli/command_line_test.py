@@ -7,6 +7,7 @@ Usage: command_line_test.py PROGRAM [unittest options]
 
 import json
 import pathlib
+import re
 import unittest
 
 import cli_case
@@ -24,7 +25,16 @@ class CommandLine(cli_case.Case):
             self.assertIn(b"Example: meristem", done.stdout, command)
 
     def test_version(self):
-        self.assertRegex(self.run_program("--version").stdout.decode(), r"^meristem \d+\.\d+\.\d+\n$")
+        line = self.run_program("--version").stdout.decode()
+        self.assertRegex(line, r"^meristem \d+\.\d+\.\d+( \(([0-9a-f]{8,40}, )?\w+\))?\n$")
+
+    def test_no_file_depends_on_the_commit(self):
+        commit = re.search(rb"\(([0-9a-f]{8,40}), ", self.run_program("--version").stdout)
+        if not commit:
+            self.skipTest("the program was built without git")
+        for name in ("a.glb", "a.csv", "a.mtg", "a.png"):
+            self.assert_ends(DONE, "render" if name == "a.png" else "grow", "tree.json", "-o", name)
+            self.assertNotIn(commit[1], self.read(name), name)
 
     def test_unknown_command_names_the_nearest(self):
         errors = self.assert_ends(WRONG_INPUT, "gorw", "box.json", "-o", "a.glb")

@@ -158,11 +158,9 @@ std::filesystem::path place_of(const std::string& path) { return fs::weakly_cano
 std::string models_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "meristem" / "models";
-    if (fs::is_directory(installed, error)) return installed.string();
-  }
-  return MERISTEM_SOURCE_MODELS;
+  if (error) return "";
+  // The build folder has a link to the folder of the source tree: resolve it, so that messages name files to edit.
+  return fs::weakly_canonical(program.parent_path().parent_path() / "share" / "meristem" / "models", error).string();
 }
 
 void add_output_option(CLI::App& command, std::vector<std::string>& outputs) {

@@ -83,7 +83,8 @@ std::optional<int> checked_step(std::optional<int> step);
 /// Where a path leads, whether or not there is a file: equal for two paths of one file.
 std::filesystem::path place_of(const std::string& path);
 
-/// The folder of shipped models: beside the program where it is installed, else the source tree's.
+/// Returns the folder of shipped models, `../share/meristem/models` from the program's folder. The build folder has a
+/// link there. Empty if the system does not tell where the program is.
 std::string models_folder();
 
 }  // namespace meristem::cli

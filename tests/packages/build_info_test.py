@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What a build knows of its commit. Usage: build_info_test.py CMAKE ROOT [unittest options]"""
+"""A build knows the commit of its sources. Usage: build_info_test.py CMAKE ROOT [unittest options]"""
 
 import pathlib
 import subprocess

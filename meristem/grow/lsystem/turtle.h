@@ -42,8 +42,8 @@ struct TurtleParameters {
   double length = 0.1;    ///< length of F, G, f and g without a parameter
   double width = 0.01;    ///< radius at the root
   double thinner = 0.7;   ///< radius factor of `!` without a parameter; `#` divides by it
-  double trunk_decay =
-      1;  ///< radius at a segment's end over its beginning, outside all brackets, where words have no ! and #
+  /// Radius at a segment's end relative to its begin, outside brackets. Applies to words without ! and #.
+  double trunk_decay = 1;
   double branch_decay = 1;      ///< like trunk_decay, for segments inside brackets
   std::optional<Vec3> tropism;  ///< direction in which segments bend; unset: down at the end of each segment
   Directions directions;        ///< gravity for tropism and `$`; added light fields add to the tropism

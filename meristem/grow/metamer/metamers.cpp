@@ -34,7 +34,7 @@ Metamers::Metamers(Vec3 heading, Vec3 side_of_seed, RandomKey key) : seed_headin
 
 void Metamers::reserve(std::size_t metamers) {
   if (metamers <= parent.capacity()) return;
-  // A quarter more than asked, so that memory stays near what is needed and growth linear.
+  // Reserve a quarter more than requested, so that growth stays linear and little memory is wasted.
   metamers += metamers / 4;
   parent.reserve(metamers);
   terminal.reserve(metamers);
@@ -83,7 +83,7 @@ float Metamers::length(MetamerIndex metamer) const {
 Vec3 Metamers::bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const {
   const Vec3 along = heading(metamer);
   if (!is_lateral) return along;
-  // Far from the root, rounding turns headings a little out of the right angle to their sides.
+  // Far from the root, rounding errors make headings not quite perpendicular to their sides, so normalise.
   return normalized_or(static_cast<float>(math::cos(branching_angle)) * along +
                            static_cast<float>(math::sin(branching_angle)) * side[metamer],
                        along);
@@ -150,7 +150,8 @@ std::vector<MetamerIndex> Metamers::with_borne(MetamerIndex first) const {
 void Metamers::cut_off(MetamerIndex first, const BudsLeft& after) {
   loose_.resize(count(), 0);
   std::vector<MetamerIndex> beyond = with_borne(first);
-  // What goes leaves its tips as lost ones where it stood. Tips first, so that each metamer finds those that it bears.
+  // A removed metamer adds its tips to the lost tips of its parent. Iterate from the tips, so that each metamer knows
+  // the tips that it bears.
   std::ranges::sort(beyond);
   std::vector<double> tips(beyond.size(), 0);
   for (std::size_t k = beyond.size(); k-- > 0;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a self-organizing tree is made of: metamers, each an internode with a terminal and a lateral bud at its tip. The
-// chain of terminal buds is an axis; an axis with all that it bears is a shoot.
+// The building blocks of a self-organizing tree: metamers. A metamer is an internode with a terminal and a lateral bud
+// at its tip. The chain of terminal buds is an axis. An axis with everything that it bears is a shoot.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,14 @@ namespace meristem {
 
 using MetamerIndex = std::uint32_t;
 
-/// A bud, or the metamer that it has grown.
+/// A bud, or the metamer that it has grown into.
 class Bud {
  public:
   enum class State : std::uint8_t {
-    open,     ///< may grow, be it dormant
+    open,     ///< may grow, but may also be dormant
     grown,    ///< has become a metamer
-    damaged,  ///< what it had grown was cut
-    dead,     ///< what it had grown was shed, or it never was
+    damaged,  ///< its metamer was cut
+    dead,     ///< its metamer was shed, or the bud never existed
   };
 
   constexpr Bud() = default;
@@ -48,16 +48,16 @@ class Bud {
   std::uint32_t bits_ = kOpen;
 };
 
-/// What becomes of the buds that had grown what is taken away.
+/// The states of the buds that had grown into removed metamers.
 struct BudsLeft {
   Bud terminal;
   Bud lateral;
 
-  BudsLeft(Bud both) : terminal(both), lateral(both) {}  // NOLINT(google-explicit-constructor): mostly equal
+  BudsLeft(Bud both) : terminal(both), lateral(both) {}  // NOLINT(google-explicit-constructor): usually both are equal
   BudsLeft(Bud of_terminal, Bud of_lateral) : terminal(of_terminal), lateral(of_lateral) {}
 };
 
-/// Keeps those elements of a column by metamer whose mark is 0.
+/// Keeps the elements of a column whose mark is 0.
 template <class T>
 void erase_marked(std::vector<T>& column, const std::vector<std::uint8_t>& marks) {
   std::size_t kept = 0;
@@ -67,85 +67,86 @@ void erase_marked(std::vector<T>& column, const std::vector<std::uint8_t>& marks
   column.resize(kept);
 }
 
-/// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a position without length and without a
-/// lateral bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
+/// The metamers of one tree as a structure of arrays. Metamer 0 is the seed: a position without length and without a
+/// lateral bud. A metamer has a larger index than the metamer that bears it, so loops run from seed to tips and back.
 ///
-/// A metamer has a number on its axis, from 1 at the base. Shoots are named by the numbers of the metamers where they
-/// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change, and are never used again unless an open
-/// bud is left where something was removed.
+/// Metamers are numbered on their axis, from 1 at the base. Shoots are named by the numbers of the metamers where they
+/// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change. They are never reused unless a removal
+/// leaves an open bud.
 struct Metamers {
   std::vector<MetamerIndex> parent;  ///< kNoNode for the seed
   std::vector<Bud> terminal;
   std::vector<Bud> lateral;
   std::vector<Vec3> tip;        ///< metres from the root
   std::vector<Vec3> side;       ///< unit vector from the axis to the lateral bud
-  std::vector<AxisIndex> axis;  ///< rising from 0 in the order of the axes' first metamers
+  std::vector<AxisIndex> axis;  ///< axes are numbered from 0 in the order of their first metamers
   std::vector<std::uint32_t> number;
   std::vector<std::uint16_t> order;
   std::vector<std::uint16_t> birth;  ///< iteration
-  std::vector<float> lost_tips;      ///< tips beyond it that were shed or cut
+  std::vector<float> lost_tips;      ///< number of tips beyond it that were shed or cut
 
   struct Axis {
-    RandomKey key;  ///< made of the shoot's name
+    RandomKey key;  ///< derived from the shoot's name
     MetamerIndex first = 0;
     MetamerIndex last = 0;
-    std::uint32_t tie = 0;     ///< number of the line that the shoot is tied to, from 1; 0: none
-    bool has_no_heir = false;  ///< no other shoot succeeds it where its terminal bud is damaged
-    std::uint32_t marks = 0;   ///< a bit for each mark that it bears
-    bool is_loose = false;     ///< it was cut off and is yet to be cleared away
+    std::uint32_t tie = 0;     ///< number of the line that the shoot is tied to, from 1; 0: not tied
+    bool has_no_heir = false;  ///< true: no other shoot takes over if its terminal bud is damaged
+    std::uint32_t marks = 0;   ///< one bit for each mark of the shoot
+    bool is_loose = false;     ///< true: it was cut off and will be removed by clear_away()
   };
   std::vector<Axis> axes;
 
-  /// The seed alone, at the root. `heading` is a unit vector.
+  /// A tree that consists of the seed at the root. `heading` is a unit vector.
   Metamers(Vec3 heading, Vec3 side, RandomKey key);
 
   std::size_t count() const { return parent.size(); }
   void reserve(std::size_t metamers);
-  /// Grows the terminal or lateral bud of a metamer, which is open. Side and tip are yet to be set.
+  /// Grows the open terminal or lateral bud of a metamer. The caller must set side and tip.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration);
 
-  /// Unit vector from a metamer's base to its tip; for the seed, the direction in which it will grow.
+  /// Returns the unit vector from a metamer's base to its tip; for the seed, its first growth direction.
   Vec3 heading(MetamerIndex metamer) const;
   float length(MetamerIndex metamer) const;
-  /// Unit vector in which a metamer's terminal or lateral bud points; lateral ones stand off by `branching_angle`.
+  /// Returns the unit vector in which a metamer's terminal or lateral bud points. The angle between axis and lateral
+  /// buds is `branching_angle`.
   Vec3 bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const;
-  /// Whether a bud has a claim by its light: an open one, or a damaged one at the end of its axis.
+  /// Returns true if a bud competes for light: an open bud, or a damaged bud at the end of its axis.
   bool competes(MetamerIndex metamer, bool is_lateral) const {
     const Bud bud = (is_lateral ? lateral : terminal)[metamer];
     return bud.is_open() || (!is_lateral && bud.is_damaged());
   }
-  /// The key of the shoot on which the next metamer from here will stand.
+  /// Returns the key of the shoot to which the next metamer of this bud will belong.
   RandomKey key_of_shoot(MetamerIndex from, bool is_lateral) const;
-  /// Whether the metamer is the first of a lateral axis.
+  /// Returns true if the metamer is the first of a lateral axis.
   bool begins_shoot(MetamerIndex metamer) const { return metamer != 0 && axis[metamer] != axis[parent[metamer]]; }
 
-  /// The axis of a shoot by name; nothing where there is none.
+  /// Returns the axis of a shoot by name, or nothing if it does not exist.
   std::optional<AxisIndex> find_shoot(std::string_view name) const;
-  /// The metamer of that number on an axis, if it is there.
+  /// Returns the metamer with that number on an axis, or nothing if it does not exist.
   std::optional<MetamerIndex> find(AxisIndex on, std::uint32_t wanted) const;
   std::string name_of(AxisIndex of) const;
-  /// The names of the shoots on an axis, from its base on.
+  /// Returns the names of the shoots on an axis, from its base.
   std::vector<std::string> shoots_on(AxisIndex on) const;
-  /// A metamer and all that it bears, nearer ones first. Cost goes with what it bears.
+  /// Returns a metamer and everything that it bears, nearest first. Cost: proportional to the result.
   std::vector<MetamerIndex> with_borne(MetamerIndex first) const;
 
-  /// Cuts a metamer, which is not the seed, off with all that it bears. The bud that had grown it becomes what `after`
-  /// says, and the metamer that bore it is told how many tips it has lost. What was cut off keeps its place in all
-  /// columns until clear_away(), but no bud leads there; nothing may grow until then. Cost goes with what is cut off,
-  /// the first time also with the tree.
+  /// Cuts off a metamer with everything that it bears. It must not be the seed. The buds that had grown get the states
+  /// `after`, and the parent metamer counts the lost tips. Until clear_away(), removed metamers keep their places in
+  /// all columns, no bud leads to them, and nothing may grow. Cost: proportional to what is cut off; the first call
+  /// also costs the size of the tree.
   void cut_off(MetamerIndex first, const BudsLeft& after);
-  /// Whether a metamer was cut off and is yet to be cleared away.
+  /// Returns true if a metamer was cut off and has not been cleared away.
   bool is_loose(MetamerIndex metamer) const { return metamer < loose_.size() && loose_[metamer] != 0; }
-  /// Takes away all that was cut off. Returns marks that are not 0 for what is no more, or nothing where all stays.
-  /// Indices change; order stays.
+  /// Removes all metamers that were cut off. Returns marks that are not 0 for removed metamers, or an empty list if
+  /// nothing was removed. Indices change, but the order stays.
   std::vector<std::uint8_t> clear_away();
-  /// Takes away the metamers whose entry in `gone`, one per metamer, is not 0, as cut_off() and clear_away() do.
-  /// `gone` then marks all that are no more.
+  /// Removes the metamers whose entry in `gone`, one per metamer, is not 0, by cut_off() and clear_away(). Afterwards
+  /// `gone` marks all removed metamers.
   void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
 
  private:
   Vec3 seed_heading_;
-  std::vector<std::uint8_t> loose_;  // marks of what was cut off; empty: nothing
+  std::vector<std::uint8_t> loose_;  // marks of metamers that were cut off; empty if there are no such metamers
 };
 
 }  // namespace meristem

@@ -16,13 +16,13 @@ namespace meristem::metamers_test {
 
 Metamers seed() { return {kUp, Vec3(1, 0, 0), RandomKey(1)}; }
 
-/// Grows a number of metamers one on the other, the first from the given bud; returns the last.
+/// Grows a chain of metamers, the first from the given bud. Returns the last one.
 MetamerIndex grow_chain(Metamers& metamers, MetamerIndex from, bool is_lateral, int count) {
   for (int k = 0; k < count; ++k) from = metamers.grow(from, is_lateral && k == 0, k + 1);
   return from;
 }
 
-/// A stem of six, on its second metamer a shoot of three, and on the first of that one of two.
+/// A stem of six metamers, on its second a shoot of three, and on the first of that shoot one of two.
 Metamers two_shoots() {
   Metamers metamers = seed();
   grow_chain(metamers, 0, false, 6);
@@ -202,7 +202,7 @@ RC_GTEST_PROP(Metamers, GrowAndGoAsInATreeOfPointers, ()) {
 }
 
 RC_GTEST_PROP(Metamers, NamesOfShootsAreNeverUsedAgain, ()) {
-  // Where cut buds do not grow again.
+  // For cut buds that do not grow again.
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   Metamers metamers = seed();
   std::set<std::string> used;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both models are first reduced to one number per metamer: the share of its incoming resource that goes to the lateral
-// side. One pass from the root up then divides the resource by either model, or by different models on different axes.
-// The resource that damaged terminal buds pass back is proportional to that which the axis receives, so it is a share
-// too.
+// Both models are first reduced to one number per metamer: the share of its incoming resource for the lateral side. One
+// pass from the root to the tips then divides the resource by either model, or by different models on different axes.
+// The resource that damaged terminal buds pass back is proportional to the resource of the axis, so it is also a share.
 #include "meristem/grow/metamer/resource.h"
 
 #include <algorithm>
@@ -11,9 +10,9 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNoLight = -1;  // in place of a share: nobody at this fork has light
+constexpr double kNoLight = -1;  // special value: neither side of this fork has light
 
-/// Light of the sides of a fork, as they compete for resource.
+/// The light of both sides of a fork, with which they compete for resource.
 class Claims {
  public:
   Claims(const Metamers& metamers, const BudLight& light, const ResourceFlow& flow)
@@ -45,11 +44,11 @@ double borchert_honda_share(double terminal, double lateral, double lambda) {
   const double weighted = (1 - lambda) * lateral;
   const double sum = lambda * terminal + weighted;
   if (sum > 0) return weighted / sum;
-  // With all weight on a side without light, the other one gets what comes.
+  // If the side with all of the weight has no light, the other side gets the whole resource.
   return terminal > 0 ? 0 : (lateral > 0 ? 1 : kNoLight);
 }
 
-/// Sets the shares along one axis.
+/// Computes the shares along one axis by the priority model.
 class PriorityAxis {
  public:
   PriorityAxis(const Metamers& metamers, const Claims& claims, const ResourceModel& model)
@@ -68,7 +67,7 @@ class PriorityAxis {
     for (std::size_t k = 0; k < ranked_.size(); ++k) {
       to_lateral[ranked_[k].metamer] = claims_.lateral(ranked_[k].metamer) * model_.weights(k + 1, count);
     }
-    // From the tip down: what each lateral claims of all that is claimed from there on.
+    // From the tip down: the share of each lateral in the sum of all claims from there to the tip.
     double sum = claims_.terminal(axis.last) * model_.weights(0, count);
     for (MetamerIndex metamer = axis.last;; metamer = metamers_.parent[metamer]) {
       const double own = claims_.lateral(metamer) > 0 ? to_lateral[metamer] : 0;
@@ -99,13 +98,12 @@ bool has_priority(const Metamers& metamers, const ResourceModel& model, const Me
   return false;
 }
 
-/// Lets the laterals of an axis whose terminal bud is damaged take their shares of what it claims, from the top down.
-/// Returns what of it nobody takes, as a share of what comes to the axis.
-/// Nothing passes a ring: what the terminal claims of the resource that is kept above one, `kept` by metamer, is taken
-/// above it or lost.
+/// Gives the terminal bud's claim to the laterals of an axis whose terminal bud is damaged, from the top down. Returns
+/// the rest that no lateral takes, as a share of the axis's resource. A ring blocks this: `kept` is the resource kept
+/// above a ring, by metamer, and the terminal's claim on it is used above the ring or lost.
 double pass_back(const Metamers& metamers, const Metamers::Axis& axis, double share, const std::vector<double>& kept,
                  ResourceFlow& flow) {
-  double claim = 1 - flow.to_lateral[axis.last];  // as a share of what comes to the metamer
+  double claim = 1 - flow.to_lateral[axis.last];  // as a share of the metamer's resource
   double rest = 1;
   for (MetamerIndex metamer = axis.last;; metamer = metamers.parent[metamer]) {
     const Bud bud = metamers.lateral[metamer];
@@ -119,14 +117,14 @@ double pass_back(const Metamers& metamers, const Metamers::Axis& axis, double sh
   }
 }
 
-/// What the rings keep above them, by metamer, and at metamer 0 what all of them do.
+/// Returns the resource that rings keep above them, by metamer. Metamer 0 has the sum of all rings.
 std::vector<double> keep_above_rings(const Metamers& metamers, const ResourceModel& model, const ResourceFlow& flow,
                                      std::span<const float> ringed) {
   if (ringed.empty()) return {};
   std::vector<double> kept(metamers.count(), 0);
-  std::vector<double> above(metamers.count(), 0);  // what rings keep there and beyond
+  std::vector<double> above(metamers.count(), 0);  // resource kept by rings at the metamer and beyond
   for (auto metamer = static_cast<MetamerIndex>(metamers.count()); metamer-- > 1;) {
-    // Rounding must not make it negative.
+    // Rounding must not make the value negative.
     kept[metamer] = ringed[metamer] * std::max(0.0, model.alpha * flow.light[metamer] - above[metamer]);
     above[metamers.parent[metamer]] += above[metamer] + kept[metamer];
   }
@@ -185,7 +183,7 @@ void divide_resource(const Metamers& metamers, const BudLight& light, const Reso
     }
   }
 
-  // Where nobody has light, nothing can be divided.
+  // Resource cannot be divided at forks without light.
   const std::vector<double> kept = keep_above_rings(metamers, model, flow, ringed);
   double root = model.alpha0 + model.alpha * flow.light[0];
   if (!kept.empty()) root = std::max(model.alpha0, root - kept[0]);

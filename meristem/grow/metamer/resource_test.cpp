@@ -22,14 +22,14 @@ ResourceFlow divided(const Metamers& metamers, const BudLight& light, const Reso
 
 ResourceModel priority_model() { return {.division = ResourceModel::Division::priority}; }
 
-/// A stem of a number of metamers on its seed.
+/// A stem of `count` metamers on its seed.
 Metamers stem(int count) {
   Metamers metamers(kUp, Vec3(1, 0, 0), RandomKey(1));
   for (MetamerIndex k = 0; k < static_cast<MetamerIndex>(count); ++k) metamers.grow(k, false, 1);
   return metamers;
 }
 
-/// As much light for every bud.
+/// Equal light for every bud.
 BudLight even_light(const Metamers& metamers, float amount = 1) {
   BudLight light;
   light.terminal.assign(metamers.count(), amount);
@@ -37,7 +37,8 @@ BudLight even_light(const Metamers& metamers, float amount = 1) {
   return light;
 }
 
-/// What all open buds get. What comes to a terminal bud without light is lost, as it does not open.
+/// Returns the resource of all open buds. The share of a terminal bud without light is lost, because the bud does not
+/// open.
 double given(const Metamers& metamers, const BudLight& light, const ResourceFlow& flow) {
   double sum = 0;
   for (MetamerIndex metamer = 0; metamer < metamers.count(); ++metamer) {
@@ -47,7 +48,7 @@ double given(const Metamers& metamers, const BudLight& light, const ResourceFlow
   return sum;
 }
 
-/// The light of what a bud has grown, or its own.
+/// Returns the light of a bud, or of everything that it has grown.
 double light_of(const Metamers& metamers, const BudLight& light, MetamerIndex metamer, bool is_lateral) {
   const Bud bud = (is_lateral ? metamers.lateral : metamers.terminal)[metamer];
   if (bud.is_open()) return (is_lateral ? light.lateral : light.terminal)[metamer];
@@ -68,7 +69,7 @@ TEST(GatherLight, SumsOpenBudsTowardTheRoot) {
   BudLight light = even_light(metamers, 0.5F);
   ResourceFlow flow;
   gather_light(metamers, light, flow);
-  // Open: the laterals of 1 and 3, and three of the shoot on 2.
+  // Open buds: the laterals of metamers 1 and 3, and three of the shoot on 2.
   EXPECT_EQ(flow.buds[0], 5U);
   EXPECT_DOUBLE_EQ(flow.light[0], 2.5);
   EXPECT_EQ(flow.buds[4], 3U);
@@ -86,7 +87,7 @@ TEST(PriorityWeights, FallStraightToTheLowestAndStayThere) {
   EXPECT_EQ(none(1, 4), 0.2);
 }
 
-// Any division of a random tree with damaged, dead and dark buds.
+// A random division for a random tree with damaged, dead and dark buds.
 struct AnyCase {
   RandomKey key;
   Metamers metamers;
@@ -100,7 +101,7 @@ struct AnyCase {
     if (key.uniform(3) < 0.5) model.division = ResourceModel::Division::priority;
     model.alpha = key.uniform(4, 0, 5);
     model.alpha0 = key.uniform(5) < 0.5 ? 0 : key.uniform(6, 0, 10);
-    const double lambda = key.uniform(7, -0.2, 1.2);  // at either end now and then
+    const double lambda = key.uniform(7, -0.2, 1.2);  // sometimes at one of the limits
     model.lambda = std::clamp(lambda, 0.0, 1.0);
     model.weights.lowest = key.uniform(8) < 0.3 ? 0 : 0.01;
     model.weights.reach = key.uniform(9);
@@ -156,18 +157,18 @@ TEST(DivideResource, ARingKeepsAboveItWhatLeavesAboveItMake) {
   const ResourceModel model{.alpha = 2, .lambda = 0.5};
   ResourceFlow flow = divided(metamers, light, model);
   std::vector<float> ringed(metamers.count(), 0);
-  // Open buds: one at each of metamers 1 to 4, and the terminal of 4; above the ring three.
+  // Open buds: one at each of metamers 1 to 4, and the terminal of 4. Three of them are above the ring.
   ringed[3] = 1;
   divide_resource(metamers, light, model, 1, 0, flow, ringed);
   EXPECT_DOUBLE_EQ(flow.resource[0], 2 * 2);
   EXPECT_DOUBLE_EQ(flow.resource[3], flow.terminal(2) + 2 * 3);
-  // Two rings: nothing is kept twice.
+  // With two rings, no resource is kept twice.
   ringed = {0, 0, 1, 0.5F, 0};
   divide_resource(metamers, light, model, 1, 0, flow, ringed);
   EXPECT_DOUBLE_EQ(flow.resource[0], 2);
   EXPECT_DOUBLE_EQ(flow.resource[2], flow.terminal(1) + 2 * 4 - 3);
   EXPECT_DOUBLE_EQ(flow.resource[3], flow.terminal(2) + 3);
-  // A ring through which all passes is none.
+  // A ring with share 0 has no effect.
   const ResourceFlow without = divided(metamers, light, model);
   divide_resource(metamers, light, model, 1, 0, flow, std::vector<float>(metamers.count(), 0));
   EXPECT_EQ(flow.resource, without.resource);
@@ -184,7 +185,7 @@ TEST(DivideResource, WhatADamagedTerminalPassesBackStaysAboveTheRing) {
   ResourceFlow flow = divided(metamers, light, model);
   const ResourceFlow without = flow;
   divide_resource(metamers, light, model, 1, 0, flow, ringed);
-  // Nothing above the ring makes anything, so nothing changes.
+  // Buds above the ring have no light, so nothing changes.
   EXPECT_EQ(flow.resource, without.resource);
   EXPECT_EQ(flow.lost, without.lost);
 }
@@ -223,7 +224,7 @@ RC_GTEST_PROP(DivideResource, BorchertHondaIsTheFormula, ()) {
   }
 }
 
-/// What the terminal bud (first) and the laterals from the tip down get of an axis's resource, by equation 4.5 of the
+/// Returns the resource of the terminal bud (first) and of the laterals from the tip down, by equation 4.5 of the
 /// source.
 std::vector<double> by_priority(const Metamers& metamers, const BudLight& light, const PriorityWeights& weights,
                                 const Metamers::Axis& axis, double resource) {
@@ -290,7 +291,7 @@ TEST(DivideResource, ChangesToBorchertHondaAfterItsIterations) {
 }
 
 TEST(DivideResource, ChangesToBorchertHondaOnAxesWithManyLaterals) {
-  // A stem with three shoots, the lowest with one of its own.
+  // A stem with three shoots; the lowest has one shoot of its own.
   Metamers metamers = stem(6);
   const MetamerIndex lowest = metamers.grow(1, true, 1);
   for (const MetamerIndex from : {3U, 4U, lowest}) metamers.grow(from, true, 1);
@@ -330,7 +331,7 @@ TEST(DivideResource, LambdaFollowsItsCurveOverTheAge) {
   EXPECT_EQ(divided(metamers, light, beyond).resource, divided(metamers, light, {.lambda = 1}).resource);
 }
 
-/// A stem of three with a damaged terminal bud, and what its laterals would have without any passing back.
+/// A stem of three with a damaged terminal bud, for different shares passed back.
 struct CutStem {
   Metamers metamers = stem(3);
   BudLight light = even_light(metamers);

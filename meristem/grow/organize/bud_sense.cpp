@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Two implementations of the perception of buds: the shade grid and the marker field of the stand. See bud_sense.h.
 #include "meristem/grow/organize/bud_sense.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::size_t kSensingPerBlock = 2048;  // metamers
 
-/// Whether there are no lamps, and sun and sky have all of their strength, as they do unless the sun never rises.
+/// Returns true if there are no lamps and the strengths of sun and sky sum to 1, so that every open position has light
+/// 1.
 bool is_full_everywhere(const Light& light) {
   double strength = 0;
   for (const DirectionalLight& directional : light.sun) strength += directional.strength;
@@ -22,7 +24,7 @@ bool is_full_everywhere(const Light& light) {
   return light.lamps.empty() && std::abs(strength - 1) < 1e-6;
 }
 
-/// From straight up to the light.
+/// Returns the unit vector at the share `lean` of the way from `up` to the light.
 Vec3 leaning(Vec3 up, Vec3 toward_light, double lean) {
   const auto share = static_cast<float>(lean);
   return normalized_or(share * toward_light + (1 - share) * up, up);
@@ -57,7 +59,8 @@ class ShadeSense : public BudSense {
 
   bool reaches(Vec3 position) const override { return shade_.reaches(position); }
 
-  /// Out of the shade of plants, and as far as obstacles take the light also out of theirs.
+  /// Combines the direction out of the shade of plants with the direction out of the shade of obstacles, by the share
+  /// of blocked light.
   Vec3 way(MetamerIndex metamer, bool, ShadowGrid::Recent& recent) const override {
     const Vec3 from_plants = normalized_or(shade_.brighter_way(position(metamer), recent), Vec3(0));
     const float blocked = 1 - std::min(1.0F, light_.at(metamer));
@@ -77,7 +80,7 @@ class ShadeSense : public BudSense {
             .reach = model.reach};
   }
   Vec3 position(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
-  /// The light of a metamer's buds in a given shade, without the shade of the metamer itself.
+  /// Writes the light of a metamer's buds for a given shade. Excludes the shade of the metamer itself.
   void tell(MetamerIndex metamer, double shade, BudLight& found) const {
     const BudLightModel& model = species_.parameters.light;
     const double own_per_metre = model.a / shade_.form().voxel;
@@ -117,7 +120,7 @@ class RoomSense : public BudSense, public RoomSeeker {
     const auto cosine = static_cast<float>(math::cos(0.5 * model.cone));
     for_each_bud([&](MetamerIndex metamer, bool is_lateral) {
       const Vec3 heading = metamers_.bud_heading(metamer, is_lateral, species_.parameters.phyllotaxis.branching_angle);
-      // What a cut bud sees goes to living ones first; else the stump would win against the lateral beside it.
+      // A damaged bud yields to living ones. Otherwise the stump would take the space of the lateral beside it.
       const bool is_damaged = !is_lateral && metamers_.terminal[metamer].is_damaged();
       seekers.push_back({root_ + metamers_.tip[metamer], heading, volume_, radius, cosine, is_damaged});
     });
@@ -165,8 +168,8 @@ class RoomSense : public BudSense, public RoomSeeker {
   std::uint32_t volume_ = 0;
   int round_ = 0;
   bool looks_again_ = false;
-  std::vector<Room> rooms_;                // of the buds that compete, in order
-  std::vector<std::uint32_t> first_room_;  // of each metamer
+  std::vector<Room> rooms_;                // results of the competing buds, in order
+  std::vector<std::uint32_t> first_room_;  // by metamer
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the buds of a tree perceive what they compete for: the light that the shade of all plants leaves, or the room
-// that markers show. Obstacles and lamps of the scene change either.
+// The perception of the buds of a tree: the light that the shade of all plants leaves, or the free space that markers
+// show. Obstacles and lamps of the scene affect both.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,19 @@
 
 namespace meristem {
 
-/// The light of the scene that reaches the metamers of a tree past its obstacles: 1 in the open.
+/// The light of the scene at the metamers of a tree, reduced by obstacles: 1 without any shade.
 class SceneLight {
  public:
   SceneLight(const Scene& scene, Vec3 root);
   float at(MetamerIndex metamer) const { return is_even_ ? 1 : light_[metamer]; }
-  /// At a position in world space.
+  /// Returns the light at a position in world space.
   float reaching(Vec3 position) const;
 
-  /// Follow Metamers::grow(), what moves, and Metamers::remove().
+  /// Update the light after Metamers::grow(), after a move, and after Metamers::remove().
   void add(Vec3 position);
   void move(MetamerIndex metamer, Vec3 position);
   void remove(const std::vector<std::uint8_t>& gone);
-  /// Makes it what a copy of it holds.
+  /// Restores the state of a copy.
   void restore(SceneLight copy) { light_ = std::move(copy.light_); }
 
  private:
@@ -40,16 +40,17 @@ class SceneLight {
 class BudSense {
  public:
   virtual ~BudSense() = default;
-  /// The light of all buds that compete, as the stand's space is now.
+  /// Computes the light of all competing buds from the current state of the stand's space.
   virtual void sense(BudLight& light, const Progress& progress) = 0;
-  /// The unit vector in which a bud finds more of it, after sense(); 0 where that is no way in particular. From many
-  /// threads at once, each with a `recent` of its own.
+  /// Returns the unit vector in which a bud finds more light or space, or 0 if no direction is better. Valid after
+  /// sense(). Thread-safe if each thread has its own `recent`.
   virtual Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent& recent) const = 0;
-  /// Whether buds at a position in world space can perceive anything; if not, it is too far from the world's origin.
+  /// Returns true if buds at a position in world space can perceive anything. Positions too far from the world's origin
+  /// cannot.
   virtual bool reaches(Vec3 position) const = 0;
-  /// Has the buds look in the stand's next round, whichever one that is.
+  /// Makes the buds search again in the next round of the stand.
   virtual void look_again() {}
-  /// The room that buds look for: a volume of a field of markers; null where they look for something else.
+  /// The volume and field of markers that the buds use; null if they do not use markers.
   struct OwnRoom {
     const MarkerField* field = nullptr;
     std::uint32_t volume = 0;
@@ -57,7 +58,8 @@ class BudSense {
   virtual OwnRoom room() const { return {}; }
 };
 
-/// The sense of one tree's buds; the tree's `metamers` and `light` outlive it. To be called before the first round.
+/// Makes the perception of one tree's buds. `metamers` and `light` of the tree must outlive it. Call it before the
+/// first round.
 std::unique_ptr<BudSense> make_bud_sense(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,
                                          RandomKey key, const Metamers& metamers, const SceneLight& light);
 

@@ -10,16 +10,16 @@
 
 namespace meristem {
 
-/// What was cut off at the ends of a tree's metamers, by metamer.
+/// The cuts at the ends of a tree's metamers, by metamer.
 class CutWounds {
  public:
-  /// Adds what a cut at a metamer's end took, through wood with this cross-section (square metres).
+  /// Adds a cut at a metamer's end. `section` is the cross-section of the cut wood in square metres.
   void add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section);
-  /// Follows Metamers::remove().
+  /// Updates the indices after Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
-  /// Lets wood swell about its cuts, as callus grows over them: the tree's skeleton, which has its radii, gains this
-  /// share of the sections of all cuts, and toward the root half of it within kCallusReach radii. So stems that are cut
-  /// back to the same place again and again grow heads.
+  /// Makes wood swell around its cuts, as callus grows over them. The cross-section of the skeleton, whose radii must
+  /// be set, increases by the share `callus` of the sections of all cuts at a node. Toward the root, half of this
+  /// spreads over kCallusReach radii. Stems that are often cut back to one place therefore grow heads.
   void swell(double callus, Skeleton& skeleton) const;
   static constexpr double kCallusReach = 2;
   /// Writes the columns of the tree's skeleton.
@@ -31,7 +31,7 @@ class CutWounds {
     float metamers = 0, length = 0, wood = 0, light = 0;
     double section = 0;  // square metres
   };
-  std::vector<Wound> wounds_;  // of the first metamers; the rest has none
+  std::vector<Wound> wounds_;  // for the first metamers; later metamers have no wounds
 };
 
 }  // namespace meristem

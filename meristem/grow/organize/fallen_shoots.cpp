@@ -15,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-/// Radians about the axis from its upper side to the lateral bud.
+/// Returns the angle in radians about the axis from its upper side to the lateral bud.
 float angle_of_bud(const Metamers& metamers, MetamerIndex metamer) {
   const Frame frame = frame_along(Vec3(0), metamers.heading(metamer), kUp);
   const Vec3 side = metamers.side[metamer];
@@ -95,7 +95,7 @@ Skeleton FallenShoots::with_fallen(Skeleton standing, const PipeModel& model) {
   }
   for (; next < fallen_.size(); ++next) add_fallen(fallen_[next]);
 
-  // What has fallen was no thicker than the wood that bore it.
+  // A fallen branch was no thicker than the wood that bore it.
   const std::vector<float> pipes = pipe_radii(all.parent, {}, model);
   for (NodeIndex node = 0; node < all.node_count(); ++node) {
     if (all.radius[node] == 0) all.radius[node] = std::min(pipes[node], all.radius[all.parent[node]]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees: buds compete for light and room, what they earn is divided among them from the root on, and
-// those that get enough grow metamers. Form follows from that competition and not from a plan, so trees answer to
+// Self-organizing trees. Buds compete for light and space. The resource that they earn is divided among them from the
+// root, and buds with enough resource grow metamers. The form results from this competition, so trees respond to
 // neighbours, obstacles, light and cuts.
 //
 // Based on: W. Palubicki et al.: Self-organizing tree models for image synthesis (2009); J. Stevens: Automatische
@@ -25,125 +25,129 @@
 
 namespace meristem {
 
-/// What light buds have.
+/// How the light of buds is computed.
 struct BudLightModel {
   enum class Kind {
-    shadow,   ///< what the shade of all plants of the stand leaves of the scene's light
-    markers,  ///< the free room that a bud sees
+    shadow,   ///< the scene's light, reduced by the shade of all plants of the stand
+    markers,  ///< the free space that a bud sees
   };
   Kind kind = Kind::shadow;
-  double full = 1;  ///< C: light of a bud without any shade; in the marker model, light of a bud with room
+  double full = 1;  ///< C: light of a bud without shade; in the marker model, light of a bud with free space
 
   // Shade.
-  double voxel = 0;  ///< metres; 0: the length of a metamer
-  double a = 0.2;    ///< shade that a metamer casts where it is; raised, sparser crowns
+  double voxel = 0;  ///< side of a voxel, metres; 0: the length of a metamer
+  double a = 0.2;    ///< shade of a metamer in its own voxel; larger: sparser crowns
   double b = 2;      ///< divisor of the shade from voxel to voxel
-  int depth = 3;     ///< voxels below a metamer that it shades
-  int reach = 2;     ///< voxels around a bud in which it feels where it gets brighter
-  double lean = 1;   ///< 0 to 1: from shade that falls straight down to shade that falls as the scene's light does
+  int depth = 3;     ///< number of voxels below a metamer that it shades
+  int reach = 2;     ///< radius in voxels in which a bud searches for brighter directions
+  double lean = 1;   ///< 0 to 1: from shade that falls vertically to shade along the scene's light
 
-  // Markers, their distances in lengths of a metamer.
+  // Markers. Distances are in lengths of a metamer.
   double spacing = 0.7;
-  double occupancy = 2;   ///< around a metamer, where it takes the markers
-  double perception = 4;  ///< how far a bud sees
-  double cone = kPi / 2;  ///< full angle of what it sees
-  bool counts = false;    ///< light is the number of markers that a bud has got, and not `full` for any
+  double occupancy = 2;   ///< radius around a metamer in which it occupies markers
+  double perception = 4;  ///< distance up to which a bud sees markers
+  double cone = kPi / 2;  ///< full angle of a bud's view
+  bool counts = false;    ///< true: the light is the number of the bud's markers; false: `full` for any number above 0
 };
 
-/// How a metamer's direction is made of several: each a unit vector times its weight.
+/// Weights of the directions that are summed to the direction of a new metamer. Each direction is a unit vector.
 struct DirectionWeights {
-  double persistence = 0.6;     ///< weight of the direction so far, or of the lateral bud's direction
-  double light = 0.4;           ///< weight of the direction to light or room
-  double up = 0;                ///< weight of straight up; negative: down
-  double up_later = 0;          ///< what that weight comes to with the iterations or orders
-  double up_fade = 0.9;         ///< 0 to 1: what is left of the difference after each
-  bool fades_by_order = false;  ///< from leader to branch to twig, by rank (see leads.h)
+  double persistence = 0.6;  ///< weight of the previous direction, or of the lateral bud's direction
+  double light = 0.4;        ///< weight of the direction to light or space
+  double up = 0;             ///< weight of straight up; negative: down
+  double up_later = 0;       ///< limit of `up` after many iterations or orders
+  double up_fade = 0.9;      ///< 0 to 1: factor on the difference from this limit after each iteration or order
+  /// True: fades with the rank from leader to branch to twig (see leads.h); false: with iterations.
+  bool fades_by_order = false;
 };
 
-/// Where lateral buds stand.
+/// The arrangement of lateral buds.
 struct Phyllotaxis {
   enum class Kind { spiral, alternate, decussate };
   Kind kind = Kind::spiral;
   double branching_angle = radians(55);          ///< between axis and lateral bud
   double divergence = radians(kGoldenAngleDeg);  ///< divergence angle of the spiral
-  double jitter = radians(4);  ///< standard deviation of each new metamer's direction and of its lateral bud
+  double jitter = radians(4);  ///< standard deviation of the direction of each new metamer and of its lateral bud
 };
 
-/// Branches without light are shed.
+/// Shedding of branches without light.
 struct Shedding {
-  double below = 0;  ///< mean light a metamer below which a shoot is shed; 0: none is
-  int after = 3;     ///< only shoots older than this number of iterations are
+  double below = 0;  ///< a shoot is shed if its mean light per metamer is below this value; 0: no shedding
+  int after = 3;     ///< only shoots older than this number of iterations are shed
 };
 
 struct OrganizeParameters {
   int iterations = 20;
-  int every = 1;           ///< rounds of the stand for each of them
-  double length = 0.1;     ///< metres, of a metamer
-  bool stretch = false;    ///< a shoot of n metamers is as long as its resource says, up to 10 n lengths, and not n
-  int longest_shoot = 10;  ///< metamers that a bud grows in an iteration at most
-  int maturity = 25;       ///< iterations at which curves over the age end
+  int every = 1;        ///< rounds of the stand per iteration
+  double length = 0.1;  ///< length of a metamer, metres
+  /// True: the length of a new shoot follows its resource, up to 10 n metamer lengths for n metamers; false: n lengths.
+  bool stretch = false;
+  int longest_shoot = 10;  ///< largest number of metamers that a bud grows in an iteration
+  int maturity = 25;       ///< iteration at which curves over the age end
   BudLightModel light;
   ResourceModel resource;
   double terminal_threshold = 1;   ///< resource at which a terminal bud grows
   double lateral_threshold = 1.8;  ///< resource at which a lateral bud grows
-  bool laterals_wait = true;       ///< a lateral bud opens with or after its terminal only
-  bool damage = true;              ///< a cut bud is damaged for ever; else it may grow again
-  double takeover = 0.5;           ///< weight of a cut terminal's direction in the first metamer of a lateral beside it
+  bool laterals_wait = true;       ///< true: a lateral bud opens with or after its terminal bud only
+  bool damage = true;              ///< true: a cut bud is damaged permanently; false: it may grow again
+  double takeover = 0.5;  ///< weight of a cut terminal's direction in the first metamer of the lateral beside it
   DirectionWeights direction;
-  std::optional<DirectionWeights> stem;  ///< weights of the stem and of what leads after it, where they differ
+  std::optional<DirectionWeights> stem;  ///< weights of the leading stem, if different
   Phyllotaxis phyllotaxis;
   Shedding shedding;
   std::optional<Sag> sag;
   PipeModel radii;
-  double callus = 0;  ///< share of the sections of cuts that wood swells by about them; raised, thicker heads
-  std::vector<Operation> operations;  ///< that act in this order
-  std::vector<std::string> marks;     ///< words of the marks, by their numbers
-  double summer = 0.5;        ///< 0 to 1: share of an iteration's growth that comes before its summer operations
-  bool plans = false;         ///< what the last iteration's operations would do is told, and not done
-  bool keeps_fallen = false;  ///< the skeleton has what was shed and cut as well, and when it went
-  TraceWish wish;             ///< all but attraction points is recorded where it is asked for
-  /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
-  /// its weight.
+  double callus = 0;                  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
+  std::vector<Operation> operations;  ///< applied in this order
+  std::vector<std::string> marks;     ///< names of the marks, by number
+  double summer = 0.5;                ///< 0 to 1: share of an iteration's growth before its summer operations
+  bool plans = false;                 ///< true: the operations of the last iteration are only planned and reported
+  bool keeps_fallen = false;  ///< true: the skeleton also contains shed and cut shoots, with the time of their loss
+  TraceWish wish;             ///< parts to record; everything except attraction points is supported
+  /// Directions of light and gravity. Light fields that are not the scene's own are added to the light direction of a
+  /// bud.
   std::optional<Directions> directions{};  ///< unset: the scene's
 };
 
-/// Where one tree begins. Its room is a crown over its root, or all space where there is none: markers exist in it
-/// alone, and shoots of the shadow model end at its surface.
+/// The begin of one tree. Its space is a crown above its root, or all of space if null. Markers exist only in it, and
+/// shoots of the shadow model end at its surface.
 struct OrganizeSeed {
-  Frame frame;  ///< heads where the stem begins to grow
+  Frame frame;  ///< heading: the first growth direction of the stem
   CrownPointer room;
-  /// What stands there already and goes on growing, with its radii, which are above 0: a tree with one root at the
-  /// origin, in metres along the axes of the world. Null: the seed alone.
+  /// An existing tree that continues to grow: a tree with one root at the origin, in metres, in world axes, with all
+  /// radii above 0. Null: only the seed.
   std::shared_ptr<const Skeleton> wood{};
 };
 
-/// Self-organizing trees in a stand, together one member of it and one skeleton: a node per metamer after the seeds'.
-/// `component` is the id that errors name.
+/// Makes self-organizing trees in a stand. Together they are one member of the stand and one skeleton, with one node
+/// per metamer, after the nodes of the seeds. `component` is the id in error messages.
 ///
-/// Columns of the skeleton: `metamer` (number on the axis, 0 for seeds), `light` and `resource` as they would be in the
-/// next iteration, `lateral_resource` (what of it and of what is passed back the lateral bud or branch would get),
-/// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
-/// from its upper side to the lateral bud, see bud_side), `shed` (tips lost); for trees with operations also `rank`
-/// (see leads.h), `cut_at` (the last iteration in which something was cut off at its tip, 0 for never), what has been
-/// cut off there in all, `cut_metamers`, `cut_length` (metres), `cut_wood` (cubic metres) and `cut_light`, `marked`, 1
-/// on shoots with any mark, and the same for each word, as `mark_dead`. Skeleton::operations tells what each operation
-/// has done. Trees that only plan have `plan_cut` as well: Operation::number of what would cut the metamer off, or 0.
+/// Columns of the skeleton: `metamer` is the number on the axis, 0 for seeds. `light` and `resource` are the values for
+/// the next iteration. `lateral_resource` is the resource for the lateral bud or branch, including resource passed
+/// back. `terminal_bud` and `lateral_bud` are states: 0 open, 1 grown, 2 damaged, 3 dead. `bud_angle` is the angle in
+/// radians about the axis from its upper side to the lateral bud (see bud_side). `shed` is the number of lost tips.
 ///
-/// Where an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
-/// `summer` of its metamers before it and the rest after it; what has been cut grows no further, but buds of the shoots
-/// that were cut may open. Where the summer leaves a tree as it is, it grows as many metamers as without it.
+/// Trees with operations have more columns. `rank` is described in leads.h. `cut_at` is the last iteration of a cut at
+/// the node's tip, 0 for never. `cut_metamers`, `cut_length` (metres), `cut_wood` (cubic metres) and `cut_light` are
+/// the sums of everything cut off there. `marked` is 1 on shoots with any mark, and each mark has its own column, such
+/// as `mark_dead`. Skeleton::operations lists the effects of all operations. Trees that only plan also have `plan_cut`:
+/// the Operation::number that would cut the metamer off, or 0.
 ///
-/// Wood that stood already has birth 0 and keeps its radii, which grow by the tips that it gains. All of its buds are
-/// open, unless its columns `terminal_bud` and `lateral_bud` tell their states and `bud_angle` where they stand.
+/// If an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
+/// `summer` of its metamers before the operation and the rest after it. A cut shoot grows no further, but its buds may
+/// open. If the summer does not change a tree, the tree grows as many metamers as without a summer.
 ///
-/// Growth throws InputError where nodes exceed the limits, before it makes them; where an operation names a shoot that
-/// none of its trees has; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument
-/// for parameters out of their ranges. `scene` must outlive the growth.
+/// Existing wood has birth 0. It keeps its radii, which grow with the tips that it gains. All of its buds are open,
+/// unless its columns `terminal_bud` and `lateral_bud` contain their states and `bud_angle` their positions.
+///
+/// Growth throws InputError before making nodes that exceed the limits, if an operation names a shoot that none of its
+/// trees has, if a seed is in an obstacle, and if nothing has grown at all. Throws std::invalid_argument for parameters
+/// out of range. `scene` must outlive the growth.
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
                                        const Limits& limits, std::string component);
 
-/// The unit vector toward a bud at `bud_angle` about an axis with that heading.
+/// Returns the unit vector toward a bud at `bud_angle` about an axis with this heading.
 Vec3 bud_side(Vec3 heading, double bud_angle);
 
 }  // namespace meristem

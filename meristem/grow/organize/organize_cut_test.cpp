@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What cuts do to a tree, and what the adaptations for pruning change.
+// The effects of cuts on a tree, and of the adaptations for pruning.
 #include <algorithm>
 #include <optional>
 
@@ -31,7 +31,7 @@ OrganizeParameters with_cuts(OrganizeParameters parameters, const std::vector<Na
   return parameters;
 }
 
-/// The node of that number on an axis.
+/// Returns the node with this number on an axis.
 std::optional<NodeIndex> find(const Skeleton& tree, AxisIndex axis, int number) {
   const auto& numbers = tree.extra.find("metamer")->second;
   for (NodeIndex node = 0; node < tree.node_count(); ++node) {
@@ -53,7 +53,7 @@ Diagnostic refusal(const NamedCut& cut) {
   return {};
 }
 
-/// A shoot of the stem that the slim tree has after a number of iterations.
+/// Returns a shoot on the stem of the slim tree after `iterations`.
 std::string a_shoot(int iterations) {
   const Skeleton tree = grow_organized(slim(iterations));
   for (NodeIndex node = 1; node < tree.node_count(); ++node) {
@@ -99,7 +99,7 @@ TEST(OrganizeCut, DamagedBudsNeverGrow) {
   const auto& terminal = tree.extra.find("terminal_bud")->second;
   EXPECT_EQ(std::ranges::count(terminal, 2.0F), 1);
   EXPECT_EQ(terminal[*find(tree, 0, 5)], 2);
-  EXPECT_GT(metamer_count(tree), 100);  // laterals go on
+  EXPECT_GT(metamer_count(tree), 100);  // laterals continue to grow
 }
 
 TEST(OrganizeCut, WithoutDamageCutBudsGrowAgain) {
@@ -110,7 +110,7 @@ TEST(OrganizeCut, WithoutDamageCutBudsGrowAgain) {
 }
 
 TEST(OrganizeCut, ALateralBesideACutTerminalOpensAtItsThreshold) {
-  // Other laterals need what no bud here has.
+  // Other laterals need more resource than any bud here has.
   OrganizeParameters parameters = with_cuts(full(12), {{.at = 6, .shoot = "main", .above = 4}});
   parameters.lateral_threshold = 1000;
   const Skeleton tree = grow_organized(parameters);
@@ -135,8 +135,8 @@ TEST(OrganizeCut, ALateralThatTakesOverTurnsToWhereTheTerminalWent) {
   EXPECT_LT(angle_to_stem(100), 2);
 }
 
-/// Inclinations of what leads above a cut of the stem at iteration 8 or, where nothing was cut, of the stem there; of
-/// 20 seeds. Only what grew after iteration 10 counts: until then a successor still turns.
+/// Returns the mean inclination of the leader above a cut of the stem at iteration 8, over 20 seeds; without a cut,
+/// that of the stem there. Only growth after iteration 10 counts, because a successor still turns until then.
 double mean_inclination(OrganizeParameters parameters, bool cuts) {
   if (cuts) parameters = with_cuts(parameters, {{.at = 8, .shoot = "main", .above = 6}});
   double sum = 0;
@@ -159,7 +159,7 @@ double mean_inclination(OrganizeParameters parameters, bool cuts) {
 
 TEST(OrganizeCut, ASuccessorGrowsAsTheLeaderDid) {
   OrganizeParameters parameters = full(14);
-  parameters.takeover = 0;  // so that it begins as any lateral does
+  parameters.takeover = 0;  // the successor begins like any lateral
   parameters.direction = {.persistence = 1, .light = 0};
   const double without = mean_inclination(parameters, true);
   parameters.stem = DirectionWeights{.light = 0, .up = 0.6, .up_later = 0.6};
@@ -171,7 +171,7 @@ TEST(OrganizeCut, ASuccessorGrowsAsTheLeaderDid) {
 }
 
 TEST(OrganizeCut, WhatIsPassedBackMakesLateralsGrow) {
-  // Means over seeds, as whole metamers make single trees jump.
+  // Mean values over seeds, because single trees change by whole metamers.
   const auto regrown = [](double pass_back) {
     double sum = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -185,7 +185,7 @@ TEST(OrganizeCut, WhatIsPassedBackMakesLateralsGrow) {
 }
 
 TEST(OrganizeCut, TheResourceFallsWhereTheLeaderIsCut) {
-  // The specification asks for 8 to 25 % of the total in 95 % of the seeds, for a cut at iteration 8.
+  // The specification requires 8 to 25 % of the total in 95 % of the seeds, for a cut at iteration 8.
   double before = 0;
   double after = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where buds stand and which way shoots go: phyllotaxis, directions, obstacles, the ground, slanting light.
+// Positions of buds and directions of shoots: phyllotaxis, weights, obstacles, the ground, slanting light.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@
 
 namespace meristem::organize_form_test {
 
-/// A stem without branches, that goes straight where its seed heads.
+/// A straight stem without branches in the direction of its seed.
 OrganizeParameters rod(int metamers) {
   OrganizeParameters parameters = organized(1, metamers);
   parameters.resource.lambda = 1;
@@ -27,7 +27,7 @@ Frame seed_toward(Vec3 heading, Vec3 origin = Vec3(0)) {
   return frame;
 }
 
-/// The turn about the axis from each lateral bud of a stem to the next, in degrees, 0 to 360.
+/// Returns the angle about the axis from each lateral bud of a stem to the next, in degrees, 0 to 360.
 std::vector<double> turns_deg(const Skeleton& stem) {
   const auto& angle = stem.extra.find("bud_angle")->second;
   std::vector<double> turns;
@@ -61,7 +61,7 @@ TEST(OrganizeForm, DecussateBudsStandInCrossedPairs) {
   const Skeleton stem = straight_stem(Phyllotaxis::Kind::decussate);
   const std::vector<double> turns = turns_deg(stem);
   for (std::size_t k = 0; k < turns.size(); ++k) EXPECT_NEAR(turns[k], k % 2 == 0 ? 180 : 90, 0.01);
-  // Both of a pair at nearly the same position, and pairs two lengths apart.
+  // The two buds of a pair are at nearly equal positions, and pairs are two lengths apart.
   for (NodeIndex node = 2; node < stem.node_count(); node += 2) {
     EXPECT_LT(glm::distance(stem.position[node], stem.position[node - 1]), 0.1F);
     EXPECT_NEAR(glm::distance(stem.position[node], stem.position[node - 2]), 2, 1e-5);
@@ -108,7 +108,7 @@ TEST(OrganizeForm, AStemOfItsOwnDirectionsGoesStraightWhereBranchesTurn) {
   EXPECT_TRUE(any_turns);
 }
 
-/// The height that the last metamer of a rod gains.
+/// Returns the height that the last metamer of a rod gains.
 float last_rise(const OrganizeParameters& parameters) {
   const Skeleton stem = grow_organized(parameters, 1, {}, seed_toward({1, 0.5F, 0}));
   return stem.position.back().y - stem.position[stem.node_count() - 2].y;
@@ -124,7 +124,7 @@ TEST(OrganizeForm, UpwardWeightRaisesAndDownwardWeightLowersShoots) {
 }
 
 TEST(OrganizeForm, TheUpwardWeightFadesWithTheIterations) {
-  // One metamer an iteration: y of the sum of directions follows by hand.
+  // One metamer per iteration: the y coordinate of the sum of directions is computed by hand.
   OrganizeParameters parameters = rod(3);
   parameters.direction.up = 0.8;
   parameters.direction.up_fade = 0.5;
@@ -136,7 +136,7 @@ TEST(OrganizeForm, TheUpwardWeightFadesWithTheIterations) {
     position += way;
     EXPECT_LT(glm::distance(stem.position[node], position), 1e-5F);
   }
-  parameters.direction.up_fade = 0;  // nothing is left after the first
+  parameters.direction.up_fade = 0;  // no upward weight after the first metamer
   const Skeleton once = grow_organized(parameters, 1, {}, seed_toward({1, 0, 0}));
   EXPECT_LT(glm::distance(once.position[3], 3.0F * once.position[1]), 1e-4F);
   EXPECT_GT(once.position[1].y, 0.5F);
@@ -161,7 +161,7 @@ TEST(OrganizeForm, HangingShootsEndWhereTheyReachTheGround) {
   for (NodeIndex node = 1; node < tree.node_count(); ++node) {
     if (tree.order[node] == 0 || tree.position[node].y > 0.6F) continue;
     ++near_the_ground;
-    // They come down, and do not creep.
+    // They grow down and not along the ground.
     EXPECT_LT(tree.position[node].y - tree.position[tree.parent[node]].y, -0.3F) << node;
   }
   EXPECT_GT(near_the_ground, 5);
@@ -193,7 +193,7 @@ TEST(OrganizeForm, ObstaclesFarAwayChangeNothing) {
 }
 
 TEST(OrganizeForm, GrowsOutOfTheShadeOfARoof) {
-  // A roof over one side: the crown's middle moves to the other.
+  // A roof over one side: the centre of the crown moves to the other side.
   const auto middle = [](const Scene& scene) {
     double sum = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -210,7 +210,7 @@ TEST(OrganizeForm, GrowsOutOfTheShadeOfARoof) {
 }
 
 TEST(OrganizeForm, LampsLightWhatIsNear) {
-  // By night, so all light is the lamp's: a metre away as strong as the day.
+  // At night, all light is the lamp's. At one metre, it is as strong as the day.
   Scene scene;
   scene.light.sun.clear();
   scene.light.lamps = {{.position = {0, 3, 0}, .strength = 6}};
@@ -221,7 +221,7 @@ TEST(OrganizeForm, LampsLightWhatIsNear) {
   EXPECT_THROW(grow_organized(full(10), 1, scene), InputError);
 }
 
-/// A stem at 45 degrees that does not turn (a cordon), and its branches.
+/// A straight stem at 45 degrees (a cordon) with its branches.
 Skeleton cordon(Vec3 toward_light, std::uint64_t seed) {
   OrganizeParameters parameters = full(12);
   parameters.stem = DirectionWeights{.persistence = 1, .light = 0};
@@ -231,8 +231,8 @@ Skeleton cordon(Vec3 toward_light, std::uint64_t seed) {
 }
 
 TEST(OrganizeForm, ACordonGathersMoreLightThatComesAcrossItAndBranchesMore) {
-  // The source leaves the leaning cordon unsolved, as its light comes from the zenith only (figure 4.5). As many
-  // laterals open in both lights; they grow larger.
+  // The source does not solve the leaning cordon, because its light comes from the zenith only (figure 4.5). In both
+  // lights, equally many laterals open; they grow larger in light across the stem.
   const auto sums = [](Vec3 toward_light) {
     std::pair<double, double> light_and_branches;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {

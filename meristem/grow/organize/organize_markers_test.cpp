@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees that compete for room among markers.
+// Self-organizing trees that compete for space by markers.
 #include <algorithm>
 #include <memory>
 
@@ -14,7 +14,7 @@
 
 namespace meristem::organize_markers_test {
 
-/// The specification's set for markers.
+/// The specification's parameters for markers.
 OrganizeParameters among_markers(int iterations) {
   OrganizeParameters parameters = full(iterations);
   parameters.light.kind = BudLightModel::Kind::markers;
@@ -94,7 +94,7 @@ TEST(OrganizeAmongMarkers, NeighboursKeepTheirCrownsApart) {
   add_organizer(stand, parameters, 1, scene, at(0));
   add_organizer(stand, parameters, 2, scene, at(8));
   const std::vector<Skeleton> trees = grow(stand);
-  // Toward the neighbour there is less room than away from it.
+  // There is less space toward the neighbour than away from it.
   EXPECT_LT(reach_toward(trees[0], {1, 0, 0}), 0.8 * reach_toward(alone, {1, 0, 0}));
   EXPECT_LT(reach_toward(trees[0], {1, 0, 0}), 0.8 * reach_toward(trees[0], {-1, 0, 0}));
   EXPECT_LT(reach_toward(trees[1], {-1, 0, 0}), 0.8 * reach_toward(trees[1], {1, 0, 0}));
@@ -110,7 +110,7 @@ TEST(OrganizeAmongMarkers, ObstaclesTakeRoom) {
 }
 
 TEST(OrganizeAmongMarkers, WhatIsCutGivesItsRoomBack) {
-  // With its leader cut low and never to grow again, the branches below find the leader's room.
+  // The leader is cut low and never grows again, so the branches below find its space.
   OrganizeParameters parameters = among_markers(12);
   const Skeleton whole = grow_organized(parameters, 3);
   parameters.operations = {cut_above(7, "main", 5)};
@@ -130,7 +130,7 @@ TEST(OrganizeAmongMarkers, CountedMarkersAreWorthMoreThanAny) {
   const Skeleton counted = grow_organized(parameters);
   EXPECT_GT(of_seed(counted, "light"), 0);
   parameters.light.counts = false;
-  // A twentieth of the light for a bud that has found room is too little to open it.
+  // A twentieth of the light is too little to open a bud that has found space.
   EXPECT_THROW(grow_organized(parameters), InputError);
 }
 

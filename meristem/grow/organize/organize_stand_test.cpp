@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees among other plants: what they shade and what they give back.
+// Self-organizing trees among other plants: shade, and light and space that become free again.
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -26,7 +26,7 @@ std::vector<Skeleton> grow(Stand& stand) {
 
 Frame at(float x) { return {.axes = Mat3(1), .origin = {x, 0, 0}}; }
 
-/// A roof of leaves over the ground that comes after a round and goes after another.
+/// A roof of leaves over the ground that appears after one round and disappears after another.
 class PassingRoof : public Grower {
  public:
   PassingRoof(Stand& stand, int comes, int goes, float height)
@@ -57,7 +57,7 @@ class PassingRoof : public Grower {
   int round_ = 0;
 };
 
-/// The hash of a tree that grows in rounds 0, 5, 10, ... under a roof.
+/// Returns the hash of a tree that grows in rounds 0, 5, 10, ... under a roof.
 std::string hash_under_roof(int comes, int goes) {
   OrganizeParameters parameters = full(10);
   parameters.every = 5;
@@ -70,7 +70,7 @@ std::string hash_under_roof(int comes, int goes) {
 
 TEST(OrganizeInAStand, WhatIsGoneGivesItsLightBack) {
   const std::string alone = skeleton_hash(grow_organized(full(10)));
-  // Between two iterations it comes and goes, through one of them it stays.
+  // The roof exists only between two iterations in the first case, and during an iteration in the other cases.
   EXPECT_EQ(hash_under_roof(6, 9), alone);
   EXPECT_EQ(hash_under_roof(20, 24), alone);
   EXPECT_NE(hash_under_roof(19, 21), alone);
@@ -80,7 +80,7 @@ float length_of(const Skeleton& tree, NodeIndex node) {
   return tree.is_root(node) ? 0 : glm::distance(tree.position[node], tree.position[tree.parent[node]]);
 }
 
-/// The shade of the metamers that are there.
+/// Computes the shade of the current metamers.
 ShadowGrid shade_of(const Skeleton& tree, const ShadowParameters& form) {
   ShadowGrid grid(form);
   for (NodeIndex node = 0; node < tree.node_count(); ++node) {
@@ -89,7 +89,7 @@ ShadowGrid shade_of(const Skeleton& tree, const ShadowParameters& form) {
   return grid;
 }
 
-/// The light of the open buds at each node and beyond in a shade.
+/// Returns the light of the open buds at each node and beyond it, in a given shade.
 std::vector<float> light_in(const ShadowGrid& shade, const Skeleton& tree) {
   std::vector<double> light(tree.node_count(), 0);
   for (auto node = static_cast<NodeIndex>(tree.node_count()); node-- > 0;) {
@@ -104,7 +104,7 @@ std::vector<float> light_in(const ShadowGrid& shade, const Skeleton& tree) {
 }
 
 TEST(OrganizeInAStand, ShadeIsThatOfTheMetamersThatAreThere) {
-  // To the bit, after whatever was grown, cut, shed and bent, much or hardly.
+  // The grids are bitwise equal after growth, cuts, shedding and bending, strong or weak.
   const ShadowParameters form{.voxel = 1};
   const Scene scene;
   for (const double stiffness : {0.05, 500.0}) {
@@ -167,7 +167,7 @@ TEST(OrganizeInAStand, TreesOfOneComponentCompeteAsThoseOfTwo) {
   one.add(make_organizer(one, {{at(0), nullptr}, {at(3), nullptr}}, full(12), RandomKey(1), scene, {}, "tree"));
   Stand two;
   for (std::uint64_t k = 0; k < 2; ++k) {
-    // The keys of trees are children of their component's, so those of two members differ: only counts compare.
+    // Tree keys are children of their component's key, so the keys of two members differ. Only counts are compared.
     add_organizer(two, full(12), 1 + k, scene, at(3.0F * static_cast<float>(k)));
   }
   const double together = static_cast<double>(grow(one)[0].node_count());
@@ -176,7 +176,7 @@ TEST(OrganizeInAStand, TreesOfOneComponentCompeteAsThoseOfTwo) {
   EXPECT_NEAR(together / apart, 1, 0.25);
 }
 
-/// A colonizing tree in small steps that feels shade, 12 m high with its crown around x = 3 m.
+/// Adds a colonizing tree with small steps that responds to shade: 12 m high, with its crown around x = 3 m.
 void add_colonizer(Stand& stand, const Scene& scene) {
   Progress progress;
   const auto points = sample_crown(EllipsoidCrown({3, 8, 0}, Vec3(4)), 600, RandomKey(3), progress);
@@ -205,7 +205,7 @@ Mixed grow_mixed(bool organizer_first, int every) {
 }
 
 TEST(OrganizeInAStand, ColonizingAndOrganizingTreesShadeEachOther) {
-  // The one that is up first shades the other.
+  // The tree that grows first shades the other.
   const Scene scene;
   Stand alone;
   add_colonizer(alone, scene);

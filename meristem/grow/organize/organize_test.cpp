@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing growth as a whole: published sizes, what must not change it, what it refuses.
+// Self-organizing growth as a whole: published sizes, invariance, and errors.
 #include "meristem/grow/organize/organize.h"
 
 #include <algorithm>
@@ -46,11 +46,11 @@ struct Sizes {
 };
 
 TEST(Organize, GrowsToItsKnownSizes) {
-  // The specification's figures, from trials of its own.
+  // Figures of the specification, from its own trials.
   struct Known {
     OrganizeParameters parameters;
     double metamers;
-    double height;  // in metamers; 0: not known
+    double height;  // in metamers; 0: unknown
   };
   for (const auto& [parameters, metamers, height] :
        {Known{slim(9), 32, 12}, Known{slim(18), 288, 30}, Known{slim(25), 1080, 43}, Known{full(9), 146, 0},
@@ -60,7 +60,7 @@ TEST(Organize, GrowsToItsKnownSizes) {
     if (height > 0) {
       EXPECT_NEAR(sizes.mean_height, height, 0.1 * height);
     }
-    // Whole metamers make single trees jump, but not by more than this.
+    // Single trees change by whole metamers, but not by more than this.
     EXPECT_GT(std::ranges::min(sizes.metamers), 0.5 * sizes.mean);
     EXPECT_LT(std::ranges::max(sizes.metamers), 1.5 * sizes.mean);
   }
@@ -262,7 +262,7 @@ TEST(Organize, WhereAShootWasShedNothingGrowsAgain) {
 
 TEST(Organize, YoungShootsAreNotShed) {
   OrganizeParameters parameters = full(8);
-  parameters.shedding = {.below = 1000, .after = 3};  // all that may go, goes
+  parameters.shedding = {.below = 1000, .after = 3};  // everything that may be shed is shed
   const Skeleton tree = grow_organized(parameters);
   std::vector<float> began(Axes(tree).count(), 0);
   for (NodeIndex node = tree.node_count(); node-- > 1;) began[tree.axis[node]] = tree.birth[node];
@@ -332,7 +332,7 @@ TEST(Organize, WhereNothingGrowsIsAFault) {
   lid.mesh = box_mesh({-50, 20, -50}, {50, 21, 50});
   cellar.obstacles = Obstacles({lid});
   EXPECT_EQ(fault_of(full(5), cellar).path, "components.tree.light");
-  // However little a bud needs, it does not open in the dark.
+  // A bud does not open in the dark, however low its threshold is.
   OrganizeParameters undemanding = full(5);
   undemanding.terminal_threshold = 0;
   undemanding.resource.alpha0 = 2;
@@ -340,7 +340,7 @@ TEST(Organize, WhereNothingGrowsIsAFault) {
 }
 
 TEST(Organize, UnderAFaintSkyAloneTreesGrowLess) {
-  // As at night: all light there is comes from the sky and is less than 1.
+  // As at night, all light comes from the sky and is below 1.
   Scene scene;
   scene.light.sun.clear();
   scene.light.sky = even_sky(0.95);
@@ -350,7 +350,7 @@ TEST(Organize, UnderAFaintSkyAloneTreesGrowLess) {
 }
 
 TEST(Organize, WhereNoStemHasRoomIsAFaultOfTheRoots) {
-  // Seeds that head into the ground.
+  // Seeds that point into the ground.
   const Frame down = frame_along(Vec3(0), -kUp, Vec3(0, 0, 1));
   EXPECT_EQ(fault_of(full(5), {}, {}, down).path, "components.tree.roots");
 }

@@ -30,7 +30,8 @@ std::vector<NumberedPoint> numbered(const std::vector<Vec3>& positions) {
 constexpr double kFewestVoxels = 4;  // along a block's side
 constexpr NodeIndex kNodesPerCheck = 1024;
 
-/// Space is looked through block by block, and only about shoots: numbers of a cube along x, y and z.
+/// Returns the box of a block: a cube of side `side`, numbered along x, y and z. Markers are searched block by block
+/// around shoots.
 using Block = std::array<std::int32_t, 3>;
 
 Box box_of(const Block& block, double side) {
@@ -40,7 +41,7 @@ Box box_of(const Block& block, double side) {
   return {corner(0), corner(1)};
 }
 
-/// The blocks that hold what is up to `reach` metres from one of the positions, in order. `side` is 2 `reach` or more.
+/// Returns the sorted blocks within `reach` metres of one of the positions. `side` must be at least 2 `reach`.
 std::vector<Block> blocks_about(const std::vector<Vec3>& positions, double reach, double side,
                                 const Progress& progress) {
   std::vector<Block> blocks;
@@ -86,7 +87,7 @@ StepMarks OrganizeTrace::marks_of(int step, TraceWish wish, const Progress& prog
   return marks;
 }
 
-/// The markers that buds could see, and those that shoots have taken.
+/// Returns the markers that buds could see and the markers that shoots have occupied.
 std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton, const Progress& progress) const {
   std::vector<TracedPlace> found;
   if (!room_ || skeleton.node_count() == 0) return found;
@@ -104,7 +105,7 @@ std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton, const 
     throw_limit("markers of room to be shown", markers, room_->most_markers, "points", room_->path);
   }
 
-  // What all trees have taken is what their shoots leave of the vacant room.
+  // Occupy the markers of all shoots in a copy of the vacant field.
   MarkerField taken = room_->vacant;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     if (node % kNodesPerCheck == 0) progress.check();
@@ -127,7 +128,7 @@ std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton, const 
       }
     }
   }
-  // Trees that share a crown share its markers, and so do blocks those on the faces between them.
+  // Remove duplicates: trees may share a crown, and blocks share the markers on their common faces.
   std::ranges::stable_sort(found, {}, kByPosition);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A growth of self-organizing trees, iteration by iteration. Their branches sag, are bent, shed and cut, so each step
-// is kept as it was.
+// The recorded growth of self-organizing trees. Branches sag, are bent, shed and cut, so each step is stored
+// completely.
 #pragma once
 
 #include <cstdint>
@@ -16,34 +16,34 @@
 
 namespace meristem {
 
-/// The room that the trees of a component compete for.
+/// The space that the trees of a component compete for.
 struct TracedRoom {
-  MarkerField vacant;                  ///< as it is without any shoots
-  std::vector<std::uint32_t> volumes;  ///< of each tree, in it
+  MarkerField vacant;                  ///< the field without any shoots
+  std::vector<std::uint32_t> volumes;  ///< volume of each tree in the field
   double perception = 0;               ///< metres up to which buds see markers
   std::uint64_t most_markers = Limits().points;
-  std::string path;  ///< of the markers' spacing in the document, at which too many are a fault
+  std::string path;  ///< document path of the markers' spacing, for the error about too many markers
 };
 
 class OrganizeTrace : public GrowthTrace {
  public:
-  /// What the trees of a component were after one iteration, all together.
+  /// The state of all trees of a component after one iteration.
   struct Step {
-    Skeleton skeleton;            ///< where steps are asked for
-    std::vector<TracedWay> ways;  ///< of the buds that grew in the iteration
+    Skeleton skeleton;            ///< recorded if steps were requested
+    std::vector<TracedWay> ways;  ///< directions of the buds that grew in the iteration
   };
 
-  /// `seeks_room`: the buds' ways lead to more room, not to more light.
+  /// `seeks_room`: true if the buds' directions lead to more space, false if they lead to more light.
   explicit OrganizeTrace(bool seeks_room) : seeks_room_(seeks_room) {}
 
-  /// The next step; the first one is step 0.
+  /// Appends the next step, beginning with step 0.
   void add(Step step) { steps_.push_back(std::move(step)); }
-  /// Takes what all trees have lost; to be called once.
+  /// Sets the losses of all trees. Call it once.
   void lose(std::vector<TracedLoss> losses);
-  /// Shows the markers of the trees' room.
+  /// Enables markers and sets the space of the trees.
   void show_room(TracedRoom room) { room_ = std::move(room); }
 
-  /// Takes how all trees stand after what they plan.
+  /// Sets the state of all trees after their planned operations.
   void plan(Skeleton outcome) { outcome_ = std::move(outcome); }
 
   int last_step() const override { return static_cast<int>(steps_.size()) - 1; }
@@ -52,15 +52,15 @@ class OrganizeTrace : public GrowthTrace {
 
  private:
   Skeleton standing_after(int step, const Scene& scene, Progress& progress) const override;
-  /// Ways, losses and markers. Markers are those that the component's own trees have taken or could see. Their time
-  /// goes with the trees' nodes, and the cube of how far buds see.
+  /// Returns directions, losses and markers. Markers are shown if the component's own trees have occupied or could see.
+  /// Cost of markers: proportional to the nodes of the trees times the cube of the buds' range of vision.
   StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const override;
   std::vector<TracedPlace> markers(const Skeleton& skeleton, const Progress& progress) const;
 
   bool seeks_room_;
   std::vector<Step> steps_;
   std::vector<TracedLoss> losses_;  // by rising step
-  std::optional<TracedRoom> room_;  // none: no markers are shown
+  std::optional<TracedRoom> room_;  // unset: markers are not shown
   std::optional<Skeleton> outcome_;
 };
 

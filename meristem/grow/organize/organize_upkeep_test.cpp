@@ -40,7 +40,7 @@ double born_in(const Skeleton& tree, int iteration) {
   return static_cast<double>(std::ranges::count(tree.birth, static_cast<float>(iteration)));
 }
 
-/// The names of the shoots that grew in an iteration.
+/// Returns the names of the shoots that grew in an iteration.
 std::set<std::string> shoots_of(const Skeleton& tree, int iteration) {
   const std::vector<std::string> labels = axis_labels(tree);
   std::set<std::string> born;
@@ -80,7 +80,7 @@ TEST(OrganizeSeasons, ASummerWithoutAnythingToDoGrowsAsManyMetamers) {
     };
     const double free = metamer_count(grow_organized(full(12), seed));
     EXPECT_EQ(count(12), free) << "in one iteration";
-    // Shoots that have sensed light once more turn a little, so that other buds open in later iterations.
+    // Shoots that sense the light once more turn a little, so different buds open in later iterations.
     with_summer += count(1);
     without += free;
   }
@@ -110,14 +110,14 @@ TEST(OrganizeSeasons, TheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(OrganizeRecords, WhatIsCutAndWhatIsLeftIsAllThatGrew) {
-  // Nothing else is lost, so what was cut away was there before and is not there after.
+  // There are no other losses, so the cut metamers are the difference.
   const Skeleton whole = grow_organized(full(10));
   const Skeleton cut = grow_organized(with(full(10), shorten_branches(10, false)));
   double metamers = 0;
   for (const OperationRecord& record : cut.operations) metamers += record.metamers;
   EXPECT_GT(metamers, 0);
   EXPECT_EQ(metamer_count(whole), metamer_count(cut) + metamers);
-  // The columns of what is left say the same.
+  // The columns of the remaining tree have equal sums.
   double in_columns = 0;
   for (const float count : cut.extra.find("cut_metamers")->second) in_columns += count;
   EXPECT_EQ(in_columns, metamers);
@@ -148,7 +148,7 @@ TEST(OrganizeCallus, AStemThatIsCutBackAgainAndAgainGrowsAHead) {
   parameters.callus = 0.5;
   const Skeleton swollen = grow_organized(parameters);
   ASSERT_EQ(swollen.position, plain.position);
-  // It swells most where it was cut, hardly near the ground, and not at all in young wood.
+  // The wood swells most at the cut, hardly near the ground, and not at all in young wood.
   const auto gain = [&](NodeIndex node) { return swollen.radius[node] / plain.radius[node]; };
   NodeIndex most = 0;
   for (NodeIndex node = 0; node < plain.node_count(); ++node) most = gain(node) > gain(most) ? node : most;
@@ -165,7 +165,7 @@ TEST(OrganizeCallus, AStemThatIsCutBackAgainAndAgainGrowsAHead) {
 
 TEST(OrganizePlan, TellsWhatWouldBeDoneAndDoesNothing) {
   OrganizeParameters parameters = with(full(10), shorten_branches(10, false));
-  // The second finds what the first leaves.
+  // The second operation sees the tree after the first one.
   Operation second = shorten_branches(10, false);
   Cut closer;
   closer.above = 1;
@@ -201,7 +201,7 @@ TEST(OrganizePlan, KeepsWhatWasDoneBeforeAndBendsNothing) {
   EXPECT_EQ(planned.extra.find("cut_at")->second, before.extra.find("cut_at")->second);
 }
 
-/// The trees of a stand after their growth, and after what they plan where that was recorded.
+/// Returns the trees of a stand after their growth, and after their planned operations if these were recorded.
 std::pair<Skeleton, std::optional<Skeleton>> grow_all(const OrganizeParameters& parameters,
                                                       const std::vector<Vec3>& roots) {
   std::vector<OrganizeSeed> seeds(roots.size());
@@ -217,7 +217,7 @@ std::pair<Skeleton, std::optional<Skeleton>> grow_all(const OrganizeParameters& 
   return {std::move(stand.take_skeletons(progress)[0]), std::move(outcome)};
 }
 
-/// The trees of a stand before what they plan and, from the same growth, after it.
+/// Returns the trees of a stand before and after their planned operations, from one growth.
 std::pair<Skeleton, Skeleton> planned_and_done(OrganizeParameters parameters, const std::vector<Vec3>& roots) {
   parameters.plans = true;
   parameters.wish = {TracePart::outcome};
@@ -245,7 +245,7 @@ TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
       EXPECT_EQ(outcome.extra, done.extra) << every;
       EXPECT_EQ(outcome.operations, done.operations);
       EXPECT_GT(planned.node_count(), outcome.node_count());
-      // To be asked for it changes no plan.
+      // Requesting the outcome does not change the plan.
       parameters.plans = true;
       const Skeleton only_planned = grow_all(parameters, roots).first;
       EXPECT_EQ(skeleton_hash(planned), skeleton_hash(only_planned));
@@ -256,7 +256,7 @@ TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
 }
 
 TEST(OrganizePlan, NobodyElseFeelsItsOutcome) {
-  // A tree beside it grows on when the other has done what it planned.
+  // A neighbouring tree continues to grow while the other records its outcome.
   const auto neighbour = [](bool wishes) {
     OrganizeParameters parameters = with(full(9), cut_above(9, "main", 2));
     parameters.plans = true;
@@ -276,7 +276,7 @@ TEST(OrganizePlan, NobodyElseFeelsItsOutcome) {
 TEST(OrganizePlan, ItsSkeletonSaysWhatEachOperationWouldCut) {
   OrganizeParameters parameters = with(full(10), shorten_branches(10, false));
   parameters = with(parameters, cut_above(10, "main", 9));
-  parameters.operations[0].number = 4;  // of a list that has others, which are off
+  parameters.operations[0].number = 4;  // numbers differ from indices if the list has disabled operations
   parameters.operations[1].number = 7;
   parameters.plans = true;
   const Skeleton tree = grow_organized(parameters);
@@ -320,7 +320,7 @@ TEST(OrganizeRecords, TellTheDiameterAtTheCutAndTheBudOnTheBark) {
 }
 
 TEST(OrganizeSupports, EaseJitter) {
-  // Nothing but jitter turns the stem: without weight by all of it, in a support of weight 4 by a fifth.
+  // Only jitter turns the stem: fully without support, by a fifth with a support of weight 4.
   const auto turn = [](double weight) {
     OrganizeParameters parameters = full(16);
     parameters.direction = {.light = 0, .up = 0};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// One self-organizing tree: perception, division of resource, growth, shedding and loss of its metamers.
+// tree_operations.cpp has the operations on it.
 #include "meristem/grow/organize/organized_tree.h"
 
 #include <algorithm>
@@ -17,10 +19,10 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMetamersPerBlock = 2048;  // metamers
-constexpr std::size_t kSproutsAtOnce = 128;      // that look for light
-constexpr int kTries = 4;                        // headings that a bud tries where obstacles stand in its way
-constexpr double kTryTurn = 0.5;                 // radians from the one it wants, more with each of them
-// Opposite buds are two metamers; the second has this share of the length of both.
+constexpr std::size_t kSproutsAtOnce = 128;      // sprouts per block that search for light
+constexpr int kTries = 4;                        // headings that a bud tries if obstacles block its way
+constexpr double kTryTurn = 0.5;  // radians from the desired heading for the first retry; multiplied for later ones
+// Opposite buds are modelled as two metamers. The second has this share of their total length.
 constexpr float kPairGap = 0.04F;
 constexpr std::string_view kTerminalBudColumn = "terminal_bud";
 constexpr std::string_view kLateralBudColumn = "lateral_bud";
@@ -93,7 +95,7 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
 }
 
-/// A name of a metamer that stays when others are taken away.
+/// Returns a name of a metamer's buds that does not change when other metamers are removed.
 std::uint64_t OrganizedTree::name_of_bud(MetamerIndex metamer) const {
   return metamers_.axes[metamers_.axis[metamer]].key.child(metamers_.number[metamer]).bits();
 }
@@ -125,14 +127,14 @@ std::uint64_t OrganizedTree::plan(Flush flush) {
         metamers += static_cast<std::uint64_t>(owed->second.metamers);
         continue;
       }
-      // Other buds wait for the next iteration, but for those of shoots that the summer has cut.
+      // Other buds wait for the next iteration, except buds of shoots cut in this summer.
       if (answering_.count(metamers_.axes[metamers_.axis[metamer]].key.bits()) == 0) continue;
     }
     const bool goes_on = terminal.is_open() && light_.terminal[metamer] > 0 &&
                          add(metamer, false, flow_.terminal(metamer), parameters.terminal_threshold);
     if (!metamers_.lateral[metamer].is_open() || !(light_.lateral[metamer] > 0)) continue;
     const bool may_open = goes_on || !terminal.is_open() || !parameters.laterals_wait;
-    // Beside a cut terminal it leads the axis on.
+    // A lateral beside a cut terminal continues the axis, so it needs the terminal's threshold.
     const double threshold = terminal.is_damaged() ? parameters.terminal_threshold : parameters.lateral_threshold;
     if (may_open) add(metamer, true, flow_.lateral(metamer), threshold);
   }
@@ -143,7 +145,7 @@ std::uint64_t OrganizedTree::plan(Flush flush) {
 
 void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress) {
   std::vector<Sprout> sprouts = std::exchange(sprouts_, {});
-  // All see the light of the round's begin.
+  // All sprouts use the light at the begin of the round.
   parallel_for(sprouts.size(), kSproutsAtOnce, [&](std::size_t begin, std::size_t end) {
     progress.check();
     ShadowGrid::Recent recent;
@@ -168,7 +170,7 @@ void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress
   if (is_pruned()) operate(iteration, false, progress);
 }
 
-/// Grows the metamers of one bud, as far as nothing stands in their way.
+/// Grows the metamers of one bud until an obstacle blocks them.
 void OrganizedTree::grow(const Sprout& sprout, int iteration) {
   const Phyllotaxis& phyllotaxis = species_->parameters.phyllotaxis;
   MetamerIndex from = sprout.from;
@@ -198,7 +200,7 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
   if (sprout.left > 0) owed_[name_of_bud(from)] = {sprout.left, sprout.length};
 }
 
-/// The unit vector in which a metamer wants to grow from a bud that points to `bud`.
+/// Returns the unit vector in which a metamer should grow from a bud that points to `bud`.
 Vec3 OrganizedTree::wanted_heading(const Growth& growth, MetamerIndex from, Vec3 bud) const {
   const OrganizeParameters& parameters = species_->parameters;
   const bool is_first_of_lateral = growth.sprout.is_lateral && from == growth.sprout.from;
@@ -217,8 +219,8 @@ Vec3 OrganizedTree::wanted_heading(const Growth& growth, MetamerIndex from, Vec3
   return normalized_or(Vec3(sum), bud);
 }
 
-/// The wanted heading with its jitter, or where that leads into an obstacle another one near it; none if all do, nor
-/// where it leads into the ground: there shoots end.
+/// Returns the desired heading with jitter, or a nearby heading if an obstacle blocks it. Returns nothing if all
+/// headings are blocked, or if the heading leads into the ground, where shoots end.
 std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key,
                                                 double jitter) const {
   const Vec3 across = any_perpendicular(wanted);
@@ -229,15 +231,15 @@ std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, 
     const Vec3 to = metamers_.tip[from] + length * heading;
     if (to.y < 0 && to.y < metamers_.tip[from].y) {
       if (from != 0) return std::nullopt;
-      continue;  // a seed may lie on its side
+      continue;  // a seed may point along the ground
     }
     if (is_open(metamers_.tip[from], to)) return heading;
   }
   return std::nullopt;
 }
 
-/// The side of the next lateral bud: they go around the axis from one to the next. The first bud of a branch stands
-/// aside, at right angles to branch and parent.
+/// Returns the direction of the next lateral bud, rotated about the axis from bud to bud. The first bud of a branch
+/// points sideways, at right angles to branch and parent.
 Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading,
                               RandomKey key) const {
   const Phyllotaxis& phyllotaxis = species_->parameters.phyllotaxis;
@@ -254,7 +256,8 @@ Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t 
   return rotation(heading, turn + phyllotaxis.jitter * key.child("side").normal(0)) * side;
 }
 
-/// Whether no obstacle stands at `to` or on the way there, both relative to the root, and buds can and may live there.
+/// Returns true if no obstacle is at `to` or on the way to it and if buds can perceive and may live there. Positions
+/// are relative to the root.
 bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
   if (!senses_->reaches(root_ + to) || (room_ && !room_->contains(to))) return false;
   const Obstacles& obstacles = species_->scene.obstacles;
@@ -266,8 +269,8 @@ bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
 void OrganizedTree::shed(int iteration) {
   const Shedding& shedding = species_->parameters.shedding;
   if (shedding.below <= 0) return;
-  // The light of the round's begin must do for what a shoot has now, with what has just grown: the reading that keeps
-  // as many metamers as the published shares say (81 % at a threshold of 0.1, 43 % at 0.3).
+  // The light at the begin of the round is divided by the current number of metamers, including those just grown. With
+  // this rule, the share of metamers kept agrees with the published values (81 % at a threshold of 0.1, 43 % at 0.3).
   std::vector<std::uint32_t> borne(metamers_.count(), 1);
   for (std::size_t metamer = metamers_.count(); metamer-- > 1;) borne[metamers_.parent[metamer]] += borne[metamer];
   std::vector<std::uint8_t> gone(metamers_.count(), 0);
@@ -312,7 +315,8 @@ void OrganizedTree::record_ways(const std::vector<Sprout>& sprouts, Flush flush)
   }
 }
 
-/// Takes away all that was cut off, here and in what is told of the iteration's metamers; whether there was any.
+/// Removes everything that was cut off, also from the data of the current iteration. Returns true if anything was
+/// removed.
 bool OrganizedTree::clear_away() {
   const std::vector<std::uint8_t> gone = tree_.clear_away();
   if (gone.empty()) return false;

@@ -28,69 +28,71 @@
 
 namespace meristem {
 
-/// What part of an iteration's growth comes at once.
+/// The part of an iteration's growth that one call performs.
 enum class Flush {
   whole,
-  first,  ///< the share of each shoot that comes before summer operations
-  rest,   ///< what these shoots were still to grow, and what buds of shoots that were cut answer
+  first,  ///< the share of each shoot that grows before summer operations
+  rest,   ///< the rest of these shoots, and new growth of buds of shoots that were cut
 };
 
-/// One self-organizing tree as it grows. `species` and `space` outlive it.
+/// One self-organizing tree during growth. `species` and `space` must outlive it.
 class OrganizedTree {
  public:
-  /// `number` is that of its root.
+  /// `number` is the number of the tree's root.
   OrganizedTree(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed, RandomKey key,
                 int number);
   OrganizedTree(const OrganizedTree&) = delete;
   OrganizedTree& operator=(const OrganizedTree&) = delete;
 
-  /// Lets wood that stood already stand as metamers of iteration 0; once, before the first sense(). Throws InputError
-  /// where it is too far from the world's origin.
+  /// Converts existing wood to metamers of iteration 0. Call it once, before the first sense(). Throws InputError if
+  /// the wood is too far from the world's origin.
   void stand(const Skeleton& wood);
-  /// Counts the light of all buds as the stand's space is now, and divides the resource that it makes.
+  /// Computes the light of all buds from the current state of the stand's space, and divides the resulting resource.
   void sense(int iteration, const Progress& progress);
-  /// Finds the buds that will grow in this iteration; after sense(). Returns how many metamers they will make at most.
+  /// Finds the buds that will grow in this iteration. Call it after sense(). Returns an upper bound for the number of
+  /// new metamers.
   std::uint64_t plan(Flush flush);
-  /// Grows, sags, sheds, and people do to it what they will; after plan().
+  /// Grows, sags and sheds, and performs the operations. Call it after plan().
   void iterate(int iteration, Flush flush, const Progress& progress);
-  /// Tells the stand's space of all that.
+  /// Reports the changes to the stand's space.
   void tell() { tree_.tell(); }
 
   const Metamers& metamers() const { return tree_.metamers(); }
   bool has_grown() const { return has_grown_; }
   const ResourceFlow& flow() const { return flow_; }  ///< of the last sense()
-  /// An operation that has found no shoot of the name it asks for, or nothing there to take.
+  /// An operation whose named shoot does not exist or has nothing to remove.
   struct Miss {
     std::size_t operation = 0;
     InputError error;
   };
   const std::vector<Miss>& misses() const { return misses_; }  ///< of the last iterate()
-  /// In world space; to be called once.
+  /// Returns the skeleton in world space. Call it once.
   Skeleton take_skeleton(const Progress& progress);
-  /// What take_skeleton() would give after sense(), but for what has fallen.
+  /// Returns the skeleton as take_skeleton() does, but without fallen shoots. Valid after sense().
   Skeleton skeleton(const Progress& progress) const;
-  /// The ways that its buds found in the last iterate(), and all that it has lost so far, where they are recorded.
+  /// The directions that its buds found in the last iterate(), and all losses so far, if recorded.
   const std::vector<TracedWay>& ways() const { return ways_; }
   const std::vector<TracedLoss>& losses() const { return losses_; }
-  /// Whether do_plan() makes a tree of what the last winter's operations would leave: it was asked to record that.
+  /// Returns true if do_plan() produces a tree after the planned operations, because the outcome was requested.
   bool has_outcome() const { return outcome_ != nullptr; }
-  /// Does what was planned, after take_skeleton(); sense() and take_skeleton() may follow once more.
+  /// Performs the planned operations. Call it after take_skeleton(). sense() and take_skeleton() may be called once
+  /// more afterwards.
   void do_plan();
-  /// The room that its buds look for; null where they look for light.
+  /// Returns the space that its buds search; null if they use light.
   BudSense::OwnRoom room() const { return senses_->room(); }
 
  private:
-  /// What people have done to the tree, as far as its metamers do not tell it.
+  /// Effects of operations that are not stored in the metamers.
   struct Upkeep {
     Leads leads;
     std::vector<std::uint8_t> is_done;  // by operation
     CutWounds wounds;
     TreeBows bows;
-    std::vector<float> ringed;                // share that a ring at its base keeps, by metamer; empty: no rings
+    std::vector<float> ringed;                // share held back by a ring at the metamer's base; empty: no rings
     std::vector<std::uint16_t> ringed_until;  // iteration
   };
 
-  /// All of the tree that operations change.
+  /// The whole state that operations change.
   struct State {
     StandingTree::State tree;
     ResourceFlow flow;
@@ -106,18 +108,18 @@ class OrganizedTree {
     MetamerIndex from = 0;
     bool is_lateral = false;
     int metamers = 1;
-    float length = 0;  // of each
-    Vec3 way{0};       // to light or room: a unit vector, or 0
-    int left = 0;      // metamers that wait for the rest of the iteration
+    float length = 0;  // of each metamer
+    Vec3 way{0};       // direction to light or space: a unit vector, or 0
+    int left = 0;      // metamers left for the second part of the iteration
   };
 
-  /// What the first flush of an iteration has left to a shoot.
+  /// The growth that the first part of an iteration leaves to a shoot.
   struct Owed {
     int metamers = 0;
-    float length = 0;  // of each
+    float length = 0;  // of each metamer
   };
 
-  /// What the metamers of a sprout have in common.
+  /// Common data of the metamers of a sprout.
   struct Growth {
     const Sprout& sprout;
     int iteration = 1;
@@ -126,7 +128,7 @@ class OrganizedTree {
   };
 
   bool is_pruned() const { return !species_->parameters.operations.empty(); }
-  /// Gives the buds of standing wood the states that its columns tell, if it has such.
+  /// Sets the states of the buds of existing wood from its columns, if it has them.
   void close_buds(const Skeleton& wood, NodeIndex node, MetamerIndex metamer);
   void grow(const Sprout& sprout, int iteration);
   Vec3 wanted_heading(const Growth& growth, MetamerIndex from, Vec3 bud) const;
@@ -140,7 +142,7 @@ class OrganizedTree {
   Skeleton skeleton_of(Metamers metamers, std::vector<OperationRecord> records, const Progress& progress) const;
   bool clear_away();
   void forget(const std::vector<std::uint8_t>& gone);
-  /// What an operation sees of the tree in an iteration.
+  /// Returns the tree as an operation sees it in an iteration.
   TreeState state_for(std::size_t operation, int iteration) const;
   void tie_shoots(int iteration);
   void operate(int iteration, bool in_summer, const Progress& progress);
@@ -149,41 +151,42 @@ class OrganizedTree {
   void restore(State state);
   std::uint64_t name_of_bud(MetamerIndex metamer) const;
   void apply(const Work& work, int iteration, std::size_t operation, bool in_summer);
-  /// Notes the shoots whose buds may answer to what is about to be cut.
+  /// Records the shoots whose buds may react to the planned cuts.
   void note_answering(const Work& work);
   void record(const Work& work, int iteration, const Operation& operation);
-  /// Notes for the plan that an operation would take a metamer and all that it bears.
+  /// Records for the plan that an operation would remove a metamer and everything that it bears.
   void note_planned(MetamerIndex first, int operation);
   void ring(const Ring& ring, int iteration);
   void bend(const Bow& bow, std::size_t operation);
-  /// What rings keep in an iteration, by metamer; empty where there is none.
+  /// Returns the shares held back by rings in an iteration, by metamer; empty if there are no rings.
   const std::vector<float>& ringed(int iteration);
 
   const OrganizedSpecies* species_;
   Vec3 root_;
   RandomKey key_;
   int number_ = 0;
-  CrownPointer room_;  // that shoots do not leave; null: all space
+  CrownPointer room_;  // shoots stay inside; null: all of space
   StandingTree tree_;
-  const Metamers& metamers_;  // of the tree
+  const Metamers& metamers_;  // the metamers of `tree_`
   std::unique_ptr<BudSense> senses_;
   BudLight light_;
   ResourceFlow flow_;
   std::vector<Sprout> sprouts_;  // of the iteration
   StandingWood wood_;
-  FallenShoots fallen_;  // where they are kept
-  // For trees with operations alone.
+  FallenShoots fallen_;  // used if fallen shoots are kept
+  // For trees with operations only.
   TreeTies ties_;
   Upkeep upkeep_;
-  std::unordered_map<std::uint64_t, Owed> owed_;  // of the first flush's shoots, by the name of their last metamer
-  std::unordered_set<std::uint64_t> answering_;   // shoots that this summer's operations have cut, by their keys
+  // Shoots of the first part of the iteration, by the name of their last metamer.
+  std::unordered_map<std::uint64_t, Owed> owed_;
+  std::unordered_set<std::uint64_t> answering_;  // keys of the shoots cut by this summer's operations
   std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
-  std::optional<WoodGirth> girth_;        // before this winter's or summer's operations; made when it is asked for
-  std::vector<std::uint16_t> plan_cuts_;  // number of the operation that would cut a metamer; empty: not planned yet
-  std::unique_ptr<State> outcome_;        // of the plan, where it is recorded
+  std::optional<WoodGirth> girth_;        // before the current operations; computed on demand
+  std::vector<std::uint16_t> plan_cuts_;  // number of the operation that would cut the metamer; empty until planned
+  std::unique_ptr<State> outcome_;        // after the planned operations, if recorded
   bool is_outcome_ = false;
-  // Where they are recorded.
+  // Used if they are recorded.
   std::vector<TracedWay> ways_;
   std::vector<TracedLoss> losses_;
   bool has_grown_ = false;

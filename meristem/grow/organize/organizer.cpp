@@ -25,7 +25,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostTreeBlocks = 256;  // of trees that a thread takes at once
+constexpr std::size_t kMostTreeBlocks = 256;  // blocks of trees per parallel loop, at most
 
 void check_parameters(const OrganizeParameters& parameters) {
   require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations must be 0 to 65535");
@@ -78,7 +78,7 @@ class Organizer : public Grower {
       OrganizedTree& tree = trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
       if (seeds[k].wood == nullptr) continue;
       tree.stand(*seeds[k].wood);
-      tree.tell();  // so that all feel it in the first round
+      tree.tell();  // existing wood affects the first round
     }
   }
 
@@ -141,7 +141,7 @@ class Organizer : public Grower {
   }
 
  private:
-  /// Trees stand side by side and feel each other only through the stand.
+  /// Calls `visit` for all trees in parallel. Trees affect each other only through the stand.
   template <class Visit>
   void for_each_tree(Visit visit) {
     parallel_for(trees_.size(), 1 + trees_.size() / kMostTreeBlocks, [&](std::size_t begin, std::size_t end) {
@@ -155,7 +155,7 @@ class Organizer : public Grower {
     return join_skeletons(std::move(skeletons));
   }
 
-  /// Records what the trees tell of all of their growth.
+  /// Adds the losses and the space of all trees to the trace.
   void end_record() {
     std::vector<TracedLoss> losses;
     for (const OrganizedTree& tree : trees_) losses.insert(losses.end(), tree.losses().begin(), tree.losses().end());
@@ -163,7 +163,7 @@ class Organizer : public Grower {
     if (species_.parameters.wish.has(TracePart::markers)) show_room();
   }
 
-  /// How the trees stand after the iteration before this one, by the light of which they grow in this one.
+  /// Records the trees after the previous iteration, and the directions that they follow in this one.
   void record(Progress& progress) {
     OrganizeTrace::Step step;
     if (species_.parameters.wish.has(TracePart::steps)) {
@@ -181,7 +181,7 @@ class Organizer : public Grower {
                 species_.limits.mesh_bytes, "mesh_bytes", species_.path("iterations"));
   }
 
-  /// Hands the room over in which the trees have grown; all of them share one field.
+  /// Adds the space of the trees to the trace. All trees share one field.
   void show_room() {
     const MarkerField* const field = trees_.empty() ? nullptr : trees_.front().room().field;
     if (field == nullptr) return;
@@ -193,7 +193,7 @@ class Organizer : public Grower {
     trace_->show_room(std::move(room));
   }
 
-  /// An operation without a number of a tree is for each that has such a shoot; one must.
+  /// Checks that an operation for all trees finds its shoot in at least one of them.
   void require_shoots() const {
     std::vector<std::size_t> misses(species_.parameters.operations.size(), 0);
     for (const OrganizedTree& tree : trees_) {
@@ -204,7 +204,7 @@ class Organizer : public Grower {
     }
   }
 
-  /// Counts what will grow before any of it is made.
+  /// Checks the limit of nodes before growing.
   void require_nodes(const std::vector<std::uint64_t>& planned, int iteration) const {
     std::uint64_t metamers = 0;
     for (std::size_t k = 0; k < trees_.size(); ++k) metamers += trees_[k].metamers().count() + planned[k];
@@ -213,7 +213,7 @@ class Organizer : public Grower {
                 species_.limits.nodes, "nodes", species_.path("resource.alpha"));
   }
 
-  /// Counts what stands already before it is made metamers.
+  /// Checks the limit of nodes before converting existing wood.
   void require_wood(const std::vector<OrganizeSeed>& seeds) const {
     double metamers = 0;
     for (const OrganizeSeed& seed : seeds) {
@@ -231,7 +231,7 @@ class Organizer : public Grower {
         "a position outside all of scene.obstacles");
   }
 
-  /// Says so where no tree has ever grown a metamer.
+  /// Throws an error if no tree has ever grown a metamer.
   void require_growth() const {
     double most = 0;
     double light = 0;
@@ -259,12 +259,12 @@ class Organizer : public Grower {
   OrganizedSpecies species_;
   StandSpace& space_;
   bool has_summer_;
-  int rounds_;                       // of an iteration
-  std::deque<OrganizedTree> trees_;  // the space keeps pointers to them
+  int rounds_;                       // per iteration
+  std::deque<OrganizedTree> trees_;  // a deque, because the space keeps pointers to the trees
   int round_ = 0;
-  std::unique_ptr<OrganizeTrace> trace_;  // what is recorded
+  std::unique_ptr<OrganizeTrace> trace_;  // the record, if requested
   std::uint64_t recorded_bytes_ = 0;
-  std::optional<Skeleton> planned_;  // how the trees stand before what they plan, where they have done it
+  std::optional<Skeleton> planned_;  // the trees before their planned operations, if these were performed
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace meristem {
 namespace {
 
 constexpr double kGravity = 9.81;
-// An internode turns by no more in one iteration: beyond that it would break, and beam theory does not hold.
+// Largest turn of an internode in one iteration, radians. Beyond it wood would break, and beam theory is invalid.
 constexpr double kMostTurn = 0.35;
 
 bool is_tied(const Metamers& metamers, MetamerIndex metamer) { return metamers.axes[metamers.axis[metamer]].tie != 0; }
@@ -23,7 +23,7 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
   const std::size_t count = metamers.count();
   const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, radii_);
 
-  // Mass and first moment of what each metamer carries, itself included.
+  // Compute mass and first moment of the load of each metamer, including itself.
   std::vector<double> mass(count, 0);
   std::vector<DVec3> first(count, DVec3(0));
   for (std::size_t metamer = count; metamer-- > 1;) {
@@ -38,7 +38,8 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
     first[parent] += first[metamer];
   }
 
-  // From the root on: turn each internode by what its moment has grown, and carry along what it bears.
+  // From the root to the tips: turn each internode by the increase of its moment, together with everything that it
+  // bears.
   std::vector<Mat3> turned(count, Mat3(1));
   Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, moment_};
   pose.moment.resize(count, Vec3(0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Branches bend under what they carry. Each internode is an elastic beam; what it bends under the load of an iteration
-// stays when new wood is laid on, and only a change of the load bends it again, as stiff as it is then: more load
-// further down, less of it back up.
+// Bending of branches under their load. Each internode is an elastic beam. Its deformation in an iteration becomes
+// permanent when new wood grows. Only a change of the load bends it again, with its stiffness at that time: down for
+// more load, up for less.
 #pragma once
 
 #include <cstdint>
@@ -15,35 +15,35 @@
 namespace meristem {
 
 struct Sag {
-  double stiffness = 5;      ///< modulus of elasticity, gigapascals; green wood has 4 to 12
-  double density = 900;      ///< of green wood, kilograms per cubic metre
-  double leaf_mass = 0.002;  ///< kilograms that a metamer of the last iteration carries besides
+  double stiffness = 5;      ///< modulus of elasticity, gigapascals; green wood has 4 to 12; larger: less bending
+  double density = 900;      ///< density of green wood, kilograms per cubic metre
+  double leaf_mass = 0.002;  ///< additional mass of each metamer of the last iteration, kilograms
 };
 
-/// How the metamers of a tree stand, by metamer.
+/// Positions and directions of the metamers of a tree.
 struct Pose {
-  std::vector<Vec3> tip;     ///< metres from the root
-  std::vector<Vec3> side;    ///< unit vectors from the axis to the lateral bud
-  std::vector<Vec3> moment;  ///< newton metres that each internode is bent for; empty for trees that do not sag
+  std::vector<Vec3> tip;   ///< metres from the root
+  std::vector<Vec3> side;  ///< unit vectors from the axis to the lateral bud
+  /// Bending moment that each internode has yielded to, newton metres; empty for trees that do not sag.
+  std::vector<Vec3> moment;
 };
 
-/// The load of a tree's branches and what it has bent.
+/// The load of a tree's branches and the bending that it has caused.
 class BranchLoad {
  public:
-  /// The load of a tree with its root at `root`, whose weight pulls where `directions` say.
+  /// The load of a tree with its root at `root`. `directions` defines gravity.
   BranchLoad(const Sag& sag, const PipeModel& radii, const Directions& directions = {}, Vec3 root = Vec3(0))
       : sag_(sag), radii_(radii), directions_(directions), root_(root) {}
 
-  /// How the metamers stand once all internodes are bent by what their load has grown since the moments that were taken
-  /// last; what goes on them moves and turns along. Shoots that are tied keep their form, and their load is borne by
-  /// what they are tied to. Nothing comes below the ground, which is level at the root;
-  /// obstacles are not asked. `iteration` is the newest.
+  /// Returns the metamers after bending all internodes by the increase of their load since take(). Everything on an
+  /// internode moves and turns with it. Tied shoots keep their form, and their support bears their load. No metamer
+  /// moves below the ground, which is horizontal at the root. Obstacles are ignored. `iteration` is the newest.
   Pose bend(const Metamers& metamers, int iteration) const;
-  /// What the internodes are bent for from now on; internodes beyond the end of `moment` are bent for nothing.
+  /// Sets the moments that internodes have yielded to; missing entries are 0.
   void take(std::vector<Vec3> moment) { moment_ = std::move(moment); }
-  /// Follows Metamers::remove().
+  /// Updates the indices after Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
-  /// Makes it what a copy of it holds.
+  /// Restores the state of a copy.
   void restore(BranchLoad copy) { moment_ = std::move(copy.moment_); }
 
  private:
@@ -51,7 +51,7 @@ class BranchLoad {
   PipeModel radii_;
   Directions directions_;
   Vec3 root_;
-  std::vector<Vec3> moment_;  // newton metres about the base of each metamer, as it was bent
+  std::vector<Vec3> moment_;  // newton metres about the base of each metamer
 };
 
 }  // namespace meristem

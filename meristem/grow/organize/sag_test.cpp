@@ -17,7 +17,7 @@ constexpr double kGravity = 9.81;
 constexpr PipeModel kRod{.tip_radius = 0.01, .exponent = 2, .memory = 1};
 constexpr Sag kWood{.stiffness = 10, .density = 800, .leaf_mass = 0};
 
-/// Adds a metamer along x at the end of an axis, a tenth of a metre long.
+/// Adds a metamer of 0.1 m at the end of the rod's axis.
 void lengthen(Metamers& rod, int iteration) {
   const MetamerIndex last = rod.axes[0].last;
   const MetamerIndex made = rod.grow(last, false, iteration);
@@ -33,13 +33,14 @@ Metamers rod_of(int metamers) {
   return rod;
 }
 
-/// How far the tip of a rod has come down.
+/// Returns how far the tip of a rod has come down.
 double fall(const Metamers& rod) { return 0.1 * static_cast<double>(rod.count() - 1) * kAlongRod.y - rod.tip.back().y; }
 
 double rigidity(const Sag& sag, double radius) { return sag.stiffness * 1e9 * kPi / 4 * std::pow(radius, 4); }
 
-/// The deflection by beam theory: each internode turns by M L / (E I), where M is the moment about its base of all that
-/// is beyond. Small angles; the lever of weights and the fall of what turns both have the cosine of the slope.
+/// Returns the deflection by beam theory. Each internode turns by M L / (E I), where M is the moment about its base of
+/// everything beyond. For small angles, the lever of the weights and the fall of the turned parts both contain the
+/// cosine of the slope.
 double deflection(const Sag& sag, int metamers, double leaf_at_tip = 0) {
   constexpr double kLength = 0.1;
   const double mass = sag.density * kPi * kRod.tip_radius * kRod.tip_radius * kLength;
@@ -51,7 +52,7 @@ double deflection(const Sag& sag, int metamers, double leaf_at_tip = 0) {
   return 0.75 * down;
 }
 
-/// Has the load bend the rod.
+/// Bends the rod by its load.
 void bend(BranchLoad& load, Metamers& rod, int iteration) {
   Pose pose = load.bend(rod, iteration);
   rod.tip = pose.tip;
@@ -59,7 +60,7 @@ void bend(BranchLoad& load, Metamers& rod, int iteration) {
   load.take(pose.moment);
 }
 
-/// Bends a rod under a load that comes for the first time.
+/// Bends a rod under a load that is applied for the first time.
 void bend(const Sag& sag, Metamers& rod, int iteration) {
   BranchLoad load(sag, kRod);
   bend(load, rod, iteration);
@@ -75,7 +76,8 @@ TEST(Sag, ARodBendsAsABeam) {
 }
 
 TEST(Sag, ASlenderRodApproachesTheTextbooksCantilever) {
-  // q L^4 / (8 E I), from which a chain of turns at the bases differs by two thirds over the number of its links.
+  // The textbook value is q L^4 / (8 E I). A chain of turns at the bases differs from it by two thirds over the number
+  // of links.
   const int metamers = 60;
   const Sag stiff{.stiffness = 1000, .density = 100, .leaf_mass = 0};
   Metamers rod = rod_of(metamers);
@@ -119,7 +121,7 @@ TEST(Sag, WithoutMoreLoadNothingBendsFurther) {
 }
 
 TEST(Sag, LoadThatComesBitByBitBendsByItsIncrements) {
-  // An even rod, loaded as it grows: each internode has turned by the moments that came after it.
+  // A uniform rod, loaded as it grows: each internode turns by the moments added after it.
   Metamers rod = rod_of(1);
   BranchLoad load(kWood, kRod);
   bend(load, rod, 1000);
@@ -146,7 +148,7 @@ TEST(Sag, UprightStemsStayUpright) {
 }
 
 TEST(Sag, FollowsWhatIsRemoved) {
-  // What stays has its moments still: the same as a tree that never bore the rest bends no further.
+  // The remaining metamers keep their moments: a tree that never bore the removed part bends no further either.
   Metamers rod = rod_of(8);
   for (int k = 0; k < 3; ++k) {
     const MetamerIndex made = rod.grow(k == 0 ? 2 : rod.axes[1].last, k == 0, 9);
@@ -161,12 +163,12 @@ TEST(Sag, FollowsWhatIsRemoved) {
   load.remove(gone);
   bend(load, rod, 1000);
   EXPECT_EQ(rod.count(), 9U);
-  // Relieved of a branch, the rod rises a little.
+  // Without the branch, the rod rises a little.
   EXPECT_GT(rod.tip[8].y, tip.y);
   EXPECT_LT(rod.tip[8].y, rod_of(8).tip[8].y);
 }
 
-/// A bushy tree, bent hard, in each iteration again.
+/// A bushy tree with strong bending in each iteration.
 Skeleton bent_tree(double stiffness) {
   OrganizeParameters parameters = full(18);
   parameters.length = 0.1;
@@ -183,7 +185,7 @@ TEST(Sag, NothingComesBelowTheGround) {
 TEST(Sag, InternodesKeepTheirLengths) {
   const Skeleton tree = bent_tree(2);
   for (NodeIndex node = 1; node < tree.node_count(); ++node) {
-    if (tree.position[node].y < 0.02F) continue;  // what lies on the ground may be bent there
+    if (tree.position[node].y < 0.02F) continue;  // metamers on the ground may be bent there
     EXPECT_NEAR(glm::distance(tree.position[node], tree.position[tree.parent[node]]), 0.1, 1e-4);
   }
 }

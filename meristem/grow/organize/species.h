@@ -10,21 +10,21 @@
 
 namespace meristem {
 
-/// What all self-organizing trees of one component have in common.
+/// The common data of all self-organizing trees of one component.
 struct OrganizedSpecies {
   OrganizeParameters parameters;
   const Scene& scene;
   Limits limits;
   std::string component;
-  Directions directions;  ///< of light and gravity where it stands
+  Directions directions;  ///< of light and gravity at its place
 
-  /// Whether an operation acts in the summer of an iteration; of any iteration without one.
+  /// Returns true if an operation acts in the summer of `iteration`, or of any iteration if it is not given.
   bool has_summer(std::optional<int> iteration = std::nullopt) const;
-  /// Rounds of the stand for each iteration.
+  /// Returns the number of rounds of the stand per iteration.
   int rounds() const;
-  /// Whether buds look for light and room in a round, from 0.
+  /// Returns true if buds search for light and space in a round, counted from 0.
   bool looks(int round) const;
-  /// The path of a parameter in the document.
+  /// Returns the path of a parameter in the document.
   std::string path(const std::string& parameter) const;
   /// Throws an InputError at a parameter.
   [[noreturn]] void refuse(const std::string& parameter, std::string message, std::string expected,

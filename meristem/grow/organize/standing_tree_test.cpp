@@ -15,7 +15,7 @@ constexpr Vec3 kRoot{3, 0.25F, -7};
 constexpr PipeModel kPipes{.tip_radius = 0.005, .exponent = 2, .memory = 1};
 constexpr Sag kSoft{.stiffness = 0.5, .density = 900, .leaf_mass = 0.01};
 
-/// A wall whose shade falls on some positions, and a lamp.
+/// A wall that shades some positions, and a lamp.
 Scene walled() {
   Scene scene;
   scene.obstacles = Obstacles({Obstacle{.mesh = box_mesh({4, 0, -9}, {4.5, 3, -5})}});
@@ -24,7 +24,7 @@ Scene walled() {
   return scene;
 }
 
-/// Somewhere near, for each metamer; the seed stays at the root.
+/// Returns a random nearby position for each metamer; the seed stays at the root.
 Pose random_pose(RandomKey key, const Metamers& of) {
   Pose pose;
   pose.tip.resize(of.count(), Vec3(0));
@@ -38,7 +38,7 @@ Pose random_pose(RandomKey key, const Metamers& of) {
   return pose;
 }
 
-/// Never looks for room, so that none is shared out.
+/// Never searches for space.
 class NoSeeker : public RoomSeeker {
  public:
   bool begin_round() override { return false; }
@@ -46,7 +46,7 @@ class NoSeeker : public RoomSeeker {
   void take_room(std::span<const Room>) override {}
 };
 
-/// A tree in a space of its own.
+/// A tree in its own space.
 struct Grown {
   StandSpace space;
   NoSeeker seeker;
@@ -55,7 +55,7 @@ struct Grown {
   std::uint32_t volume;
   std::unique_ptr<StandingTree> tree;
 
-  /// A tree of the form of `like`, with its metamers where `pose` has them.
+  /// Makes a tree with the topology of `like` and the positions of `pose`.
   Grown(const Scene& scene, const Metamers& like, const Pose& pose, RandomKey key) {
     grid = &space.shade({.voxel = 0.3, .depth = 4}, kMuch, "shade");
     field = &space.markers({.spacing = 0.2, .occupancy = 0.5}, RandomKey(1), scene.obstacles, seeker, kMuch, "markers");
@@ -74,8 +74,8 @@ struct Grown {
   }
 };
 
-/// Whether two trees and all that others feel of them are the same to the last bit. Where a shoot was, the grid may
-/// keep its memory.
+/// Checks that two trees and their effects on others are bitwise equal. The grid may keep memory at positions of
+/// removed shoots.
 void expect_the_same(Grown& one, Grown& other, RandomKey key, bool in_memory = true) {
   one.next_round();
   other.next_round();
@@ -104,7 +104,7 @@ RC_GTEST_PROP(StandingTree, AfterAMoveAllIsAsIfItHadGrownThere, ()) {
   const Metamers form = random_metamers(key, 40);
   const Pose there = random_pose(key.child("there"), form);
   Pose half = random_pose(key.child("half"), form);
-  // Only what stands beyond a metamer moves first, then all of it.
+  // First move only the later metamers, then all.
   for (MetamerIndex metamer = 0; metamer < 20; ++metamer) half.tip[metamer] = there.tip[metamer];
   Grown moved(scene, form, random_pose(key.child("here"), form), key);
   if (key.uniform(0) < 0.5) moved.next_round();
@@ -152,7 +152,7 @@ RC_GTEST_PROP(StandingTree, WhatIsCutIsAsIfItHadNeverGrown, ()) {
 }
 
 RC_GTEST_PROP(StandingTree, BendsFurtherFromTheMomentsThatItWasMovedWith, ()) {
-  // Two trees that have come to stand the same way, bent for the same moments, bend on the same.
+  // Two trees with equal positions and moments must continue to bend equally.
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   const Scene scene = walled();
   const Metamers form = random_metamers(key, 30);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts a skeleton to metamers in one pass from the root. A node with several laterals becomes a chain of short
+// metamers, because a metamer has one lateral bud.
 #include "meristem/grow/organize/standing_wood.h"
 
 #include <algorithm>
@@ -13,14 +15,14 @@ namespace meristem {
 
 namespace {
 
-constexpr double kStub = 0.04;       // metamers that only bear a lateral, as a share of a length
-constexpr double kStubShare = 0.25;  // of an internode that all of them take at most
+constexpr double kStub = 0.04;       // length of metamers that only bear a lateral, as a share of a metamer's length
+constexpr double kStubShare = 0.25;  // largest share of an internode that all of them take
 
 double internode(const Skeleton& wood, NodeIndex node) {
   return glm::distance(DVec3(wood.position[node]), DVec3(wood.position[wood.parent[node]]));
 }
 
-/// How many metamers a way of some metres is.
+/// Returns the number of metamers for a length in metres.
 double pieces_of(double way, double length) { return std::max(1.0, std::floor(way / length + 0.5)); }
 
 class Planting {
@@ -30,7 +32,7 @@ class Planting {
     for (NodeIndex node = 1; node < wood.node_count(); ++node) {
       Fork& fork = forks_[wood.parent[node]];
       ++fork.laterals;
-      // The axes of metamers tell which bud has grown each.
+      // In a skeleton of metamers, the axes define which bud has grown into each metamer.
       if (has_metamers && wood.parent[node] != 0 && wood.axis[node] != wood.axis[wood.parent[node]]) continue;
       if (fork.successor == kNoNode || goes_on_before(node, fork.successor)) fork.successor = node;
     }
@@ -52,15 +54,15 @@ class Planting {
 
  private:
   struct Fork {
-    NodeIndex successor = kNoNode;  // goes on from the terminal bud
-    std::uint32_t laterals = 0;     // yet to be planted
-    MetamerIndex first = 0;         // that bears a lateral
-    MetamerIndex first_stub = 0;    // bears the next one, if any
-    MetamerIndex last = 0;          // bears what goes on
-    std::uint32_t planted = 0;      // laterals
+    NodeIndex successor = kNoNode;  // grows from the terminal bud
+    std::uint32_t laterals = 0;     // number of laterals still to be planted
+    MetamerIndex first = 0;         // first metamer that bears a lateral
+    MetamerIndex first_stub = 0;    // bears the second lateral, if any
+    MetamerIndex last = 0;          // bears the successor
+    std::uint32_t planted = 0;      // number of planted laterals
   };
 
-  /// Whether a node rather than another, a sibling before it, goes on their parent's axis.
+  /// Returns true if a node continues its parent's axis rather than `other`, an earlier sibling.
   bool goes_on_before(NodeIndex node, NodeIndex other) const {
     const AxisIndex axis = wood_.axis[wood_.parent[node]];
     const bool is_on_axis = wood_.axis[node] == axis, is_other_on_axis = wood_.axis[other] == axis;
@@ -75,7 +77,7 @@ class Planting {
     return static_cast<MetamerIndex>(made_.size());
   }
 
-  /// The metamer at a node is there; makes those that bear the node's further laterals.
+  /// Called when the metamer at a node exists. Makes the metamers that bear the node's further laterals.
   void arrive(NodeIndex node, MetamerIndex metamer) {
     Fork& fork = forks_[node];
     const bool has_bud = metamer != 0;  // the seed has no lateral bud
@@ -102,7 +104,7 @@ class Planting {
     return number == 0 ? fork.first : fork.first_stub + number - 1;
   }
 
-  /// The metamers from one to a node.
+  /// Makes the metamers from one metamer to a node.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, NodeIndex node) {
     const Vec3 begin = tip(from), end = wood_.position[node];
     const float thick = is_lateral ? wood_.radius[node] : radius(from);
@@ -112,7 +114,7 @@ class Planting {
       from = add({.from = from,
                   .is_lateral = is_lateral && k == 1,
                   .tip = k == pieces ? end : glm::mix(begin, end, along),
-                  .radius = std::lerp(thick, wood_.radius[node], along),  // exact at equal ends, and monotonic
+                  .radius = std::lerp(thick, wood_.radius[node], along),  // exact for equal ends, and monotonic
                   .node = k == pieces ? node : kNoNode});
     }
     return from;
@@ -130,7 +132,7 @@ class Planting {
 std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length) {
   if (wood.extra.contains(kBudAngleColumn)) return Planting(wood, length, true).metamers();
   std::vector<WoodMetamer> metamers = Planting(decimate(wood, length, 0), length, false).metamers();
-  // The nodes were those of the thinned skeleton, and its columns say nothing of buds.
+  // The nodes belong to the thinned skeleton, whose columns have no states of buds.
   for (WoodMetamer& metamer : metamers) metamer.node = kNoNode;
   return metamers;
 }
@@ -138,7 +140,7 @@ std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length) {
 double most_metamers_of_wood(const Skeleton& wood, double length) {
   double metamers = 0;
   for (NodeIndex node = 1; node < wood.node_count(); ++node) {
-    metamers += 1 + pieces_of(internode(wood, node), length);  // one that bears it, at most
+    metamers += 1 + pieces_of(internode(wood, node), length);  // plus at most one that bears it
   }
   return metamers;
 }
@@ -171,7 +173,7 @@ void StandingWood::thicken(Skeleton& skeleton, const PipeModel& model) const {
   for (MetamerIndex node = 0; node < radius_.size(); ++node) {
     skeleton.radius[node] = static_cast<float>(radius(node, tips[node], model));
   }
-  // Wood is not thinner than what it bears, unless it was measured so.
+  // Wood is at least as thick as everything that it bears, unless it was measured otherwise.
   for (std::size_t node = skeleton.node_count(); node-- > 1;) {
     const NodeIndex parent = skeleton.parent[node];
     if (parent >= radius_.size() || (node < radius_.size() && radius_[node] > radius_[parent])) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wood that stood before a tree goes on growing: a skeleton of any origin, as metamers.
+// Existing wood of a tree that continues to grow: converts a skeleton of any origin to metamers.
 #pragma once
 
 #include <cstdint>
@@ -11,43 +11,41 @@
 
 namespace meristem {
 
-/// A metamer of a tree that stands already.
+/// A metamer of existing wood.
 struct WoodMetamer {
-  MetamerIndex from = 0;  ///< the metamer that bears it: 0 is the seed, k + 1 the k-th of the list
+  MetamerIndex from = 0;  ///< the metamer that bears it: 0 is the seed, k + 1 is the k-th of the list
   bool is_lateral = false;
   Vec3 tip{0};               ///< metres from the root
   float radius = 0;          ///< metres, at the tip
   NodeIndex node = kNoNode;  ///< the node at its tip; kNoNode within an internode of the skeleton
 };
 
-/// The metamers of a tree with one root, which stands at the origin and is the seed. A metamer comes after the one that
-/// bears it. Where the column `bud_angle` says that the nodes are metamers, each node is one metamer and stays on its
-/// axis. In all other trees an internode is as many equal metamers as come nearest to `length`, and nodes closer
-/// together are thinned out first. The child on a node's own axis, or where there is none the thickest child, goes on
-/// from the terminal bud. A metamer has one lateral bud: where a node bears more laterals, short metamers before the
-/// next node bear the others.
+/// Returns the metamers of a tree with one root, which is at the origin and becomes the seed. A metamer comes after the
+/// metamer that bears it. If the skeleton has the column `bud_angle`, each node is one metamer and stays on its axis.
+/// Otherwise nodes that are too close are removed first, and each internode is divided into equal metamers with a
+/// length near `length`. The child on a node's own axis, or else the thickest child, continues from the terminal bud. A
+/// metamer has one lateral bud. If a node has more laterals, short metamers before the next node bear the others.
 std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length);
 
-/// The largest number of metamers that can be made of a tree.
+/// Returns an upper bound for the number of metamers of a tree.
 double most_metamers_of_wood(const Skeleton& wood, double length);
 
-/// What is remembered of wood that stood already, by metamer.
+/// Properties of existing wood, by metamer.
 class StandingWood {
  public:
-  /// Remembers the radii and tips of `metamers`, which are the seed and `wood` and no more.
+  /// Stores the radii and tips of `metamers`, which must consist of the seed and `wood`.
   void stand(const Metamers& metamers, float seed_radius, const std::vector<WoodMetamer>& wood);
   void remove(const std::vector<std::uint8_t>& gone);
-  /// Whether a metamer stood already.
+  /// Returns true if a metamer is existing wood.
   bool stands(MetamerIndex metamer) const { return metamer < radius_.size(); }
-  /// The radius of one that did, now that it bears this number of tips.
+  /// Returns the radius of existing wood that now bears `tips` tips.
   double radius(MetamerIndex metamer, double tips, const PipeModel& model) const;
-  /// Gives wood that stood already its own radii, which grow by the tips that it has gained since; all other radii
-  /// stay.
+  /// Sets the radii of existing wood to its own radii, increased for the tips gained since. Other radii do not change.
   void thicken(Skeleton& skeleton, const PipeModel& model) const;
 
  private:
   std::vector<float> radius_;
-  std::vector<float> tips_;  // that it bore
+  std::vector<float> tips_;  // number of tips at the begin
 };
 
 }  // namespace meristem

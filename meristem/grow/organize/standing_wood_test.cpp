@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skeletons as metamers, and trees that go on from them.
+// Skeletons as metamers, and trees that continue from them.
 #include "meristem/grow/organize/standing_wood.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void add_lateral(Skeleton& wood, NodeIndex parent, Vec3 end, float radius = 0.05
   wood.radius[node] = radius;
 }
 
-/// Each bud is grown once, the seed has no lateral one, and what bears comes first.
+/// Checks that each bud grows once, that the seed has no lateral bud, and that bearing metamers come first.
 void expect_sound(const std::vector<WoodMetamer>& wood) {
   std::set<std::pair<MetamerIndex, bool>> grown;
   for (std::size_t k = 0; k < wood.size(); ++k) {
@@ -142,7 +142,7 @@ TEST(StandingWood, WhatWasCutStaysAsItWasLeft) {
 }
 
 TEST(StandingWood, MeasuredRadiiGrowByTheTipsThatTheyGain) {
-  const Skeleton measured = stem(10, 10);  // far thicker than its one tip asks for
+  const Skeleton measured = stem(10, 10);  // much thicker than its one tip requires
   OrganizeParameters parameters = full(6);
   const Skeleton tree = go_on(parameters, measured);
   ASSERT_GT(tree.node_count(), measured.node_count());
@@ -158,7 +158,7 @@ TEST(StandingWood, WhatStandsBendsByNewLoadAlone) {
   parameters.sag.emplace();
   parameters.sag->stiffness = 10;
   parameters.iterations = 1;
-  parameters.resource.alpha = 0;  // so that there is none
+  parameters.resource.alpha = 0;  // no resource, so no growth
   const Skeleton after = go_on(parameters, before);
   ASSERT_EQ(after.node_count(), before.node_count());
   for (NodeIndex node = 0; node < before.node_count(); ++node) {
@@ -178,7 +178,7 @@ TEST(StandingWood, CutsAndSheddingTakeItToo) {
 }
 
 TEST(StandingWood, CastsItsShadeFromTheFirstRoundOn) {
-  // A seed under a crown that stands already has less light than one in the open.
+  // A seed under an existing crown has less light than a free-standing one.
   OrganizeParameters parameters = full(10);
   const Skeleton crown = grow_organized(parameters);
   parameters.iterations = 1;

@@ -11,13 +11,14 @@ namespace meristem {
 
 namespace {
 
-/// The turn of each metamer of a bow, about one axis.
+/// The rotation of each metamer of a bow, about one axis.
 struct Turn {
   Vec3 axis{0};
   double angle = 0;
 };
 
-/// The turn of one of `count` metamers that brings `heading` to an inclination in `iterations` such turns.
+/// Returns the rotation per metamer and iteration that brings `heading` to an inclination, for `count` metamers and
+/// `iterations` iterations.
 Turn turn_to(Vec3 heading, double inclination, int count, int iterations) {
   const Vec3 level = normalized_or(Vec3(heading.x, 0, heading.z), Vec3(1, 0, 0));
   const Vec3 wanted =
@@ -37,7 +38,7 @@ void TreeBows::add(const Bow& bow) {
 
 Pose TreeBows::bend(const Metamers& metamers) {
   const std::size_t count = metamers.count();
-  std::vector<std::uint32_t> bow_of(count, 0);  // from 1; 0: none
+  std::vector<std::uint32_t> bow_of(count, 0);  // from 1; 0: not in a bow
   std::vector<int> lengths;
   for (const Bow& bow : bows_) {
     lengths.push_back(0);
@@ -75,7 +76,7 @@ Pose TreeBows::bend(const Metamers& metamers) {
       if (turn.angle != 0) turned[metamer] = rotation(turn.axis, turn.angle) * turned[parent];
     }
     const Vec3 internode = metamers.tip[metamer] - metamers.tip[parent];
-    // What nothing has turned keeps its bytes where nothing has moved it.
+    // Copy unmoved metamers, so that their positions stay bitwise equal.
     if (pose.tip[parent] == metamers.tip[parent] && turned[metamer] == Mat3(1)) {
       pose.tip[metamer] = metamers.tip[metamer];
       continue;

@@ -9,17 +9,17 @@
 
 namespace meristem {
 
-/// The stretches of a tree's shoots that are being bent.
+/// The sections of a tree's shoots that are being bent.
 class TreeBows {
  public:
   bool empty() const { return bows_.empty(); }
-  /// Begins to bend a stretch; of another one that begins there nothing more is done.
+  /// Begins to bend a section. Ends the bending of another section with the same first metamer.
   void add(const Bow& bow);
-  /// How the metamers stand after one more iteration of bending: each bow has turned by its share of what is left, and
-  /// what it bears has moved and turned along. Nothing comes below the ground, which is level at the root; obstacles
-  /// are not asked. Bows that are done are forgotten.
+  /// Returns the metamers after one more iteration of bending. Each bow turns by its share of the remaining angle,
+  /// together with everything that it bears. No metamer moves below the ground, which is horizontal at the root.
+  /// Obstacles are ignored. Removes completed bows.
   Pose bend(const Metamers& metamers);
-  /// Follows Metamers::remove(). A stretch that has lost a part is bent no further.
+  /// Updates the indices after Metamers::remove(). A section that has lost a part is bent no further.
   void remove(const std::vector<std::uint8_t>& gone);
 
  private:

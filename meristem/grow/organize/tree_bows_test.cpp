@@ -16,7 +16,7 @@
 
 namespace meristem::tree_bows_test {
 
-/// A straight stem of a number of metamers, a metre long each, that heads `way`.
+/// A straight stem of `count` metamers of one metre in the direction `way`.
 Metamers straight(int count, Vec3 way) {
   Metamers metamers(way, any_perpendicular(way), RandomKey(1));
   for (MetamerIndex k = 0; k < static_cast<MetamerIndex>(count); ++k) {
@@ -113,7 +113,7 @@ TEST(OrganizeBend, ActsNotBeforeItsTime) {
 }
 
 TEST(OrganizeBend, BranchesHangWhereTheyAreBent) {
-  // The mean over all branches of the metamers beyond the bend that the iteration of the bend has found.
+  // Returns the mean rise of the metamers beyond the bend, over all branches that existed in the bend's iteration.
   const auto mean_rise = [](const OrganizeParameters& parameters) {
     const Skeleton tree = grow_organized(parameters);
     check_skeleton(tree);
@@ -134,12 +134,12 @@ TEST(OrganizeBend, BranchesHangWhereTheyAreBent) {
 }
 
 TEST(OrganizeGirdle, RingedBranchesKeepWhatTheyMake) {
-  // Nothing of the sum of all resources is lost: the root and the branches have together what the root had.
+  // No resource is lost: with rings, the root and the branches together have the resource of the root without rings.
   const Skeleton open = grow_organized(ringed(8, 0));
   const Skeleton rings = grow_organized(ringed(8, 1));
   EXPECT_EQ(open.position, rings.position);
   EXPECT_LT(of_seed(rings, "resource"), of_seed(open, "resource"));
-  // After the time of the ring it has healed: the two rounds after it differ by what has grown only.
+  // After its time, the ring has healed: the two following rounds differ only by new growth.
   const Skeleton healed = grow_organized(ringed(11, 1));
   const double light = of_seed(healed, "light");
   EXPECT_NEAR(of_seed(healed, "resource"), 2 * light, 1e-3 * light);

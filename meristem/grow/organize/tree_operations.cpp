@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies the operations to a tree. The effect of each operation is computed in grow/prune from the metamers alone.
-// Supports are set before the growth of an iteration, so that the new metamers follow them; all other operations act
-// after the growth, in the document's order.
+// Applies the operations to a tree. grow/prune computes the effect of each operation from the metamers alone. Supports
+// are set before the growth of an iteration, so that the new metamers follow them. All other operations act after the
+// growth, in the document's order.
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -24,7 +24,7 @@ TreeState OrganizedTree::state_for(std::size_t operation, int iteration) const {
           .marks = parameters.marks.size()};
 }
 
-/// Ties shoots and buds to the supports that stand in this iteration, and unties those whose time is over.
+/// Ties shoots and buds to the supports of this iteration, and unties them from expired supports.
 void OrganizedTree::tie_shoots(int iteration) {
   misses_.clear();
   upkeep_.leads = find_leads(metamers_);
@@ -58,14 +58,15 @@ void OrganizedTree::tie_shoots(int iteration) {
   }
 }
 
-/// Performs the operations of this iteration's summer or winter, or finds out what those of the last winter would do.
+/// Performs the operations of this iteration's summer or winter. If the last winter is only planned, computes the
+/// effect of its operations.
 void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progress) {
   if (in_summer || !species_->parameters.plans || iteration != species_->parameters.iterations) {
     return perform(iteration, in_summer, progress);
   }
-  // Each operation finds what those before it leave, so all are done, and then undone.
+  // Each operation depends on the earlier ones. Therefore perform all of them, then restore the tree.
   State before = state();
-  tree_.take_changes();  // the stand hears of the growth from the tree that stays, and of the plan from its outcome
+  tree_.take_changes();  // reported by the restored tree and, for the plan, by its outcome
   std::vector<OperationRecord> all = std::exchange(records_, {});
   plan_cuts_.assign(metamers_.count(), 0);
   perform(iteration, in_summer, progress);
@@ -121,7 +122,7 @@ void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progr
     }
   }
   girth_.reset();
-  // Once for all operations, so that each costs what it takes away and not the tree.
+  // Clear away once for all operations, so that the cost depends on what is removed and not on the tree.
   if (clear_away()) upkeep_.leads = find_leads(metamers_);
   if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
 }
@@ -147,7 +148,7 @@ const std::vector<float>& OrganizedTree::ringed(int iteration) {
   return upkeep_.ringed;
 }
 
-/// Begins to bend a shoot, and ties what lies beyond the bend.
+/// Begins to bend a shoot, and ties the part beyond the bend.
 void OrganizedTree::bend(const Bow& bow, std::size_t operation) {
   upkeep_.bows.add(bow);
   for (MetamerIndex metamer = bow.tip;; metamer = metamers_.parent[metamer]) {
@@ -156,9 +157,9 @@ void OrganizedTree::bend(const Bow& bow, std::size_t operation) {
   }
 }
 
-/// Notes what is about to be done.
+/// Records the effects of an operation before it is applied.
 void OrganizedTree::record(const Work& work, int iteration, const Operation& operation) {
-  // Nothing has been cut when it is asked for first.
+  // Compute the radii on first use, before anything is cut.
   const auto radius_of = [&](MetamerIndex metamer) {
     if (!girth_) girth_.emplace(metamers_, wood_, species_->parameters.radii);
     return girth_->radius(metamer);
@@ -196,7 +197,7 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
     for (const MetamerIndex metamer : work.pinched) tree_.damage(metamer, false);
     for (const MetamerIndex metamer : work.lifted) tree_.damage(metamer, true);
   }
-  // What goes with something else stands beyond it, and has the larger index.
+  // Metamers beyond a cut have larger indices, so sorting finds the outermost cuts first.
   std::vector<MetamerIndex> gone = work.gone;
   std::ranges::sort(gone);
   const Bud after = damages ? Bud::damaged() : Bud();

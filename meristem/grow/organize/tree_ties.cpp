@@ -15,11 +15,11 @@ namespace meristem {
 
 namespace {
 
-// A shoot that has strayed from its line aims at a point this number of metamers on: nearer, it swings about the line;
-// farther, it stays beside it.
+// Look-ahead in metamers: a shoot beside its line aims at a point this far along the line. Smaller values make it swing
+// around the line; larger values leave it beside the line.
 constexpr double kAhead = 2;
 
-/// The line of a support of the scene, from a root.
+/// Returns the line of a support of the scene, relative to a root.
 std::vector<Vec3> line_of_scene(const Operation& operation, const std::string& name, const Scene& scene, Vec3 root) {
   const auto found = scene.supports.find(name);
   if (found == scene.supports.end()) {
@@ -53,7 +53,7 @@ TreeTies::TreeTies(const OrganizedSpecies& species, Vec3 root)
         lines_.push_back({std::move(wire), layers->weight});
       }
     } else if (std::holds_alternative<Bend>(operation.what) || std::holds_alternative<Tie>(operation.what)) {
-      lines_.push_back({{}, 0});  // it holds, and leads nowhere
+      lines_.push_back({{}, 0});  // holds a shoot without directing its growth
       first_of_.back() = static_cast<std::uint32_t>(lines_.size());
     }
   }

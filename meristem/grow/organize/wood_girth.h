@@ -9,12 +9,12 @@
 
 namespace meristem {
 
-/// How thick a tree's wood is, for those who ask about few of its metamers. It stays as the tree was when it was made.
+/// The thickness of a tree's wood at the time of construction, for queries of a few metamers.
 class WoodGirth {
  public:
-  /// Time goes with the tree. `standing` and `model` outlive it.
+  /// Cost: linear in the tree. `standing` and `model` must outlive this object.
   WoodGirth(const Metamers& metamers, const StandingWood& standing, const PipeModel& model);
-  /// Metres, at a metamer's end: the radius that the skeleton has there, before callus.
+  /// Returns the radius at a metamer's end in metres: the skeleton's radius before callus.
   double radius(MetamerIndex metamer) const;
 
  private:

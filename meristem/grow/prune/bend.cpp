@@ -18,8 +18,8 @@ namespace meristem {
 
 namespace {
 
-/// Whether a shoot has a metamer above the given number. Throws InputError where it has none and the operation names
-/// the shoot.
+/// Returns true if a shoot has a metamer above the given number. Throws InputError if it does not and the operation
+/// names the shoot.
 bool reaches(const Operation& operation, const Shoot& shoot, int below) {
   if (static_cast<std::size_t>(below) < shoot.path.size()) return true;
   if (operation.shoots.kind != ShootChoice::Kind::label) return false;
@@ -29,14 +29,14 @@ bool reaches(const Operation& operation, const Shoot& shoot, int below) {
       .path = operation.path + ".below"});
 }
 
-/// The turn of a bend from how `last` heads now, radians.
+/// Returns the turn in radians from the present heading of `last` to the inclination.
 double turn_of(const Metamers& metamers, MetamerIndex last, double inclination) {
   const double rise = std::clamp(static_cast<double>(metamers.heading(last).y), -1.0, 1.0);
   return std::abs(inclination - math::asin(rise));
 }
 
-/// Whether wood is thicker than the arc it is bent to. A condition passes over it; where the operation names the shoot,
-/// it is an InputError at `key`.
+/// Returns true if the wood is thicker than the radius of the bend. If the operation names the shoot, throws InputError
+/// at `key` instead.
 bool would_break(const Operation& operation, const char* key, double thick, double length, double turn) {
   if (length >= thick * turn) return false;
   if (operation.shoots.kind == ShootChoice::Kind::condition) return true;
@@ -47,8 +47,8 @@ bool would_break(const Operation& operation, const char* key, double thick, doub
       .path = fmt::format("{}.{}", operation.path, key)});
 }
 
-/// The end of the string of a shoot whose tied metamer ends at `tied`: straight below on the ground, or where one of
-/// the shoots `anchors` comes nearest; nothing where there is none but the shoot itself.
+/// Returns the end of the string of a shoot tied at `tied`: vertically below on the ground, or the nearest point of one
+/// of the shoots `anchors`. Returns nothing if the shoot itself is the only anchor.
 std::optional<Vec3> string_end(const Metamers& metamers, const std::vector<Shoot>* anchors, AxisIndex own, Vec3 tied) {
   if (anchors == nullptr) return Vec3(tied.x, 0, tied.z);
   std::optional<Vec3> nearest;

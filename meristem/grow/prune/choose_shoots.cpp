@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kShownNames = 12;
 
 [[noreturn]] void refuse_label(const TreeState& tree, const Operation& operation) {
-  // The names to choose from are those on the longest beginning of this one that is there.
+  // Suggest names of shoots on the longest existing prefix of the label.
   const Metamers& metamers = tree.metamers;
   std::string known = operation.shoots.text;
   while (known.find('.') != std::string::npos && !metamers.find_shoot(known)) known.resize(known.find_last_of('.'));
@@ -46,7 +46,7 @@ std::vector<MetamerIndex> axis_path(const Metamers& metamers, AxisIndex axis) {
   return path;
 }
 
-/// A shoot without its path, which few of many need.
+/// A shoot without its path, which is computed for few shoots only.
 struct Candidate {
   AxisIndex axis = 0;
   MetamerIndex first = 0;
@@ -65,7 +65,7 @@ double path_length(const Metamers& metamers, const std::vector<MetamerIndex>& pa
   return path.empty() ? 0 : path_length(metamers, Candidate{0, path.front(), path.back()});
 }
 
-/// The metamer in the middle of a shoot; of an even number the farther one.
+/// Returns the metamer in the middle of a shoot; for an even number, the farther one.
 MetamerIndex middle_of(const Metamers& metamers, const Candidate& shoot) {
   MetamerIndex middle = shoot.last;
   bool is_second = false;
@@ -76,8 +76,8 @@ MetamerIndex middle_of(const Metamers& metamers, const Candidate& shoot) {
   return middle;
 }
 
-/// The distance from the middle of each shoot to the nearest of another. Points are swept along the axis on which they
-/// are farthest apart.
+/// Returns the distance from the middle of each shoot to the nearest middle of another shoot. Sweeps over the points
+/// along the axis of their largest extent.
 std::vector<double> clearances(const Metamers& metamers, const std::vector<Candidate>& shoots) {
   struct Place {
     Vec3 middle;
@@ -181,7 +181,7 @@ class ShootColumns {
         return way.x * base.x + way.z * base.z < 0 ? 1 : 0;
       case Variable::marked:
         return metamers.axes[axis].marks != 0 ? 1 : 0;
-      default:  // a mark by its word
+      default:  // a mark, by its name
         return (metamers.axes[axis].marks >> (variable - variable_count)) & 1U;
     }
   }
@@ -190,14 +190,14 @@ class ShootColumns {
   std::vector<std::vector<double>> columns_;
 };
 
-/// All leads of a tree.
+/// Returns all leads of a tree.
 std::vector<Candidate> all_shoots(const TreeState& tree) {
   const std::vector<Metamers::Axis>& axes = tree.metamers.axes;
   std::vector<Candidate> shoots;
   for (AxisIndex axis = 0; axis < axes.size(); ++axis) {
     if (tree.leads.is_heir[axis] != 0 || axes[axis].is_loose) continue;
     const MetamerIndex last = axes[lead_end(tree.leads, axis)].last;
-    if (last == 0) continue;  // the seed alone
+    if (last == 0) continue;  // only the seed
     shoots.push_back({axis, axis == 0 ? tree.metamers.terminal[0].metamer() : axes[axis].first, last});
   }
   return shoots;

@@ -9,12 +9,12 @@
 
 namespace meristem {
 
-/// The shoots that an operation is for, by rising axes. A label means the shoot of that name alone; the leader and
-/// those that a condition finds are whole leads, with all that has succeeded them. Throws InputError at the document
-/// path of `shoots`, with the names that there are, for a label without a shoot.
+/// Returns the shoots of an operation, sorted by axis. A label selects only the shoot with that name. The leader and
+/// shoots of a condition are complete leads, including their successors. Throws InputError at the document path of
+/// `shoots`, with existing names, for a label without a shoot.
 std::vector<Shoot> choose_shoots(const TreeState& tree, const Operation& operation);
 
-/// Whether the condition of a schedule holds.
+/// Returns true if the condition of a schedule holds.
 bool holds(const TreeState& tree, const Schedule& when);
 
 }  // namespace meristem

@@ -2,8 +2,8 @@
 // Finds the positions of cuts. A cut is given by the first metamer that it removes.
 //
 // Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, sections 4.2.3
-// and 4.2.4. There the bud that is cut back to is the first near the middle that faces down; `window` also lets the one
-// that faces best win.
+// and 4.2.4. In the source, the shoot is cut back to the first bud near the middle that faces down. Here, `window` also
+// allows choosing the best-facing bud.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -33,7 +33,7 @@ class Cutter {
   Cutter(const TreeState& tree, const Operation& operation, const Cut& what)
       : tree_(tree), metamers_(tree.metamers), operation_(operation), what_(what) {}
 
-  /// The first metamers that go from a shoot.
+  /// Returns the first removed metamers of a shoot.
   std::vector<MetamerIndex> cuts(const Shoot& shoot) const {
     if (shoot.path.empty()) return {};
     if (what_.place == Cut::Place::outside) return outside(shoot);
@@ -47,7 +47,7 @@ class Cutter {
  private:
   bool is_named() const { return operation_.shoots.kind == ShootChoice::Kind::label; }
 
-  /// How many metamers of a shoot should stay; nothing where there is nothing to do.
+  /// Returns how many metamers of a shoot should stay, or nothing if there is nothing to cut.
   std::optional<std::size_t> find_stay(const Shoot& shoot) const {
     switch (what_.place) {
       case Cut::Place::above:
@@ -86,7 +86,7 @@ class Cutter {
            "the number of a lateral shoot that exists, from 1");
   }
 
-  /// Which way its bud should face, where a metamer stands.
+  /// Returns the desired direction of a bud at a metamer.
   Vec3 wanted_way(MetamerIndex metamer) const {
     const Vec3 tip = metamers_.tip[metamer];
     switch (what_.toward) {
@@ -101,8 +101,8 @@ class Cutter {
     }
   }
 
-  /// Back to the sleeping bud that faces the way that is wanted, near the middle of the youngest stretch. A bud faces
-  /// it where it points there more than its mirror image on the other side of the shoot.
+  /// Finds the dormant bud that faces the desired direction, near the middle of the youngest section. A bud faces the
+  /// direction if it points there more than its mirror image on the other side of the shoot.
   std::optional<std::size_t> stay_to_bud(const Shoot& shoot) const {
     const std::vector<MetamerIndex>& path = shoot.path;
     std::size_t begin = path.size();
@@ -113,7 +113,7 @@ class Cutter {
     for (std::ptrdiff_t away = 0; away < static_cast<std::ptrdiff_t>(path.size()); ++away) {
       if (best && away > what_.window) break;
       for (const std::ptrdiff_t at : {middle + away, middle - away}) {
-        // Something must be left to cut.
+        // At least one metamer must be left to cut.
         if (at < static_cast<std::ptrdiff_t>(begin) || at + 1 >= static_cast<std::ptrdiff_t>(path.size())) continue;
         const MetamerIndex metamer = path[static_cast<std::size_t>(at)];
         if (!metamers_.lateral[metamer].is_open()) continue;
@@ -131,12 +131,13 @@ class Cutter {
            "another side, or another shoot");
   }
 
-  /// The nearest number of metamers that may stay: the last has a living lateral bud or shoot, and pairs stay whole.
+  /// Returns the nearest number of metamers that may stay: the last one has a living lateral bud or shoot, and pairs
+  /// stay complete.
   std::size_t above_bud(const std::vector<MetamerIndex>& path, std::size_t stays) const {
     if (tree_.in_pairs && stays < path.size() && metamers_.number[path[stays - 1]] % 2 != 0) ++stays;
     std::size_t kept = std::min(stays, path.size());
     while (kept > 1 && !is_alive(metamers_.lateral[path[kept - 1]])) --kept;
-    // What bears no living bud goes whole; of the stem something must stay.
+    // Without a living bud, the whole shoot is removed, except for the stem, which must not vanish.
     if (kept == 1 && !is_alive(metamers_.lateral[path[0]]) && metamers_.axis[path[0]] != 0) return 0;
     return kept;
   }
@@ -144,7 +145,7 @@ class Cutter {
   std::vector<MetamerIndex> outside(const Shoot& shoot) const {
     for (std::size_t k = 0; k < shoot.path.size(); ++k) {
       if (what_.outside->contains(metamers_.tip[shoot.path[k]])) continue;
-      // Nothing stays of a pair that the surface parts.
+      // Remove a pair completely if the surface separates it.
       const bool parts_pair = tree_.in_pairs && k > 0 && metamers_.number[shoot.path[k - 1]] % 2 != 0;
       const std::size_t within = parts_pair ? k - 1 : k;
       const std::size_t kept = within == 0 ? 0 : above_bud(shoot.path, within);

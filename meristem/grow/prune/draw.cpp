@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the smallest bend by stepping over angles until the end is near enough, and then by bisection in the last step.
 #include "meristem/grow/prune/draw.h"
 
 #include "meristem/base/frame.h"
@@ -8,9 +9,9 @@ namespace meristem {
 
 namespace {
 
-constexpr double kMostAngle = 0.75 * kPi;  // a shoot is not rolled up
-constexpr int kSteps = 135;                // of a degree each
-constexpr int kHalvings = 12;              // of the step in which it comes near enough
+constexpr double kMostAngle = 0.75 * kPi;  // largest total bend of a shoot
+constexpr int kSteps = 135;                // of one degree each
+constexpr int kHalvings = 12;              // bisections of the last step
 
 Vec3 end_of(std::span<const Vec3> points, Vec3 axis, double angle) {
   Vec3 end = points[0];
@@ -33,7 +34,7 @@ Draw draw_toward(std::span<const Vec3> points, Vec3 target, double gap) {
   for (int k = 1; k <= kSteps; ++k) {
     const double angle = kMostAngle * k / kSteps;
     const double away = distance(angle);
-    if (away >= nearest) return draw;  // past its nearest
+    if (away >= nearest) return draw;  // past the nearest position
     nearest = away;
     if (away > gap) {
       draw.angle = angle;

@@ -7,15 +7,14 @@
 
 namespace meristem {
 
-/// How a stretch of a shoot is drawn to a point: about an axis, and by an angle that is spread evenly over its
-/// metamers.
+/// A bend that draws a section of a shoot to a point: a rotation about an axis, spread evenly over the metamers.
 struct Draw {
   Vec3 axis{0};
-  double angle = 0;  ///< radians, of the last metamer
+  double angle = 0;  ///< total angle at the last metamer, radians
 };
 
-/// The least draw that brings the end of a stretch within `gap` metres of a point, or as near as it comes. `points` are
-/// the stretch's, from its base to its end, at least two.
+/// Returns the smallest bend that brings the end of a section within `gap` metres of a point, or as near as possible.
+/// `points` are the section's points from base to end, at least two.
 Draw draw_toward(std::span<const Vec3> points, Vec3 target, double gap);
 
 }  // namespace meristem

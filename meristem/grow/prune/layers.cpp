@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule of the espalier. The leader is cut at the end of each layer, so that the two buds below grow into strong
-// arms and the one at the cut leads on.
+// The rule of the espalier. The leader is cut at the end of each layer. The two buds below the cut grow into strong
+// arms, and the bud at the cut continues the leader.
 //
 // Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3.1.
 #include "meristem/grow/prune/layers.h"
@@ -12,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-/// Where on its layer the metamer with this number on the leader stands: 1 at its base.
+/// The layer of a metamer on the leader, and its number in the layer: 1 at the base.
 struct PlaceInLayer {
   int layer = 0;
   int number = 1;
@@ -44,7 +44,7 @@ Work layer(const TreeState& tree, const Layers& what) {
       if (lateral.is_grown()) work.gone.push_back(lateral.metamer());
       if (is_top && lateral.is_open()) work.lifted.push_back(metamer);
     }
-    // What stands on a leader that is cut here goes with it.
+    // Shoots above this cut of the leader are removed with it.
     if (is_top || (number == what.metamers && terminal.is_grown())) break;
   }
   return work;
@@ -70,7 +70,7 @@ std::vector<std::vector<Vec3>> arm_wires(const Layers& what, double length) {
     const double angle = what.angle + share * (what.angle_last - what.angle);
     const auto level = static_cast<float>(math::cos(angle));
     const auto rise = static_cast<float>(math::sin(angle));
-    // Half a metamer above the lower arm's bud, so that both arms of a layer come to lie on it.
+    // Half a metamer above the bud of the lower arm, so that both arms of a layer can follow the wire.
     const Vec3 middle(0, static_cast<float>((what.metamers * (at_layer + 1) - 1.5) * length), 0);
     for (const float side : {-1.0F, 1.0F}) {
       wires.push_back({middle, middle + static_cast<float>(length) * (side * level * what.right + rise * kUp)});

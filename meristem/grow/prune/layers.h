@@ -9,16 +9,16 @@
 
 namespace meristem {
 
-/// A lateral bud of the leader that will be an arm, or is one, and the number of the wire that it follows.
+/// A lateral bud of the leader that is or will be an arm, and the number of its wire.
 struct ArmBud {
   MetamerIndex metamer = 0;
   std::size_t wire = 0;
 };
 
-/// All of a tree, from the ground up.
+/// Returns all arms of a tree, from the ground up.
 std::vector<ArmBud> find_arms(const Metamers& metamers, const Leads& leads, const Layers& what);
 
-/// The wires of the arms, two to a layer from the ground up, the left one first. `length` is that of a metamer.
+/// Returns the wires of the arms, two per layer from the ground up, left first. `length` is the length of a metamer.
 std::vector<std::vector<Vec3>> arm_wires(const Layers& what, double length);
 
 }  // namespace meristem

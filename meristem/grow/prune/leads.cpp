@@ -7,7 +7,8 @@ namespace meristem {
 
 namespace {
 
-/// Looks down an axis from a metamer on for the lateral that leads it on, and notes it. Returns whether there is one.
+/// Searches down an axis from `top` for the lateral that continues it, and stores it in `leads`. Returns true if one
+/// was found.
 bool find_heir(const Metamers& metamers, AxisIndex axis, MetamerIndex top, Leads& leads) {
   leads.heir[axis] = kNoAxis;
   leads.from[axis] = kNoNode;
@@ -27,7 +28,7 @@ bool needs_heir(const Metamers& metamers, AxisIndex axis) {
   return !own.has_no_heir && metamers.terminal[own.last].is_damaged();
 }
 
-/// Follows the leader of the tree. Where a successor has nothing left that could lead on, the next below it does.
+/// Finds the leader of the tree. If a successor has no bud that could continue, the next lateral below it leads.
 void find_leader(const Metamers& metamers, Leads& leads) {
   AxisIndex axis = 0;
   while (needs_heir(metamers, axis)) {
@@ -42,7 +43,7 @@ void find_leader(const Metamers& metamers, Leads& leads) {
         found = find_heir(metamers, axis, metamers.parent[bearer], leads);
       }
     }
-    if (leads.heir[axis] == kNoAxis) return;  // its bud sleeps, or nothing is left
+    if (leads.heir[axis] == kNoAxis) return;  // its bud is dormant, or nothing is left
     axis = leads.heir[axis];
   }
   if (!metamers.axes[axis].has_no_heir) leads.leader = axis;
@@ -73,7 +74,7 @@ Leads find_leads(const Metamers& metamers) {
 
 std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head) {
   const AxisIndex end = lead_end(leads, head);
-  // A lead whose heir sleeps, or has gone to a lower one, still ends where its own axis does.
+  // A lead whose heir is dormant, or belongs to a lower lead, ends at the end of its own axis.
   std::vector<MetamerIndex> path;
   const MetamerIndex first = metamers.axes[head].first;
   for (MetamerIndex metamer = metamers.axes[end].last; metamer != 0; metamer = metamers.parent[metamer]) {

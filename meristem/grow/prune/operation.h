@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people do to self-organizing trees as they grow: cuts, supports and rules that hold over the years. An operation
-// says when it acts, on which shoots, and what it does there.
+// Operations of people on self-organizing trees during growth: cuts, supports, and rules that apply over years. An
+// operation defines when it acts, on which shoots, and what it does.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,28 @@
 
 namespace meristem {
 
-/// The last iteration that an operation may name.
+/// The largest iteration that an operation may name.
 inline constexpr int kLastIteration = 65535;
 
-/// What the condition of a schedule may name, all of one tree: `iteration`, `height`, `width` (metres), `metamers`,
-/// `laterals` (shoots on the leader), `leader_length` (metres).
+/// Returns the variables for the condition of a schedule, all of one tree: `iteration`, `height`, `width` (metres),
+/// `metamers`, `laterals` (shoots on the leader), `leader_length` (metres).
 const std::vector<std::string>& tree_variables();
 
-/// What a condition over shoots may name; the numbers are those of choose_shoots(). Lengths in metres, angles in
-/// degrees.
+/// Returns the variables for a condition over shoots, in the order that choose_shoots() uses. Lengths are in metres,
+/// angles in degrees.
 const std::vector<std::string>& shoot_variables();
 
-/// As many different marks an operation list may have.
+/// The largest number of different marks in an operation list.
 inline constexpr std::size_t kMostMarks = 32;
 
-/// When an operation acts: after all growth of these iterations, or in summer after a share of it.
+/// When an operation acts: after all growth of these iterations, or in summer after a part of it.
 struct Schedule {
-  int from = 1;   ///< iteration, from 1
-  int every = 1;  ///< iterations from one time to the next
+  int from = 1;   ///< first iteration, from 1
+  int every = 1;  ///< iterations between two times
   int to = kLastIteration;
-  std::optional<Expression> when;  ///< over tree_variables(): it acts only where that holds
-  bool once = false;               ///< on each tree no more than once
-  bool in_summer = false;          ///< the rest of the iteration's growth follows it
+  std::optional<Expression> when;  ///< condition over tree_variables(); unset: always true
+  bool once = false;               ///< true: acts at most once on each tree
+  bool in_summer = false;          ///< true: the rest of the iteration's growth comes after it
 
   static Schedule at(int iteration) { return {iteration, 1, iteration, std::nullopt}; }
   bool is_in_turn(int iteration) const {
@@ -44,105 +44,106 @@ struct Schedule {
   }
 };
 
-/// Which shoots an operation is for.
+/// The shoots of an operation.
 struct ShootChoice {
   enum class Kind {
-    label,      ///< the shoot of this name; it is a fault where that is not there
-    leader,     ///< the shoot that leads, from the ground on
-    condition,  ///< all shoots for which it holds; none is no fault
+    label,      ///< the shoot with this name; an error if it does not exist
+    leader,     ///< the shoot that leads, from the ground up
+    condition,  ///< all shoots for which the condition holds; an empty set is no error
   };
   Kind kind = Kind::leader;
-  std::string text;            ///< as the document wrote it
-  Expression condition;        ///< over shoot_variables() and, after them, the marks of the operation list
-  std::string key = "shoots";  ///< of the operation in the document, for errors
+  std::string text;            ///< as written in the document
+  Expression condition;        ///< over shoot_variables(), followed by the marks of the operation list
+  std::string key = "shoots";  ///< key in the operation's document object, for errors
 
   static ShootChoice label(std::string name) { return {Kind::label, std::move(name), {}, "shoots"}; }
   static ShootChoice leader() { return {Kind::leader, "leader", {}, "shoots"}; }
 };
 
-/// A cut, always just above a living bud or a lateral shoot: where there is none it moves down to the next.
+/// A cut just above a living bud or a lateral shoot. If there is none at the position, the cut moves down to the next
+/// one.
 struct Cut {
   enum class Place {
-    above,          ///< a number of metamers stays: Cut::above
+    above,          ///< keeps a number of metamers: Cut::above
     above_lateral,  ///< just above a lateral shoot
-    to_bud,         ///< just above a sleeping bud that faces one way
+    to_bud,         ///< just above a dormant bud that faces one direction
     outside,        ///< at the surface of a body
   };
   enum class Toward { down, up, out, direction };
   Place place = Place::above;
-  int above = 0;                 ///< metamers that stay; 0: the shoot goes whole
-  Expression lateral;            ///< which lateral shoot from the base, from 1; may be drawn by chance
-  Toward toward = Toward::down;  ///< where the bud faces
-  Vec3 direction{0, 1, 0};       ///< where the bud faces with Toward::direction
-  int window = 0;                ///< metamers to both sides of the youngest stretch's middle to choose from
+  int above = 0;                 ///< number of metamers that stay; 0: removes the whole shoot
+  Expression lateral;            ///< number of the lateral shoot from the base, from 1; may be random
+  Toward toward = Toward::down;  ///< desired direction of the bud
+  Vec3 direction{0, 1, 0};       ///< desired direction for Toward::direction
+  int window = 0;                ///< metamers on both sides of the youngest section's middle to choose from
   CrownPointer outside;          ///< relative to the root
-  bool has_successor = true;     ///< false: no shoot takes the lead of the shoots that are cut
+  bool has_successor = true;     ///< false: no other shoot succeeds a cut shoot
 };
 
-/// Shortens shoots to a number of metamers, without branches.
+/// Shortens shoots to a number of metamers and removes their branches.
 struct Spur {
   int metamers = 2;
 };
 
-/// Shoots grow no longer than this.
+/// Limits the length of shoots.
 struct Limit {
   int metamers = 12;
 };
 
-/// The rule of the espalier, layer by layer along the leader: the first shoots off, then one arm to each side, then the
-/// leader cut to a bud that leads on.
+/// The rule of the espalier, layer by layer along the leader. First all shoots are removed, then one arm grows on each
+/// side, then the leader is cut to a bud that continues it.
 struct Layers {
   int count = 3;
-  int metamers = 6;       ///< metamers of the leader in each layer; the last is cut, the two below it bear the arms
-  Vec3 right{1, 0, 0};    ///< unit vector, level: where the right arms go
-  double angle = 0;       ///< inclination of the lowest arms above level, radians
-  double angle_last = 0;  ///< inclination of the topmost arms above level, radians
-  double weight = 6;      ///< weight of the arms' wires, as Support::weight
+  int metamers = 6;       ///< metamers of the leader in each layer; the last is cut, and the two below it bear the arms
+  Vec3 right{1, 0, 0};    ///< horizontal unit vector: direction of the right arms
+  double angle = 0;       ///< inclination of the lowest arms above the horizontal, radians
+  double angle_last = 0;  ///< inclination of the topmost arms above the horizontal, radians
+  double weight = 6;      ///< weight of the arms' wires, like Support::weight
 };
 
 /// A pole, rod or wire that shoots are tied to.
 struct Support {
-  std::vector<Vec3> line;  ///< metres from the root; shoots follow it from its first point on, and beyond its last
+  std::vector<Vec3> line;  ///< metres from the root; shoots follow it from its first point on and beyond its last point
   std::string named;       ///< name of a support of the scene, instead of a line
-  double weight = 6;  ///< weight of the line's direction beside the weights of growth; raised, shoots are straighter
-  int until = kLastIteration;  ///< the last iteration that shoots are tied to it
+  double weight = 6;       ///< weight of the line's direction among the weights of growth; larger: straighter shoots
+  int until = kLastIteration;  ///< last iteration in which shoots are tied to it
 };
 
-/// Gives shoots a mark that other operations can ask for.
+/// Gives shoots a mark that other operations can test.
 struct Mark {
-  double chance = 1;        ///< 0 to 1, of each shoot
+  double chance = 1;        ///< 0 to 1, for each shoot
   std::uint32_t state = 0;  ///< number of the mark in the operation list, below kMostMarks
 };
 
-/// A ring of bark taken off: what leaves above it make stays above it.
+/// Removes a ring of bark: resource made above it stays above it.
 struct Girdle {
   int below = 0;       ///< metamers of the shoot below the ring
-  double share = 1;    ///< 0 to 1, of what leaves above make that does not pass the ring
-  int iterations = 1;  ///< after which it has healed
+  double share = 1;    ///< 0 to 1: share of the resource made above that does not pass the ring
+  int iterations = 1;  ///< iterations until it has healed
 };
 
-/// Shoots are bent, a little more in each iteration, and then held: they no longer sag.
+/// Bends shoots gradually over several iterations and then holds them, so that they no longer sag.
 struct Bend {
   int below = 0;           ///< metamers of the shoot below the bend
-  int metamers = 3;        ///< that the bend goes over; raised, wider
-  double inclination = 0;  ///< inclination above level of what lies beyond the bend, radians
-  int iterations = 1;      ///< that the bending takes
+  int metamers = 3;        ///< metamers in the bend; larger: wider
+  double inclination = 0;  ///< inclination above the horizontal of the part beyond the bend, radians
+  int iterations = 1;      ///< duration of the bending
 };
 
-/// Shoots are drawn by a string to another shoot or to the ground, a little more in each iteration, and then held.
+/// Draws shoots by a string to another shoot or to the ground, gradually over several iterations, and then holds them.
 struct Tie {
-  std::optional<int> below;       ///< metamers of the shoot below the string; unset: all, it is tied at its tip
-  std::optional<ShootChoice> to;  ///< the shoot that they are tied to, where that is nearest; unset: the ground
-  double length = 0;              ///< metres of the string; raised, shoots are drawn less far
-  int iterations = 1;             ///< that the drawing takes
+  std::optional<int> below;       ///< metamers of the shoot below the string; unset: it is tied at its tip
+  std::optional<ShootChoice> to;  ///< the shoot that they are tied to, at its nearest point; unset: the ground
+  double length = 0;              ///< length of the string, metres; larger: shoots are drawn less far
+  int iterations = 1;             ///< duration of the drawing
 };
 
 struct Operation {
   Schedule when;
   ShootChoice shoots;
-  std::optional<int> tree;  ///< the number of the one root that it is for, from 0; else all
-  std::string path;         ///< in the document, for errors: "components.apple.operations[3]"
-  int number = 0;           ///< in the component's list, from 1; by it a plan's skeleton tells what it would cut
+  std::optional<int> tree;  ///< number of the one root that it applies to, from 0; unset: all roots
+  std::string path;         ///< document path for errors: "components.apple.operations[3]"
+  int number = 0;           ///< number in the component's list, from 1; the column `plan_cut` refers to it
   std::variant<Cut, Spur, Limit, Layers, Support, Mark, Girdle, Bend, Tie> what;
 };
 

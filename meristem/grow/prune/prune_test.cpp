@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each operation does to small trees that are made by hand.
+// The effect of each operation on small trees made by hand.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -21,12 +21,12 @@
 
 namespace meristem::prune_test {
 
-/// A stem straight up, one metre per metamer, its lateral buds to +x and -x by turns.
+/// A vertical stem with one metre per metamer; its lateral buds point to +x and -x alternately.
 class HandMade {
  public:
   explicit HandMade(int stem) : metamers(kUp, Vec3(1, 0, 0), RandomKey(1)) { grow(0, false, stem, kUp); }
 
-  /// Grows a number of metamers from a bud; returns the last.
+  /// Grows metamers from a bud. Returns the last one.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int count, Vec3 way) {
     for (int k = 0; k < count; ++k) {
       const MetamerIndex made = metamers.grow(from, is_lateral && k == 0, 1);
@@ -38,7 +38,7 @@ class HandMade {
     return from;
   }
   MetamerIndex branch(MetamerIndex from, int count, Vec3 way = Vec3(1, 0, 0)) { return grow(from, true, count, way); }
-  /// Cuts the stem above a metamer: what stands there goes.
+  /// Cuts the stem above a metamer and removes everything there.
   void cut_above(MetamerIndex metamer) {
     std::vector<std::uint8_t> gone(metamers.count(), 0);
     gone[metamers.terminal[metamer].metamer()] = 1;
@@ -62,7 +62,7 @@ class HandMade {
     }
     return told;
   }
-  /// What an operation takes: shoots and numbers of the first metamers that go, in their order.
+  /// Returns the shoots and numbers of the first metamers that an operation removes, in order.
   std::string taken(const Operation& operation) const {
     std::vector<MetamerIndex> gone = work(operation).gone;
     std::ranges::sort(gone);
@@ -146,7 +146,7 @@ TEST(Leads, WhereNothingIsLeftAtTheCutTheNextBelowLeads) {
   tree.metamers.lateral[3] = Bud::dead();
   tree.cut_above(4);
   EXPECT_EQ(tree.leads().leader, tree.axis("main.2"));
-  // Also where a successor has lost all.
+  // This also holds if a successor has lost everything.
   HandMade other(6);
   other.branch(2, 3);
   other.branch(4, 1);
@@ -192,7 +192,7 @@ TEST(Prune, AConditionFindsShootsByWhatTheyAre) {
   EXPECT_EQ(found("rank == 1 && inclination > 10"), "");
   EXPECT_EQ(found("rank == 1 && age == 4 && radius > 0 && light == 0 && resource == 0 && inward == 0"),
             "main.2:1 main.4:1");
-  // The middles of the branches lie at (3, 2, 0) and (0, 4, -1), the stem's at (0, 4, 0).
+  // The middles of the branches are at (3, 2, 0) and (0, 4, -1), the middle of the stem at (0, 4, 0).
   EXPECT_EQ(found("rank == 1 && clearance < 1.5"), "main.4:1");
 }
 
@@ -240,13 +240,13 @@ TEST(Prune, ACutToABudTakesTheNearestToTheMiddleThatFacesThere) {
   HandMade tree(3);
   tree.branch(3, 9);
   const auto taken = [&](const Cut& cut) { return tree.taken(operation(condition("rank == 1"), cut)); };
-  // Buds of odd numbers face down; the middle is the fifth.
+  // Buds with odd numbers face down; the middle is the fifth.
   EXPECT_EQ(taken(to_bud(Cut::Toward::down)), "main.3:6");
   EXPECT_EQ(taken(to_bud(Cut::Toward::up)), "main.3:7");
   const MetamerIndex fifth = tree.metamers.find(1, 5).value();
   tree.metamers.lateral[fifth] = Bud::damaged();
   EXPECT_EQ(taken(to_bud(Cut::Toward::down)), "main.3:8");
-  // Within a window the one that faces best.
+  // Within a window, the best-facing bud is chosen.
   tree.metamers.side[tree.metamers.find(1, 7).value()] = Vec3(0, -0.6F, 0.8F);
   EXPECT_EQ(taken(to_bud(Cut::Toward::down, 2)), "main.3:4");
 }
@@ -259,7 +259,7 @@ TEST(Prune, ACutOutsideABodyFollowsItsSurface) {
   cut.place = Cut::Place::outside;
   cut.outside = std::make_shared<BoxCrown>(Box{Vec3(-2.5F, -1, -1), Vec3(2.5F, 4.5F, 1)});
   EXPECT_EQ(tree.taken(operation(condition("rank >= 0"), cut)), "main:5 main.2:3");
-  // Pairs go whole, also the last of a shoot.
+  // Pairs are removed completely, also the last pair of a shoot.
   tree.in_pairs = true;
   cut.outside = std::make_shared<BoxCrown>(Box{Vec3(-9, -1, -1), Vec3(9, 5.5F, 1)});
   EXPECT_EQ(tree.taken(operation(condition("rank >= 0"), cut)), "main:5");
@@ -337,7 +337,7 @@ TEST(Prune, ABendGoesOverItsMetamers) {
   EXPECT_EQ(bows[0].last, tree.metamers.find(axis, 4));
   EXPECT_EQ(bows[0].tip, tree.metamers.find(axis, 6));
   EXPECT_EQ(bows[0].iterations, 4);
-  // It ends with the shoot.
+  // It ends at the end of the shoot.
   EXPECT_EQ(tree.work(operation(condition("rank == 1"), Bend{1, 9})).bows[0].last, bows[0].tip);
 }
 
@@ -398,14 +398,14 @@ TEST(Prune, AStringDrawsShootsToTheGroundOrToEachOther) {
   EXPECT_EQ(down[0].last, tree.metamers.find(lower, 4));
   EXPECT_EQ(down[0].toward, Vec3(4, 0, 0));
   EXPECT_EQ(down[0].gap, 0.5);
-  // Tied lower down, to the nearest of another shoot.
+  // Tied lower down, to the nearest point of another shoot.
   const Operation other = operation(ShootChoice::label("main.5"), Tie{.below = 2, .to = ShootChoice::label("main.3")});
   const std::vector<Bow> together = tree.work(other).bows;
   ASSERT_EQ(together.size(), 1U);
   EXPECT_EQ(together[0].last, tree.metamers.find(tree.axis("main.5"), 2));
   EXPECT_EQ(together[0].tip, tree.metamers.find(tree.axis("main.5"), 4));
   EXPECT_EQ(together[0].toward, Vec3(2, 3, 0));
-  // Not the stem, and not a shoot to itself.
+  // Neither the stem, nor a shoot to itself.
   EXPECT_TRUE(tree.work(operation(condition("rank == 0"), Tie{})).bows.empty());
   const Operation itself = operation(ShootChoice::label("main.5"), Tie{.to = ShootChoice::label("main.5")});
   EXPECT_TRUE(tree.work(itself).bows.empty());
@@ -436,7 +436,7 @@ TEST(Draw, BringsTheEndAsNearAsItIsAsked) {
   }
   EXPECT_EQ(draw_toward(level, Vec3(3, 0, 0), 2.5).angle, 0) << "near enough";
   EXPECT_EQ(draw_toward(level, Vec3(9, 2, 0), 0).angle, 0) << "on its own line";
-  // Out of reach, no other angle brings it nearer.
+  // If the target is out of reach, no other angle brings the end nearer.
   const Draw most = draw_toward(level, Vec3(3, -9, 0), 0);
   const float nearest = glm::distance(end(most), Vec3(3, -9, 0));
   for (const double turn : {-0.1, 0.1}) {
@@ -463,13 +463,13 @@ TEST(WorkRecorder, TellsWhereACutIsAndWhatItTakes) {
   EXPECT_EQ(cut.metamer, 2U);
   EXPECT_EQ(cut.position, Vec3(2, 3, 0));
   EXPECT_EQ(cut.bud, Vec3(0, 1, 0));
-  // The bud sits on the bark of the second metamer, and the third is cut through: both bear two tips.
+  // The bud is on the bark of the second metamer, and the cut goes through the third: both bear two tips.
   const double radius = 0.1 * std::sqrt(2);
   EXPECT_NEAR(cut.bud_position.y, 3 + radius, 1e-6);
   EXPECT_NEAR(cut.diameter, 2 * radius, 1e-6);
   EXPECT_EQ(cut.metamers, 4U) << "two of the branch and the two that stand on it";
   EXPECT_DOUBLE_EQ(cut.length, 4);
-  // By da Vinci's rule the third metamer is as thick as the two tips beyond it.
+  // By da Vinci's rule, the third metamer has the cross-section of the two tips beyond it.
   EXPECT_NEAR(cut.wood, kPi * 0.01 * (2 + 1 + 1 + 1), 1e-7);
   EXPECT_EQ(cut.light, 2.5);
 }
@@ -535,7 +535,7 @@ TEST(SupportLine, LeadsBackToItsPole) {
   const std::vector<Vec3> pole{Vec3(0), Vec3(0, 2, 0)};
   EXPECT_LT(glm::distance(way_along(pole, Vec3(0, 1, 0), 1), kUp), 1e-6F);
   EXPECT_LT(glm::distance(way_along(pole, Vec3(1, 0.5F, 0), 1), glm::normalize(Vec3(-1, 1, 0))), 1e-6F);
-  // It goes on beyond its end, and around its corners.
+  // The line continues beyond its end and around its corners.
   EXPECT_LT(glm::distance(way_along(pole, Vec3(0, 9, 0), 1), kUp), 1e-6F);
   const std::vector<Vec3> bent{Vec3(0), Vec3(0, 2, 0), Vec3(5, 2, 0)};
   EXPECT_LT(glm::distance(way_along(bent, Vec3(0, 1, 0), 2), glm::normalize(Vec3(1, 1, 0))), 1e-6F);

@@ -9,7 +9,7 @@
 namespace meristem {
 
 Vec3 way_along(std::span<const Vec3> line, Vec3 tip, float ahead) {
-  // The nearest point, on the segment from its first end on.
+  // Find the nearest point of the line.
   std::size_t nearest = 0;
   float along = 0;
   float best = std::numeric_limits<float>::max();
@@ -26,7 +26,7 @@ Vec3 way_along(std::span<const Vec3> line, Vec3 tip, float ahead) {
     nearest = k;
     along = share;
   }
-  // From there so far on.
+  // Move ahead from this point.
   float left = ahead;
   for (std::size_t k = nearest; k + 1 < line.size(); ++k) {
     const Vec3 segment = line[k + 1] - line[k];

@@ -7,8 +7,9 @@
 
 namespace meristem {
 
-/// The unit vector in which a shoot that ends at `tip` grows along a line, and back to it where it has strayed: toward
-/// the point on the line that lies `ahead` metres on. The line goes on straight beyond its last point.
+/// Returns the unit growth direction of a shoot that ends at `tip` along a line. It points from `tip` to the point on
+/// the line `ahead` metres after the nearest point, so a shoot beside the line returns to it. The line continues
+/// straight beyond its last point.
 Vec3 way_along(std::span<const Vec3> line, Vec3 tip, float ahead);
 
 }  // namespace meristem

@@ -12,19 +12,19 @@
 
 namespace meristem {
 
-/// A tree as an operation finds it, after the growth of `iteration`. All that it refers to outlives it.
+/// A tree as an operation sees it, after the growth of `iteration`. All referenced objects must outlive it.
 struct TreeState {
   const Metamers& metamers;
   const Leads& leads;
-  const ResourceFlow& flow;  ///< of the iteration's begin: of the metamers that there were
+  const ResourceFlow& flow;  ///< at the begin of the iteration, without new metamers
   const PipeModel& radii;
   int iteration = 1;
   RandomKey key;          ///< of the operation in this iteration
   bool in_pairs = false;  ///< opposite buds: metamers come in pairs
-  std::size_t marks = 0;  ///< different marks of the operation list
+  std::size_t marks = 0;  ///< number of different marks in the operation list
 };
 
-/// A shoot that was chosen.
+/// A chosen shoot.
 struct Shoot {
   AxisIndex axis = 0;
   std::vector<MetamerIndex> path;  ///< from its base to its tip, without the seed

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules that keep a trained tree as it is, year after year: spurs that stay short, arms that stay in their room.
+// Rules that maintain a trained tree year after year: spurs that stay short, and arms that keep their length.
 //
-// Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3.3. A
-// deviation: a lateral bud whose shoot was cut back may grow again, as from the ring of buds at the base of a shoot;
-// with buds that never grow again, all spurs would die in a few years.
+// Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3.3.
+// Deviation: a lateral bud whose shoot was cut back may grow again, as from the ring of buds at the base of a shoot.
+// Otherwise all spurs would die within a few years.
 #include "meristem/grow/prune/work.h"
 
 namespace meristem {
@@ -18,7 +18,7 @@ Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& sho
         work.gone.push_back(shoot.path[k]);
         break;
       }
-      // Branches go, and so does what the lead has left behind; its next metamer stays.
+      // Remove branches, and remainders of axes that the lead has left. Keep the lead's own next metamer.
       const MetamerIndex metamer = shoot.path[k];
       for (const Bud bud : {tree.metamers.terminal[metamer], tree.metamers.lateral[metamer]}) {
         const bool leads_on = k + 1 < shoot.path.size() && bud.is_grown() && bud.metamer() == shoot.path[k + 1];

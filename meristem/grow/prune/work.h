@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What operations do to a tree, worked out from its metamers alone; the tree applies it.
+// The effects of operations on a tree, computed from its metamers alone. The tree applies them.
 #pragma once
 
 #include <optional>
@@ -13,39 +13,40 @@ namespace meristem {
 /// A ring in the bark at the base of a metamer.
 struct Ring {
   MetamerIndex metamer = 0;
-  double share = 1;  ///< of what leaves above make that does not pass
+  double share = 1;  ///< share of the resource made above that does not pass
   int iterations = 1;
 };
 
-/// A stretch of a shoot that is bent.
+/// A section of a shoot that is bent.
 struct Bow {
   MetamerIndex first = 0;
-  MetamerIndex last = 0;         ///< bent so long until this one rises as it should, or has been drawn near
-  MetamerIndex tip = 0;          ///< of the shoot
-  double inclination = 0;        ///< radians
-  int iterations = 1;            ///< that are left for it
-  std::optional<Vec3> toward{};  ///< metres from the root; drawn there instead of bent to an inclination
-  double gap = 0;                ///< metres at which it is near enough
+  MetamerIndex last = 0;   ///< bent until this metamer has the inclination or is near `toward`
+  MetamerIndex tip = 0;    ///< last metamer of the shoot
+  double inclination = 0;  ///< radians
+  int iterations = 1;      ///< number of remaining iterations
+  /// Metres from the root; if set, the section is drawn there instead of bent to an inclination.
+  std::optional<Vec3> toward{};
+  double gap = 0;  ///< distance that counts as near enough, metres
 };
 
-/// What is to be done, in this order.
+/// The effects, in the order of application.
 struct Work {
   std::vector<AxisIndex> marked;      ///< axes that get a mark
-  std::uint32_t mark = 0;             ///< which
-  std::vector<AxisIndex> headless;    ///< axes that nothing shall succeed
+  std::uint32_t mark = 0;             ///< number of the mark
+  std::vector<AxisIndex> headless;    ///< axes that must not be succeeded
   std::vector<MetamerIndex> pinched;  ///< metamers whose open terminal buds are damaged
   std::vector<MetamerIndex> lifted;   ///< metamers whose open lateral buds are damaged
-  std::vector<MetamerIndex> gone;     ///< metamers that go with all that they bear
+  std::vector<MetamerIndex> gone;     ///< metamers that are removed with everything that they bear
   std::vector<Ring> rings;
   std::vector<Bow> bows;
-  bool renews = false;  ///< lateral buds at which shoots went may grow again, as those at the base of a spur do
+  bool renews = false;  ///< true: lateral buds of removed shoots may grow again, like those at the base of a spur
 };
 
-/// What `operation` does to a tree. Throws InputError at its document path where it names a shoot that is not there, or
-/// has nothing to take from a shoot that it names.
+/// Returns the effects of `operation` on a tree. Throws InputError at its document path if it names a shoot that does
+/// not exist, or if a named shoot has nothing to remove.
 Work find_work(const TreeState& tree, const Operation& operation);
 
-// The kinds of operations; `shoots` are those that were chosen.
+// The kinds of operations. `shoots` are the chosen shoots.
 
 Work cut(const TreeState& tree, const Operation& operation, const Cut& what, const std::vector<Shoot>& shoots);
 Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots);

@@ -23,7 +23,8 @@ std::vector<WorkRecorder::Noted> WorkRecorder::note(const Work& work) const {
   for (const MetamerIndex metamer : work.lifted) {
     if (metamers.lateral[metamer].is_open()) noted.push_back(at_end(metamer, "disbud"));
   }
-  // What goes with something else is told with that: it stands beyond, and has the larger index.
+  // A removal inside another removal is not recorded separately. Inner removals are beyond the outer ones and have
+  // larger indices.
   std::vector<MetamerIndex> gone = work.gone;
   std::ranges::sort(gone);
   std::unordered_set<MetamerIndex> told;
@@ -36,7 +37,7 @@ std::vector<WorkRecorder::Noted> WorkRecorder::note(const Work& work) const {
   return noted;
 }
 
-/// At the end of a metamer, on its shoot.
+/// Returns a record at the end of a metamer, on its shoot.
 WorkRecorder::Noted WorkRecorder::at_end(MetamerIndex metamer, const char* act) const {
   const Metamers& metamers = tree_.metamers;
   const AxisIndex axis = metamers.axis[metamer];
@@ -57,10 +58,10 @@ WorkRecorder::Noted WorkRecorder::at_end(MetamerIndex metamer, const char* act) 
            .diameter = 2 * radius}};
 }
 
-/// At the base of a metamer: where a shoot begins, it is that shoot's.
+/// Returns a record at the base of a metamer. If the metamer begins a shoot, the record belongs to that shoot.
 WorkRecorder::Noted WorkRecorder::at_base(MetamerIndex first, const char* act) const {
   const Metamers& metamers = tree_.metamers;
-  if (first == 0) return at_end(0, act);  // where the stem begins
+  if (first == 0) return at_end(0, act);  // at the begin of the stem
   Noted noted = at_end(metamers.parent[first], act);
   noted.record.diameter = 2 * radius_of_(first);
   if (!metamers.begins_shoot(first)) return noted;
@@ -72,12 +73,12 @@ WorkRecorder::Noted WorkRecorder::at_base(MetamerIndex first, const char* act) c
   return noted;
 }
 
-/// A cut that takes a metamer, and what stands `beyond` with it.
+/// Returns the record of a cut that removes `first`. Sets `beyond` to all removed metamers.
 WorkRecorder::Noted WorkRecorder::cut(MetamerIndex first, std::vector<MetamerIndex>& beyond) const {
   const Metamers& metamers = tree_.metamers;
   Noted noted = at_base(first, "cut");
   beyond = metamers.with_borne(first);
-  // In the order in which they have come, so that sums do not know how they were found.
+  // Sort by index, so that the rounding of sums does not depend on the search order.
   std::ranges::sort(beyond);
   OperationRecord& record = noted.record;
   record.metamers = static_cast<std::uint32_t>(beyond.size());

@@ -12,22 +12,22 @@
 
 namespace meristem {
 
-/// Tells what an operation is about to do to a tree, in metres from its root.
+/// Records the effects of an operation before it is applied. Lengths and positions are in metres from the root.
 class WorkRecorder {
  public:
-  /// The radius at a metamer's end, metres.
+  /// Returns the radius at a metamer's end in metres.
   using RadiusOf = std::function<double(MetamerIndex)>;
 
-  /// `number` is that of the tree's root. `radius_of` is asked for few metamers.
+  /// `number` is the number of the tree's root. `radius_of` is called for few metamers.
   WorkRecorder(const TreeState& tree, const Operation& operation, std::uint32_t number, RadiusOf radius_of)
       : tree_(tree), operation_(operation), number_(number), radius_of_(std::move(radius_of)) {}
 
   struct Noted {
     MetamerIndex at = 0;  ///< the metamer at whose end it is done
     OperationRecord record;
-    double section = 0;  ///< of the wood that is cut through, square metres; 0 for all else
+    double section = 0;  ///< cross-section of the cut wood, square metres; 0 for other operations
   };
-  /// A record for each thing that is done, in the order of Work. Cost goes with what is done and not with the tree.
+  /// Returns a record for each effect, in the order of Work. Cost: proportional to the effects, not to the tree.
   std::vector<Noted> note(const Work& work) const;
 
  private:

@@ -19,11 +19,14 @@ namespace meristem {
 /// the path and the reason.
 class AtomicFile {
  public:
+  /// Opens the temporary file beside `path`, or standard output for "-". Throws MachineError.
   explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  /// Appends `size` bytes. Throws MachineError, for example when the disk is full, and std::invalid_argument after
+  /// commit().
   void write(const void* data, std::size_t size);
   void write(std::string_view text) { write(text.data(), text.size()); }
   template <class T>
@@ -68,6 +71,7 @@ class AtomicFile {
 /// end in the reverse order of their making.
 class FileSet {
  public:
+  /// Begins a set for the files of this thread.
   FileSet();
   ~FileSet();
   FileSet(const FileSet&) = delete;

@@ -17,8 +17,8 @@ namespace meristem {
 
 /// Number of results that were made anew, and number that the cache had.
 struct Reuse {
-  std::uint64_t made = 0;
-  std::uint64_t reused = 0;
+  std::uint64_t made = 0;    ///< results that had to be made
+  std::uint64_t reused = 0;  ///< results that the cache had
 };
 
 /// Fingerprint of everything that a result depends on; nullopt if the dependencies are not known or the result will not
@@ -118,6 +118,7 @@ class CacheRun {
 /// `cache` must outlive it; one series at a time.
 class CacheSeries {
  public:
+  /// Begins a series in `cache`.
   explicit CacheSeries(Cache& cache);
   ~CacheSeries() { cache_.is_in_series_ = false; }
   CacheSeries(const CacheSeries&) = delete;

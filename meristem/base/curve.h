@@ -8,7 +8,8 @@
 
 namespace meristem {
 
-enum class CurveKind { spline, linear };  ///< how the points of a curve are joined
+/// How the points of a curve are joined.
+enum class CurveKind { spline, linear };
 
 /// A function y(x) through given points: joined by straight lines, or by the natural cubic spline (second derivative
 /// continuous, and zero at both ends). Outside the points it keeps its end values. Evaluation is O(log n).
@@ -19,12 +20,13 @@ class Curve {
   /// Points (x, y) with finite coordinates and strictly rising x, at least one. Throws std::invalid_argument otherwise.
   explicit Curve(std::vector<Vec2> points, CurveKind kind = CurveKind::spline);
 
+  /// Returns y at `x`.
   double operator()(double x) const;
   /// dy/dx; 0 outside the points, for linear curves the slope of the piece to the right.
   double slope(double x) const;
 
-  const std::vector<Vec2>& points() const { return points_; }
-  CurveKind kind() const { return kind_; }
+  const std::vector<Vec2>& points() const { return points_; }  ///< (x, y), by rising x
+  CurveKind kind() const { return kind_; }                     ///< how the points are joined
   bool operator==(const Curve& other) const { return points_ == other.points_ && kind_ == other.kind_; }
 
  private:

@@ -62,7 +62,9 @@ inline double near_cos_deg(double x) {
 /// The angle less whole turns where it is too large for the functions above; NaN for an infinity.
 inline double near_degrees(double x) { return std::abs(x) <= kNearDegrees ? x : std::fmod(x, 360.0); }
 
+/// Sine of an angle in degrees; NaN for an infinity.
 inline double sin_deg(double degrees) { return near_sin_deg(near_degrees(degrees)); }
+/// Cosine of an angle in degrees; NaN for an infinity.
 inline double cos_deg(double degrees) { return near_cos_deg(near_degrees(degrees)); }
 /// An infinity at odd multiples of 90.
 inline double tan_deg(double degrees) { return sin_deg(degrees) / cos_deg(degrees); }

@@ -11,20 +11,22 @@
 
 namespace meristem {
 
+/// Whether a diagnostic stops the input from being used.
 enum class Severity { warning, error };
 
 /// Diagnostic::text_offset of a fault in a member's name and not in its value.
 inline constexpr int kAtName = -2;
 
+/// One thing that is wrong, or odd, with an input, and its place.
 struct Diagnostic {
-  Severity severity = Severity::error;
-  std::string message;   ///< what is wrong, without a full stop: "'lenght' is not a parameter of a leaf"
-  std::string expected;  ///< what was expected, or empty: "a number of metres in 0 to 10"
-  std::string nearest;   ///< the nearest valid name, or empty
-  std::string path;      ///< document path, or empty: "components.stem.angle", "links[1].density"
-  std::string file;      ///< as the user wrote it, "<standard input>", or empty where not known yet
-  int line = 0;          ///< from 1; 0 where not known
-  int column = 0;        ///< in characters (not bytes) from 1; 0 where not known
+  Severity severity = Severity::error;  ///< an error, or a warning beside which the input can be used
+  std::string message;                  ///< what is wrong, without a full stop: "'lenght' is not a parameter of a leaf"
+  std::string expected;                 ///< what was expected, or empty: "a number of metres in 0 to 10"
+  std::string nearest;                  ///< the nearest valid name, or empty
+  std::string path;                     ///< document path, or empty: "components.stem.angle", "links[1].density"
+  std::string file;                     ///< as the user wrote it, "<standard input>", or empty where not known yet
+  int line = 0;                         ///< from 1; 0 where not known
+  int column = 0;                       ///< in characters (not bytes) from 1; 0 where not known
   int text_offset = -1;  ///< the byte in the text at `path` (an expression's fault), or -1 for the whole value
 
   /// One line: `file:line:column: path: message; expected ...; did you mean 'nearest'?`, leaving out what is not known.
@@ -35,8 +37,10 @@ struct Diagnostic {
 /// none of the faults.
 class InputError : public std::runtime_error {
  public:
+  /// Carries these diagnostics, at least one.
   explicit InputError(std::vector<Diagnostic> diagnostics);
   explicit InputError(Diagnostic diagnostic) : InputError(std::vector{std::move(diagnostic)}) {}
+  /// All faults and warnings, in the order of the input.
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
  private:

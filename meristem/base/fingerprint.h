@@ -15,11 +15,13 @@ namespace meristem {
 /// the result by it. Sequences of different lengths have different hashes.
 class Fingerprint {
  public:
+  /// Appends a number or a value of an enumeration, by the bytes of its type.
   template <class Number>
   requires std::is_arithmetic_v<Number> || std::is_enum_v<Number> Fingerprint& add(Number number) {
     bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number));
     return *this;
   }
+  /// Appends a text with its length.
   Fingerprint& add_text(std::string_view text) {
     add(text.size());
     bytes_.append(text);
@@ -32,6 +34,7 @@ class Fingerprint {
     return add(elements.size()).add(hash64(std::string_view(reinterpret_cast<const char*>(elements.data()), bytes)));
   }
 
+  /// Hash of everything that was added.
   std::uint64_t hash() const { return hash64(bytes_); }
 
  private:

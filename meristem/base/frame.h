@@ -10,12 +10,12 @@ namespace meristem {
 /// Columns of `axes` are the images of x (to the right), y (the heading) and z (the upper face); unit and orthogonal
 /// unless the frame scales. `origin` is in metres. The default is the world's own frame: y up.
 struct Frame {
-  Mat3 axes{1};
-  Vec3 origin{0};
+  Mat3 axes{1};    ///< columns: directions of x, y and z in outer coordinates
+  Vec3 origin{0};  ///< metres, in outer coordinates
 
-  Vec3 right() const { return axes[0]; }
-  Vec3 heading() const { return axes[1]; }
-  Vec3 upper() const { return axes[2]; }
+  Vec3 right() const { return axes[0]; }    ///< direction of x in outer coordinates
+  Vec3 heading() const { return axes[1]; }  ///< direction of y in outer coordinates
+  Vec3 upper() const { return axes[2]; }    ///< direction of z in outer coordinates
 
   /// Outer coordinates of a local point.
   Vec3 point(Vec3 local) const { return origin + axes * local; }
@@ -28,11 +28,11 @@ struct Frame {
   Frame operator*(const Frame& inner) const { return {axes * inner.axes, point(inner.origin)}; }
 };
 
-/// A frame in 64 bits, for what comes from files with the coordinates of a country: a 32-bit float a thousand
-/// kilometres from the origin is 6 cm from its neighbours.
+/// A frame in 64 bits, for files with the coordinates of a country. A thousand kilometres from the origin, neighbouring
+/// 32-bit floats are 6 cm apart.
 struct DFrame {
-  DMat3 axes{1};
-  DVec3 origin{0};
+  DMat3 axes{1};    ///< columns: directions of x, y and z in outer coordinates
+  DVec3 origin{0};  ///< metres, in outer coordinates
 
   /// Outer coordinates of a local point in 64 bits; callers that store 32 bits round it once.
   DVec3 point(DVec3 local) const { return origin + axes * local; }

@@ -11,7 +11,7 @@ namespace meristem {
 /// Bounds on what one document may ask for. Reaching one is an InputError that names the parameter to change, raised
 /// before the memory is spent. The defaults fit a machine with 8 GB.
 struct Limits {
-  std::uint64_t document_bytes = 16'000'000;
+  std::uint64_t document_bytes = 16'000'000;   ///< text of one document
   std::uint64_t nesting = 64;                  ///< levels of lists and objects in a document
   std::uint64_t diagnostics = 100;             ///< faults reported at once; the rest is counted
   std::uint64_t expression_bytes = 16'384;     ///< length of one expression

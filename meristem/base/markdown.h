@@ -11,7 +11,7 @@ std::string markdown_cell(std::string_view text);
 
 /// Returns Markdown and HTML that shows `text` as it is, on one line, also in a cell of a table: names, paths and
 /// errors that come from documents. Marks, tags, links and entities lose their meaning. Control characters and marks
-/// that change the direction of text become visible: \u202E.
+/// that change the direction of text become visible: `\u202E`.
 std::string markdown_text(std::string_view text);
 
 }  // namespace meristem

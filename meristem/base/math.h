@@ -8,8 +8,11 @@
 
 namespace meristem::math {
 
+/// Sine of an angle in radians.
 double sin(double radians);
+/// Cosine of an angle in radians.
 double cos(double radians);
+/// Tangent of an angle in radians.
 double tan(double radians);
 /// Angle in [-pi/2, pi/2]; arguments outside [-1, 1] count as the nearer end.
 double asin(double sine);
@@ -17,6 +20,7 @@ double asin(double sine);
 double acos(double cosine);
 /// Angle in (-pi, pi]; 0 where both are 0.
 double atan2(double y, double x);
+/// e to the power x.
 double exp(double x);
 /// Natural logarithm; -infinity for 0, NaN below.
 double log(double x);

@@ -16,6 +16,7 @@ namespace meristem {
 class NameTable {
  public:
   NameTable() = default;
+  /// A table of `names`, in their order.
   explicit NameTable(std::span<const std::string> names) { add(names); }
 
   /// Appends a name. A name that is already there keeps its first position.
@@ -36,6 +37,7 @@ class NameTable {
     const auto found = positions_.find(name);
     return found == positions_.end() ? std::nullopt : std::optional(found->second);
   }
+  /// Returns true if the name is there.
   bool contains(std::string_view name) const { return positions_.contains(name); }
 
  private:

@@ -43,7 +43,9 @@ class Progress {
     if (is_cancelled()) throw Cancelled();
   }
 
+  /// Asks the call to stop, which then throws Cancelled. Any thread and a signal handler may call it.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  /// True after cancel(), of this progress or of the whole that it is a part of.
   bool is_cancelled() const noexcept {
     return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->is_cancelled());
   }

@@ -32,6 +32,7 @@ class RandomKey {
   /// Uniform on the unit sphere.
   Vec3 direction(std::uint64_t index) const;
 
+  /// The key as one number, for caches and fingerprints.
   std::uint64_t bits() const { return bits_; }
   bool operator==(const RandomKey&) const = default;
 

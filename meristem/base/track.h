@@ -18,10 +18,11 @@ class Track {
     smooth,  ///< by a monotone cubic, which begins and ends at rest where the values turn or the keys begin and end
     step,    ///< at once, at the key's time
   };
+  /// A value at a time.
   struct Key {
-    double time = 0;  ///< seconds
-    double value = 0;
-    Way way = Way::linear;
+    double time = 0;        ///< seconds
+    double value = 0;       ///< in the unit of the number that the track drives
+    Way way = Way::linear;  ///< how the value comes here from the key before
 
     bool operator==(const Key&) const = default;
   };
@@ -29,6 +30,7 @@ class Track {
   /// At least one key, at rising times.
   explicit Track(std::vector<Key> keys);
 
+  /// All keys, by rising time.
   const std::vector<Key>& keys() const { return keys_; }
   /// The value at a time: the first key's before it, the last key's after it.
   double at(double time) const;

@@ -15,19 +15,21 @@
 namespace meristem {
 
 // Geometry is stored in 32-bit floats; sums over many items are taken in the 64-bit forms.
-using Vec2 = glm::vec2;
-using Vec3 = glm::vec3;
-using Vec4 = glm::vec4;
-using Mat3 = glm::mat3;
-using DVec3 = glm::dvec3;
-using DMat3 = glm::dmat3;
+using Vec2 = glm::vec2;    ///< two 32-bit floats
+using Vec3 = glm::vec3;    ///< three 32-bit floats
+using Vec4 = glm::vec4;    ///< four 32-bit floats
+using Mat3 = glm::mat3;    ///< 3 columns of three 32-bit floats
+using DVec3 = glm::dvec3;  ///< three 64-bit floats
+using DMat3 = glm::dmat3;  ///< 3 columns of three 64-bit floats
 
-inline constexpr Vec3 kUp{0, 1, 0};
-inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr Vec3 kUp{0, 1, 0};                    ///< direction against gravity: +y
+inline constexpr double kPi = 3.14159265358979323846;  ///< half a turn in radians
 /// The angle of most spiral phyllotaxes, 360° / φ², in degrees.
 inline constexpr double kGoldenAngleDeg = 137.50776405003785;
 
+/// Degrees as radians.
 constexpr double radians(double degrees) { return degrees * (kPi / 180); }
+/// Radians as degrees.
 constexpr double degrees(double radians) { return radians * (180 / kPi); }
 
 /// The squared length, the horizontal parts first: so a turn about the vertical by a right angle changes no bit of it.
@@ -36,9 +38,10 @@ inline double squared_length(DVec3 v) { return (v.x * v.x + v.z * v.z) + v.y * v
 
 /// Axis-aligned box, metres. Empty (low > high) until a point is added.
 struct Box {
-  Vec3 low{std::numeric_limits<float>::infinity()};
-  Vec3 high{-std::numeric_limits<float>::infinity()};
+  Vec3 low{std::numeric_limits<float>::infinity()};    ///< the corner with the least coordinates
+  Vec3 high{-std::numeric_limits<float>::infinity()};  ///< the corner with the greatest coordinates
 
+  /// Extends the box so that it holds a point, or another box.
   void add(Vec3 point) {
     low = glm::min(low, point);
     high = glm::max(high, point);
@@ -47,11 +50,13 @@ struct Box {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
   }
+  /// True if nothing was added.
   bool is_empty() const { return !(low.x <= high.x); }
   /// Whether a point is in it, its faces included.
   bool holds(Vec3 point) const {
     return glm::all(glm::lessThanEqual(low, point)) && glm::all(glm::lessThanEqual(point, high));
   }
+  /// The middle of the box; not for an empty one.
   Vec3 centre() const { return 0.5F * (low + high); }
   Vec3 size() const { return is_empty() ? Vec3(0) : high - low; }
 };

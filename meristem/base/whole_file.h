@@ -27,6 +27,7 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+  /// The path of the folder.
   const std::string& path() const { return path_; }
 
  private:

@@ -27,21 +27,24 @@ enum class DeformedPart {
 /// Organs follow each by what it acts on.
 class Deformation {
  public:
+  /// One map of space, and what it acts on.
   struct Level {
-    std::shared_ptr<const SpaceMap> map;
-    Frame frame;  ///< in which the map works
-    DeformedPart part = DeformedPart::geometry;
-    std::string path;  ///< of who gives it, for faults
+    std::shared_ptr<const SpaceMap> map;         ///< not null
+    Frame frame;                                 ///< in which the map works
+    DeformedPart part = DeformedPart::geometry;  ///< whether the map bends whole shapes or axes alone
+    std::string path;                            ///< of who gives it, for faults
   };
   /// At least one.
   explicit Deformation(std::vector<Level> levels) : levels_(std::move(levels)) {}
 
+  /// All maps, the innermost first.
   std::span<const Level> levels() const { return levels_; }
   /// One within another; either may be null.
   static std::shared_ptr<const Deformation> nested(const std::shared_ptr<const Deformation>& inner,
                                                    const std::shared_ptr<const Deformation>& outer);
-  /// The levels that bend a stem's axes, and those that act on its surface; null where there are none.
+  /// The levels that bend the axes of stems, or null.
   std::shared_ptr<const Deformation> of_axes() const;
+  /// The levels that act on the surfaces of stems, which follow the levels of `of_axes()`, or null.
   std::shared_ptr<const Deformation> of_surface() const;
   /// Moves all as if it were rigid: as the deformation moves and turns a frame at that position. Throws as `map` does.
   std::shared_ptr<const Deformation> rigid_at(Vec3 position, std::string_view who) const;

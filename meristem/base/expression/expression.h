@@ -34,27 +34,31 @@ namespace meristem {
 /// The names an expression may use. Variables differ from lane to lane and are given when evaluating, in this order;
 /// constants are folded in when compiling.
 struct ExpressionNames {
+  /// A name for a number that does not change.
   struct Constant {
-    std::string name;
-    double value = 0;
+    std::string name;  ///< an identifier
+    double value = 0;  ///< replaces the name when an expression is compiled
   };
-  std::vector<std::string> variables;
-  std::vector<Constant> constants;
+  std::vector<std::string> variables;  ///< names whose values are given when evaluating
+  std::vector<Constant> constants;     ///< names with fixed values
 };
 
 struct ExpressionScope;  // expression_scope.h
 
 /// A fault in an expression's text; `offset` is the byte at which it lies.
 struct ExpressionFault {
-  std::size_t offset = 0;
-  std::string message;
-  std::string expected;
-  std::string nearest;
+  std::size_t offset = 0;  ///< byte of the text, from 0
+  std::string message;     ///< what is wrong, without a full stop
+  std::string expected;    ///< what was expected, or empty
+  std::string nearest;     ///< the nearest valid name, or empty
 };
 
+/// Thrown for the first fault of an expression's text.
 class ExpressionError : public std::runtime_error {
  public:
+  /// Carries `fault`; what() is its message.
   explicit ExpressionError(ExpressionFault fault) : std::runtime_error(fault.message), fault_(std::move(fault)) {}
+  /// The fault and its place.
   const ExpressionFault& fault() const { return fault_; }
 
  private:
@@ -71,6 +75,7 @@ bool is_builtin_name(std::string_view name);
 /// All of them, in the order of the manual.
 std::span<const std::string> builtin_names();
 
+/// A compiled expression. Evaluation changes nothing, and any number of threads may use one expression.
 class Expression {
  public:
   /// The expression "0".
@@ -99,6 +104,7 @@ class Expression {
   bool uses(std::size_t variable) const;  ///< whether the k-th variable occurs
   bool is_random() const;                 ///< whether rand, gauss, ran or nran occurs
   bool is_constant() const;               ///< no variable, nothing random
+  /// The text from which the expression was compiled.
   const std::string& text() const;
   /// Equal for expressions that do the same with the same variables, however they are written.
   std::uint64_t hash() const;

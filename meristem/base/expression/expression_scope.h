@@ -15,10 +15,13 @@ namespace meristem {
 class ConstantTable {
  public:
   ConstantTable() = default;
+  /// A table of `constants`; where a name repeats, the first counts.
   explicit ConstantTable(std::vector<ExpressionNames::Constant> constants) : constants_(std::move(constants)) {
     for (const ExpressionNames::Constant& constant : constants_) names_.add(constant.name);
   }
+  /// All constants, in the order given.
   const std::vector<ExpressionNames::Constant>& all() const { return constants_; }
+  /// The names of the constants, with their positions in all().
   const NameTable& names() const { return names_; }
 
  private:
@@ -30,11 +33,11 @@ class ConstantTable {
 /// however many names there are. The lists and tables must outlive the compilation. Names must be identifiers and not
 /// built in, as of Expression::compile; this is not checked again for each expression.
 struct ExpressionScope {
-  std::span<const std::string> variables;
-  std::span<const ExpressionNames::Constant> constants;
-  const NameTable* variable_table = nullptr;  ///< positions of `variables`; null: the list is searched
-  const NameTable* constant_table = nullptr;  ///< positions of `constants`; null: the list is searched
-  bool has_nearest = true;                    ///< false: faults name no similar name, which saves time
+  std::span<const std::string> variables;                ///< names of the variables, in the order of their values
+  std::span<const ExpressionNames::Constant> constants;  ///< names with fixed values
+  const NameTable* variable_table = nullptr;             ///< positions of `variables`; null: the list is searched
+  const NameTable* constant_table = nullptr;             ///< positions of `constants`; null: the list is searched
+  bool has_nearest = true;                               ///< false: faults name no similar name, which saves time
 };
 
 }  // namespace meristem

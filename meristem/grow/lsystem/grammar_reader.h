@@ -50,7 +50,7 @@ struct GrammarWord {
 /// The words of a grammar that refer to symbols and names, in order.
 struct GrammarWords {
   std::vector<GrammarWord> symbols;  ///< all occurrences, also after #symbols and in contexts
-  /// Names in expressions, except parameters of the rule, and names defined by #define.
+  /// Names in expressions, except parameters of the rule, and names defined by `#define`.
   std::vector<GrammarWord> names;
 };
 

@@ -27,8 +27,8 @@ void deform(std::span<Frame> frames, const Deformation& of_axes, std::string_vie
 
 /// A range of a plant's organs with one deformation.
 struct DeformedOrgans {
-  std::size_t first = 0;
-  std::size_t count = 0;
+  std::size_t first = 0;                           ///< index of the first organ
+  std::size_t count = 0;                           ///< number of organs
   std::shared_ptr<const Deformation> deformation;  ///< not null
 };
 

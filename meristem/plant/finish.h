@@ -59,10 +59,10 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open, Tra
 
 /// Inputs of the steps of a finish from the caller.
 struct FinishContext {
-  double step = 1;  ///< growth step, metres
-  IsOpen is_open;
+  double step = 1;                                       ///< growth step, metres
+  IsOpen is_open;                                        ///< tells whether a new segment is free of obstacles
   FunctionRef<void(std::uint64_t nodes)> require_nodes;  ///< throws if there would be more nodes than the limit
-  const Progress& progress;
+  const Progress& progress;                              ///< checked for a cancel; must outlive the call
 };
 
 /// Returns the skeleton after all steps that `wanted` enables. Throws what `require_nodes` throws, before subdividing.

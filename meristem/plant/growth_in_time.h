@@ -27,7 +27,9 @@ struct GrowthSpans {
   /// later than `begin`; the node's birth, or an earlier share of that step if several nodes share the birth
   std::vector<float> end;
 
+  /// Computes the spans of all nodes. Cost: linear in nodes.
   explicit GrowthSpans(const Skeleton& skeleton);
+  /// Returns the step at which the segment of `node` has the share `along` (0 to 1) of its length.
   float at(NodeIndex node, float along) const { return begin[node] + along * (end[node] - begin[node]); }
 };
 

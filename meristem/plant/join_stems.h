@@ -11,7 +11,7 @@ namespace meristem {
 
 /// A stem before joining, and the place on another stem where it grows.
 struct LooseStem {
-  StemPart part;
+  StemPart part;                                    ///< the component instance that made the stem
   std::shared_ptr<const Skeleton> skeleton;         ///< never null
   std::uint32_t parent = kNoStem;                   ///< index of an earlier stem in the list, or kNoStem
   NodeIndex node = 0;                               ///< the stem grows on the parent's segment that ends in this node

@@ -25,10 +25,10 @@ struct OperationRecord {
   double diameter = 0;        ///< metres; diameter of the cut wood, or of the shoot for other operations
   std::uint32_t part = 0;     ///< index into Stem::parts of the part that it was done to, if stems are joined
   // Amounts removed; 0 for operations that remove nothing.
-  std::uint32_t metamers = 0;
-  double length = 0;  ///< metres
-  double wood = 0;    ///< cubic metres
-  double light = 0;   ///< light that the removed buds received
+  std::uint32_t metamers = 0;  ///< number of metamers
+  double length = 0;           ///< metres
+  double wood = 0;             ///< cubic metres
+  double light = 0;            ///< light that the removed buds received
 
   bool operator==(const OperationRecord&) const = default;
 };

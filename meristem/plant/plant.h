@@ -28,14 +28,14 @@ enum class BlendKind {
 
 /// A closed crown surface: balls around the ends of branches, blended into one body.
 struct CrownBody {
-  float diameter = 0.5F;  ///< diameter of the balls, metres
-  float offset = 0;       ///< height of each ball's centre above its branch's end, metres
-  float fuse = 0.1F;      ///< blend width, metres; larger: smoother and fuller; 0: creases
-  BlendKind blend = BlendKind::poly;
-  int resolution = 40;               ///< cells along the longest side; larger: finer
-  std::optional<int> triangles;      ///< target number of triangles after simplification; holes may prevent it
-  Vec3 colour{0.36F, 0.48F, 0.24F};  ///< sRGB
-  bool hidden = false;               ///< true: the surface carries leaves but is not drawn
+  float diameter = 0.5F;              ///< diameter of the balls, metres
+  float offset = 0;                   ///< height of each ball's centre above its branch's end, metres
+  float fuse = 0.1F;                  ///< blend width, metres; larger: smoother and fuller; 0: creases
+  BlendKind blend = BlendKind::poly;  ///< shape of the blend between balls
+  int resolution = 40;                ///< cells along the longest side; larger: finer
+  std::optional<int> triangles;       ///< target number of triangles after simplification; holes may prevent it
+  Vec3 colour{0.36F, 0.48F, 0.24F};   ///< sRGB
+  bool hidden = false;                ///< true: the surface carries leaves but is not drawn
 
   /// Scales all lengths by `factor`.
   void scale(float factor) {
@@ -49,15 +49,18 @@ struct CrownBody {
 
 /// Surface options of a stem; `meristem/shape` makes the surface.
 struct Surface {
+  /// How a stem gets its surface.
   enum class Style {
     tubes,  ///< one tube along each axis
     blend,  ///< one closed body around all axes
   };
+  /// The normals of a surface: smooth over edges, or one for each triangle.
   enum class Shading { smooth, flat };
+  /// The form of the end of an axis.
   enum class Cap { pointed, round, flat };
-  Style style = Style::tubes;
-  Shading shading = Shading::smooth;
-  std::optional<CrownBody> crown;
+  Style style = Style::tubes;         ///< tubes or one blended body
+  Shading shading = Shading::smooth;  ///< smooth or flat normals
+  std::optional<CrownBody> crown;     ///< a closed crown around the ends of branches; unset: no crown
 
   // Tubes.
   int sides = 8;        ///< sides of the thickest tube; thinner tubes have fewer; larger: rounder, more triangles
@@ -94,10 +97,10 @@ struct Individual {
 
 /// The part of a skeleton that one instance of a component made.
 struct StemPart {
-  std::string component;       ///< id of the component in the document
-  std::uint32_t instance = 0;  ///< number among the instances of that component
-  std::uint32_t material = 0;  ///< index into Plant::materials
-  Surface surface;
+  std::string component;                             ///< id of the component in the document
+  std::uint32_t instance = 0;                        ///< number among the instances of that component
+  std::uint32_t material = 0;                        ///< index into Plant::materials
+  Surface surface;                                   ///< surface options of this part
   Vec3 tint{1};                                      ///< linear factors on the material's colour
   std::shared_ptr<const Deformation> deformation{};  ///< applied to the finished surface; null: none
 };
@@ -116,8 +119,11 @@ struct Stem {
   /// A unique name of each axis that stays the same at all times of the document. Empty if axes have no names.
   std::vector<std::uint64_t> axis_names{};
 
+  /// Returns the index into `parts` of an axis.
   std::size_t part_index(AxisIndex axis) const { return part_of_axis.empty() ? 0 : part_of_axis[axis]; }
+  /// Returns the part that an axis belongs to.
   const StemPart& part(AxisIndex axis) const { return parts[part_index(axis)]; }
+  /// Returns the skeleton from which the surface is made, before deformation.
   const Skeleton& skeleton_of_surface() const { return undeformed != nullptr ? *undeformed : skeleton; }
   /// Returns the individual of all roots, or kNoIndividual if they differ.
   std::uint32_t individual() const;
@@ -127,30 +133,31 @@ struct Stem {
 
 /// Geometry that several organs share.
 struct OrganPrototype {
-  std::string component;
-  std::uint32_t material = 0;
+  std::string component;             ///< id of the component in the document
+  std::uint32_t material = 0;        ///< index into Plant::materials
   std::shared_ptr<const Mesh> mesh;  ///< in the organ's own frame: y along its heading, z out of its upper face
 };
 
 /// One instance of a prototype.
 struct Organ {
-  Frame frame;  ///< from the organ's own frame to the world; may scale
-  std::uint32_t prototype = 0;
+  Frame frame;                   ///< from the organ's own frame to the world; may scale
+  std::uint32_t prototype = 0;   ///< index into Plant::prototypes
   Vec3 tint{1};                  ///< linear factors on the material's colour
   float birth = 0;               ///< growth step at which it appeared
   std::uint32_t individual = 0;  ///< index into Plant::individuals, or kNoIndividual
   std::uint64_t name = 0;        ///< unique, and the same at all times of the document; 0: no name
 };
 
+/// Everything that a document has grown. Metres, y up; indices refer to the lists of the same plant.
 struct Plant {
-  std::vector<Material> materials;
-  std::vector<Stem> stems;
-  std::vector<OrganPrototype> prototypes;
-  std::vector<Organ> organs;
-  std::vector<Individual> individuals;  ///< in the order of placement; empty: the whole plant is one individual
+  std::vector<Material> materials;         ///< materials of stems and organs
+  std::vector<Stem> stems;                 ///< grown skeletons
+  std::vector<OrganPrototype> prototypes;  ///< shapes that organs share
+  std::vector<Organ> organs;               ///< instances of prototypes: leaves, blossoms, fruits
+  std::vector<Individual> individuals;     ///< in the order of placement; empty: the whole plant is one individual
   std::vector<Planting> plantings;  ///< whole plants; to read all stems and organs, use expanded() (plant_variant.h)
 
-  std::uint64_t node_count() const;
+  std::uint64_t node_count() const;  ///< nodes of all stems, without plantings
 };
 
 }  // namespace meristem

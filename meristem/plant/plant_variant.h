@@ -17,8 +17,8 @@ namespace meristem {
 
 /// A plant that other documents place as a whole: the result of one document with certain values and one seed.
 struct PlantVariant {
-  std::shared_ptr<const Plant> plant;
-  std::uint64_t key = 0;  ///< hash of all inputs of the growth: equal keys mean equal plants
+  std::shared_ptr<const Plant> plant;  ///< the grown plant
+  std::uint64_t key = 0;               ///< hash of all inputs of the growth: equal keys mean equal plants
   /// Paints the plant's own textures: replaces their sketches in `materials` by pictures. The plant's materials come
   /// first in `materials`.
   std::function<void(std::vector<Material>& materials, Progress& progress, Cache* cache)> paint;
@@ -26,15 +26,16 @@ struct PlantVariant {
 
   /// Returns the plant's materials, with pictures if they have been painted.
   const std::vector<Material>& materials() const;
-  std::uint64_t bytes() const;
+  std::uint64_t bytes() const;  ///< estimated heap memory of its organs and skeletons
 };
 
 /// Numbers of stems, nodes and organs, with all places of plantings counted.
 struct PlantTotals {
-  std::uint64_t stems = 0;
-  std::uint64_t nodes = 0;
-  std::uint64_t organs = 0;
+  std::uint64_t stems = 0;   ///< grown skeletons
+  std::uint64_t nodes = 0;   ///< skeleton nodes
+  std::uint64_t organs = 0;  ///< instances of prototypes
 };
+/// Counts a plant and its plantings, without copying them.
 PlantTotals totals_of(const Plant& plant);
 
 /// Returns true if the plant has plantings. A plant without plantings is its own expansion.
@@ -57,6 +58,7 @@ class ExpandedPlant {
   /// `plant` must outlive this object unless it has plantings. `limits` must be those of the plant's document. Throws
   /// as expanded() does.
   ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress);
+  /// The expanded plant.
   const Plant& operator*() const { return *plant_; }
   const Plant* operator->() const { return plant_; }
 

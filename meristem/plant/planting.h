@@ -17,6 +17,7 @@ inline constexpr std::uint32_t kNoRow = 0xffffffffU;  ///< marks a missing row n
 
 /// The places of one variant.
 struct Planting {
+  /// One place at which the variant stands.
   struct Place {
     Frame frame;                 ///< from the variant's world to the world; may scale
     std::uint32_t instance = 0;  ///< number among the instances of the component that places the plant
@@ -25,9 +26,9 @@ struct Planting {
     /// unique name of the plant at this place, the same at all times of the document; 0: no name
     std::uint64_t name = 0;
   };
-  std::string component;  ///< id of the component that places it
-  std::shared_ptr<const PlantVariant> variant;
-  std::vector<Place> places;
+  std::string component;                        ///< id of the component that places it
+  std::shared_ptr<const PlantVariant> variant;  ///< the plant that stands at the places
+  std::vector<Place> places;                    ///< the places, in the order of instances
   /// Deformation of the plants at the places, which makes each place differ. Null: none.
   std::shared_ptr<const Deformation> deformation{};
 };

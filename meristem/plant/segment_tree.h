@@ -16,8 +16,8 @@ namespace meristem {
 struct RoundSegment {
   Vec3 begin{0};  ///< metres
   Vec3 end{0};
-  float begin_radius = 0;  ///< metres
-  float end_radius = 0;
+  float begin_radius = 0;    ///< metres
+  float end_radius = 0;      ///< metres
   std::uint32_t number = 0;  ///< number assigned by the caller
 
   /// Returns the distance in metres from a position to the surface. It is positive inside and outside.

@@ -14,10 +14,10 @@
 
 namespace meristem {
 
-using NodeIndex = std::uint32_t;
-using AxisIndex = std::uint32_t;
-inline constexpr NodeIndex kNoNode = 0xffffffffU;
-inline constexpr AxisIndex kNoAxis = 0xffffffffU;
+using NodeIndex = std::uint32_t;                   ///< index of a node in its skeleton
+using AxisIndex = std::uint32_t;                   ///< index of an axis in its skeleton
+inline constexpr NodeIndex kNoNode = 0xffffffffU;  ///< marks a missing node, such as the parent of a root
+inline constexpr AxisIndex kNoAxis = 0xffffffffU;  ///< marks a missing axis
 
 /// Nodes joined by segments from parent to child. Every column has one entry per node.
 ///
@@ -34,12 +34,12 @@ struct Skeleton {
   std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns, if known: light, resource, ...
   std::vector<OperationRecord> operations;  ///< operations done to it as it grew, one tree after another
 
-  std::size_t node_count() const { return parent.size(); }
-  std::size_t axis_count() const;
-  std::uint64_t bytes() const;  ///< memory of all columns
-  bool is_root(NodeIndex node) const { return parent[node] == kNoNode; }
+  std::size_t node_count() const { return parent.size(); }                ///< number of nodes, roots included
+  std::size_t axis_count() const;                                         ///< number of axes
+  std::uint64_t bytes() const;                                            ///< memory of all columns
+  bool is_root(NodeIndex node) const { return parent[node] == kNoNode; }  ///< true if the node has no parent
 
-  void reserve(std::size_t nodes);
+  void reserve(std::size_t nodes);  ///< reserves memory for this number of nodes in all columns
   /// Appends a node with radius 0, axis 0 and order 0, and returns its index. `parent` is kNoNode or an earlier node.
   NodeIndex add_node(NodeIndex parent, Vec3 position, float birth);
   /// Appends further trees and continues the numbering of axes. Extra columns that one side lacks are 0 on its nodes.
@@ -48,10 +48,12 @@ struct Skeleton {
 
 /// The children of all nodes in one array: node k has `child[first[k] .. first[k+1])`, by rising index.
 struct Children {
-  std::vector<std::uint32_t> first;
-  std::vector<NodeIndex> child;
+  std::vector<std::uint32_t> first;  ///< begin of each node's children in `child`; one entry more than nodes
+  std::vector<NodeIndex> child;      ///< children of all nodes
 
+  /// Finds the children of all nodes. Cost: linear.
   explicit Children(const Skeleton& skeleton);
+  /// Returns the children of a node.
   std::span<const NodeIndex> of(NodeIndex node) const {
     return std::span(child).subspan(first[node], first[node + 1] - first[node]);
   }
@@ -60,11 +62,13 @@ struct Children {
 /// The nodes of each axis from base to tip: axis a has `node[first[a] .. first[a+1])`. The node that a lateral axis
 /// grows from is not included: it is the parent of the axis's first node.
 struct Axes {
-  std::vector<std::uint32_t> first;
-  std::vector<NodeIndex> node;
+  std::vector<std::uint32_t> first;  ///< begin of each axis in `node`; one entry more than axes
+  std::vector<NodeIndex> node;       ///< nodes of all axes
 
+  /// Finds the nodes of all axes. Cost: linear.
   explicit Axes(const Skeleton& skeleton);
-  std::size_t count() const { return first.size() - 1; }
+  std::size_t count() const { return first.size() - 1; }  ///< number of axes
+  /// Returns the nodes of an axis, from base to tip.
   std::span<const NodeIndex> of(AxisIndex axis) const {
     return std::span(node).subspan(first[axis], first[axis + 1] - first[axis]);
   }

@@ -18,10 +18,12 @@ struct Texture {
   bool masked = false;            ///< true: the surface has holes where alpha is below one half
   std::uint64_t fingerprint = 0;  ///< hash of all inputs of the texture; 0: unknown
 
-  bool has_normals() const { return !normals.is_empty(); }
+  bool has_normals() const { return !normals.is_empty(); }  ///< true if the texture has a picture of normals
   /// Returns false for a sketch: a texture that the program makes, still without pixels and mean.
   bool is_painted() const { return colour.is_empty() || !colour.rgba.empty(); }
-  std::uint64_t bytes() const { return colour.rgba.capacity() + normals.rgba.capacity(); }
+  std::uint64_t bytes() const {
+    return colour.rgba.capacity() + normals.rgba.capacity();
+  }  ///< heap memory of both pictures
 };
 
 }  // namespace meristem

@@ -28,8 +28,9 @@ inline constexpr std::string_view kCutColumn = "cut";
 /// leaves. Returns 1 if it does not leave, and 0 if `from` is outside. Must be thread-safe.
 using StayInside = FunctionRef<float(Vec3 from, Vec3 to)>;
 
+/// A trimmed skeleton, and the place of each node of the whole skeleton in it.
 struct TrimmedSkeleton {
-  Skeleton skeleton;
+  Skeleton skeleton;  ///< the remaining skeleton; its nodes are numbered anew
   /// For each node of the whole skeleton, the node that ends the remaining part of its segment, or kNoNode.
   std::vector<NodeIndex> node;
   /// For each node of the whole skeleton, the share of its segment that is left: 1 all (also for roots that stay), 0

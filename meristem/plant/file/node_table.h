@@ -27,16 +27,16 @@ enum class NodeTableForm { nodes, cylinders, trees };
 /// The nodes of a table: parents before children, otherwise in the order of their lines. All columns have an entry per
 /// node.
 struct NodeTable {
-  NodeTableForm form = NodeTableForm::nodes;
-  bool is_y_up = false;  ///< true in Meristem's own tables; otherwise z is up, x east and y north
-  std::vector<NodeIndex> parent;
-  std::vector<DVec3> position;        ///< in the units of the file
-  std::vector<double> radius;         ///< in the units of the file; NaN if missing
-  std::vector<std::uint32_t> branch;  ///< nodes of one branch form one axis; empty if the file has no branches
-  std::vector<float> birth;           ///< empty if the file has no births
-  std::vector<int> line;              ///< line of the file, from 1
+  NodeTableForm form = NodeTableForm::nodes;  ///< the form that the head line has shown
+  bool is_y_up = false;                       ///< true in Meristem's own tables; otherwise z is up, x east and y north
+  std::vector<NodeIndex> parent;              ///< index of an earlier node; kNoNode for roots
+  std::vector<DVec3> position;                ///< in the units of the file
+  std::vector<double> radius;                 ///< in the units of the file; NaN if missing
+  std::vector<std::uint32_t> branch;          ///< nodes of one branch form one axis; empty if the file has no branches
+  std::vector<float> birth;                   ///< empty if the file has no births
+  std::vector<int> line;                      ///< line of the file, from 1
 
-  std::size_t node_count() const { return parent.size(); }
+  std::size_t node_count() const { return parent.size(); }  ///< number of nodes
 };
 
 /// Reads the text of a table. The names in its head line decide the form. Throws InputError with line and column in

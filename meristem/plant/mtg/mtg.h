@@ -21,44 +21,50 @@
 
 namespace meristem {
 
-using MtgVertex = std::uint32_t;
-inline constexpr MtgVertex kNoVertex = 0xffffffffU;
+using MtgVertex = std::uint32_t;                     ///< index of an entity
+inline constexpr MtgVertex kNoVertex = 0xffffffffU;  ///< marks a missing entity
 
 /// How an entity is joined to its parent of the same scale.
 enum class MtgEdge : std::uint8_t { none, successor, branch };
 
 /// A kind of entity. Each class belongs to one scale. Scale 0 is the whole scene; higher scales are finer.
 struct MtgClass {
-  std::string name;
-  int scale = 0;
+  std::string name;  ///< letters, as in the file
+  int scale = 0;     ///< 0 for the whole scene; higher is finer
 };
 
 /// A column of values.
 struct MtgFeature {
-  std::string name;
-  std::string type;  ///< type name from the file: INT, REAL, ALPHA, DD/MM/YY, ...
-  bool is_number = false;
+  std::string name;        ///< as in the file
+  std::string type;        ///< type name from the file: INT, REAL, ALPHA, DD/MM/YY, ...
+  bool is_number = false;  ///< true if values of the type are numbers
 };
 
 /// The values of entities, with one row for each line of the file that has values.
 struct MtgValues {
+  /// One value of a row.
   struct Cell {
-    std::uint32_t feature, begin, size;  ///< the cell's text is `size` bytes of `text` from `begin`
+    std::uint32_t feature;  ///< index into MtgTree::features
+    std::uint32_t begin;    ///< first byte of the value in `text`
+    std::uint32_t size;     ///< bytes of the value
   };
+  /// The values that one line of the file gives to one entity or to a run of entities.
   struct Row {
-    MtgVertex first, last;   ///< range of entities with these values, both included
-    std::size_t begin, end;  ///< the row's cells
+    MtgVertex first;    ///< first entity with these values
+    MtgVertex last;     ///< last entity with these values
+    std::size_t begin;  ///< first of the row's cells
+    std::size_t end;    ///< behind the last of the row's cells
   };
-  std::vector<Row> rows;
-  std::vector<Cell> cells;
-  std::string text;
+  std::vector<Row> rows;    ///< by rising entity
+  std::vector<Cell> cells;  ///< cells of all rows
+  std::string text;         ///< text of all cells
 };
 
 /// Entities in the order of the file. Vertex 0 is the scene, the only vertex of scale 0. The complex and the parent of
 /// a vertex come before it.
 struct MtgTree {
-  std::vector<MtgClass> classes;
-  std::vector<MtgFeature> features;
+  std::vector<MtgClass> classes;     ///< declared classes; entity types are indices into this list
+  std::vector<MtgFeature> features;  ///< declared features
   // One entry per vertex.
   std::vector<std::uint32_t> type;  ///< index into `classes`
   std::vector<std::int32_t> index;  ///< the number in its label, or -1
@@ -66,9 +72,10 @@ struct MtgTree {
   std::vector<MtgVertex> parent;    ///< the entity of the same scale that bears it, or kNoVertex
   std::vector<MtgEdge> edge;        ///< how it is joined to its parent
   std::vector<std::uint32_t> line;  ///< line of the file, from 1
-  MtgValues values;
+  MtgValues values;                 ///< values of the features
 
-  std::size_t vertex_count() const { return type.size(); }
+  std::size_t vertex_count() const { return type.size(); }  ///< number of entities, the scene included
+  /// Returns the scale of an entity's class.
   int scale(MtgVertex vertex) const { return classes[type[vertex]].scale; }
   /// Returns the finest scale that has entities.
   int finest_scale() const;

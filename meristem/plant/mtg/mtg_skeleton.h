@@ -25,7 +25,7 @@ struct MtgGeometry {
 
 /// A skeleton and the entity of each node.
 struct MtgSkeleton {
-  Skeleton skeleton;
+  Skeleton skeleton;              ///< parents before children
   std::vector<MtgVertex> vertex;  ///< entity of each node
   std::uint64_t guessed = 0;      ///< number of nodes without coordinates, placed at their parents
 };

@@ -17,6 +17,7 @@ struct Pulling {
   Vec3 toward{0};      ///< unit vector; 0 if nothing pulls
   float strength = 1;  ///< 1: like the scene's own light or gravity
 
+  /// Returns the pull as one vector, as long as its strength.
   Vec3 vector() const { return strength * toward; }
 };
 
@@ -33,10 +34,11 @@ class Sense {
   /// A field that varies in space.
   explicit Sense(FieldPointer own) : own_(std::move(own)), varies_(true) {}
 
+  /// Returns the pull at a position.
   Pulling at(Vec3 position) const { return varies_ ? sum_at(position) : uniform_; }
   /// Returns the sum of the fields that were added to the scene's own, at a position; 0 without such fields.
   Vec3 given_at(Vec3 position) const { return given_ == nullptr ? Vec3(0) : given_->at(position); }
-  bool is_uniform() const { return !varies_; }
+  bool is_uniform() const { return !varies_; }  ///< true if the field is equal at all positions
 
   /// Returns a copy with another field. If `adds` is false, the field replaces all others.
   Sense with(FieldPointer field, bool adds) const;
@@ -65,13 +67,15 @@ class Directions {
   Directions(const Light& light, SkyDirection shown);
   Directions(Sense light, Sense gravity) : light_(std::move(light)), gravity_(std::move(gravity)) {}
 
+  /// Returns the pull of the light at a position.
   Pulling light(Vec3 position) const { return light_.at(position); }
+  /// Returns the pull of gravity at a position.
   Pulling gravity(Vec3 position) const { return gravity_.at(position); }
   Vec3 toward_light(Vec3 position) const { return light_.at(position).toward; }  ///< unit vector, or 0
   Vec3 down(Vec3 position) const { return gravity_.at(position).toward; }        ///< unit vector, or 0
 
-  const Sense& light_sense() const { return light_; }
-  const Sense& gravity_sense() const { return gravity_; }
+  const Sense& light_sense() const { return light_; }      ///< the field of light
+  const Sense& gravity_sense() const { return gravity_; }  ///< the field of gravity
   /// Returns a copy with other fields of light and gravity.
   Directions with(Sense light, Sense gravity) const;
 
@@ -81,7 +85,7 @@ class Directions {
   Vec3 open_heading(const KeptOut::Section& section) const {
     return kept_out_ == nullptr ? section.heading : kept_out(section);
   }
-  bool keep_out() const { return kept_out_ != nullptr; }
+  bool keep_out() const { return kept_out_ != nullptr; }  ///< true if stems must keep out of some body
 
   /// Returns a key that is equal for positions with equal directions.
   std::uint64_t key_at(Vec3 position) const;

@@ -43,6 +43,6 @@ inline constexpr float kEndlessReach = 1e6F;
 /// Returns true if a crown is infinite, such as a half space.
 bool is_endless(const Crown& crown);
 
-using CrownPointer = std::shared_ptr<const Crown>;
+using CrownPointer = std::shared_ptr<const Crown>;  ///< crowns are shared and never change
 
 }  // namespace meristem

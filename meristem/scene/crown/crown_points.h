@@ -15,11 +15,12 @@ namespace meristem {
 
 /// The distribution of points in a crown.
 struct PointDistribution {
+  /// A part of the points, and the zone that they fill.
   struct Share {
     double share = 0;  ///< share of the points, in (0, 1]; the shares sum to at most 1
-    CrownZone zone;
+    CrownZone zone;    ///< the part of the crown that these points fill
   };
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;    ///< number of points in all
   std::vector<Share> shares;  ///< the remaining points are uniform in the whole crown
   /// True: points keep the distance that their density allows; false: independent random points.
   bool blue_noise = false;

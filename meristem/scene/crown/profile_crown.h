@@ -16,11 +16,12 @@ class ProfileCrown : public Crown {
   /// Points (radius, height) in metres: at least two, with strictly rising heights, joined by a natural cubic spline.
   /// Negative radii count as 0.
   using Profile = std::vector<Vec2>;
+  /// A profile and its direction from the root.
   struct AtAzimuth {
     double azimuth = 0;  ///< radians from north (-z) over east (+x), any number
-    Profile profile;
+    Profile profile;     ///< (radius, height), metres
   };
-  using Sides = std::vector<AtAzimuth>;
+  using Sides = std::vector<AtAzimuth>;  ///< profiles at different azimuths, in any order
 
   /// Throws std::invalid_argument for invalid profiles, for an empty list, and for two profiles at one azimuth.
   /// Documents are checked earlier.
@@ -29,7 +30,7 @@ class ProfileCrown : public Crown {
 
   double radius_at(double height, double azimuth = 0) const;  ///< metres; 0 outside the profile's heights
   double lowest() const { return lowest_; }                   ///< metres above the root
-  double highest() const { return highest_; }
+  double highest() const { return highest_; }                 ///< metres above the root
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
   Box bounds() const override;

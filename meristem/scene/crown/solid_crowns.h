@@ -9,6 +9,7 @@ namespace meristem {
 /// An ellipsoid with its axes along x, y and z; a sphere if the radii are equal.
 class EllipsoidCrown : public Crown {
  public:
+  /// `radii` are the half axes along x, y and z.
   EllipsoidCrown(Vec3 centre, Vec3 radii) : centre_(centre), radii_(radii) {}
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
@@ -87,6 +88,7 @@ class HalfSpaceCrown : public Crown {
 /// A box with its edges along x, y and z.
 class BoxCrown : public Crown {
  public:
+  /// A crown that fills `box`.
   explicit BoxCrown(const Box& box) : box_(box) {}
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;

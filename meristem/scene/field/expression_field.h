@@ -16,6 +16,7 @@ const std::vector<std::string>& field_variables();
 /// A vector field given by three expressions in the variables of field_variables().
 class ExpressionField : public VectorField {
  public:
+  /// How the expressions are evaluated and named.
   struct Options {
     double time = 0;         ///< value of t, seconds
     bool must_point = true;  ///< true: a position where the field vanishes is an error

@@ -16,10 +16,10 @@ class KeptOut {
 
   /// The next section of a stem: `step` metres from `position` in the direction of the unit vector `heading`.
   struct Section {
-    Vec3 position{0};
-    Vec3 heading = kUp;
-    double step = 0;
-    double radius = 0;  ///< radius of the stem, whose whole cross-section stays outside
+    Vec3 position{0};    ///< begin of the section, metres
+    Vec3 heading = kUp;  ///< unit vector
+    double step = 0;     ///< length of the section, metres
+    double radius = 0;   ///< radius of the stem, whose whole cross-section stays outside
   };
   /// Returns the unit vector nearest to the section's heading that the body allows. A convex body is never entered.
   Vec3 open_heading(const Section& section) const;

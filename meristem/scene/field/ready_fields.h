@@ -16,6 +16,7 @@ namespace meristem {
 /// A field that is equal at all positions.
 class UniformField : public VectorField {
  public:
+  /// `pull` has the strength of the field as its length.
   explicit UniformField(Vec3 pull) : pull_(pull) {}
   Vec3 at(Vec3) const override { return pull_; }
   bool is_uniform() const override { return true; }
@@ -27,6 +28,7 @@ class UniformField : public VectorField {
 /// A field of length 1 toward a point. With a finite `reach`, its length falls with the distance and is 1/2 at `reach`.
 class PointField : public VectorField {
  public:
+  /// `point` in metres; an infinite `reach` gives equal strength at all distances.
   PointField(Vec3 point, double reach) : point_(point), reach_(reach) {}
   Vec3 at(Vec3 position) const override;
 
@@ -37,8 +39,8 @@ class PointField : public VectorField {
 
 /// A line in space: a point and a unit vector.
 struct FieldAxis {
-  Vec3 point{0};
-  Vec3 direction = kUp;
+  Vec3 point{0};         ///< metres
+  Vec3 direction = kUp;  ///< unit vector
 };
 
 /// A field toward the surface of an infinite cylinder, inward outside and outward inside. Its length is 1 and falls
@@ -60,6 +62,7 @@ class CylinderField : public VectorField {
 /// and rises linearly from 0 at the axis.
 class VortexField : public VectorField {
  public:
+  /// `axis.direction` is a unit vector; `core` is the radius of the core in metres, above 0.
   VortexField(FieldAxis axis, double core) : axis_(axis), core_(core) {}
   Vec3 at(Vec3 position) const override;
 
@@ -71,14 +74,16 @@ class VortexField : public VectorField {
 /// Variation of a wind by noise. A gust is about `size` metres long. The noise is shifted along the wind by `drift`
 /// metres.
 struct Gusts {
-  double share = 0;  ///< largest change of the wind in each direction, as a share of its length
-  double size = 1;   ///< metres, above 0
-  double drift = 0;  ///< metres
-  RandomKey key = RandomKey();
+  double share = 0;             ///< largest change of the wind in each direction, as a share of its length
+  double size = 1;              ///< metres, above 0
+  double drift = 0;             ///< metres
+  RandomKey key = RandomKey();  ///< selects the pattern of the gusts
 };
 
+/// A field along a wind, whose strength and direction vary by gusts.
 class WindField : public VectorField {
  public:
+  /// `wind` has the strength of the wind as its length.
   WindField(Vec3 wind, const Gusts& gusts) : wind_(wind), gusts_(gusts) {}
   Vec3 at(Vec3 position) const override;
   bool is_uniform() const override { return gusts_.share == 0; }
@@ -107,6 +112,7 @@ class PlacedField : public VectorField {
 /// The sum of two fields.
 class SumField : public VectorField {
  public:
+  /// The fields must not be null.
   SumField(FieldPointer one, FieldPointer other) : one_(std::move(one)), other_(std::move(other)) {}
   Vec3 at(Vec3 position) const override { return one_->at(position) + other_->at(position); }
   bool is_uniform() const override { return one_->is_uniform() && other_->is_uniform(); }

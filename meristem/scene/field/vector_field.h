@@ -20,6 +20,6 @@ class VectorField {
   virtual bool is_uniform() const { return false; }
 };
 
-using FieldPointer = std::shared_ptr<const VectorField>;
+using FieldPointer = std::shared_ptr<const VectorField>;  ///< fields are shared and never change
 
 }  // namespace meristem

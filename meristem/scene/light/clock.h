@@ -14,9 +14,9 @@ namespace meristem {
 
 /// A day of the Gregorian calendar.
 struct Date {
-  int year = 2000;
-  int month = 1;  ///< from 1
-  int day = 1;    ///< day of the month, from 1
+  int year = 2000;  ///< year of the Gregorian calendar
+  int month = 1;    ///< from 1
+  int day = 1;      ///< day of the month, from 1
 
   bool operator==(const Date&) const = default;
 };

@@ -37,9 +37,9 @@ struct Light {
   /// The sun's positions in sequence. Default: at the zenith.
   std::vector<DirectionalLight> sun{DirectionalLight{}};
   std::vector<DirectionalLight> sky;  ///< patches of the sky dome, above the horizon
-  std::vector<Lamp> lamps;
+  std::vector<Lamp> lamps;            ///< lamps, in any order
 
-  bool is_none() const { return sun.empty() && sky.empty() && lamps.empty(); }
+  bool is_none() const { return sun.empty() && sky.empty() && lamps.empty(); }  ///< true if nothing shines
   /// Calls `visit(LightRay)` for each light that shines on a position, in the order of the members.
   template <class Visit>
   void for_each_ray(Vec3 point, Visit visit) const {

@@ -23,6 +23,7 @@
 
 namespace meristem {
 
+/// The form of the shade that one shader casts.
 struct ShadowParameters {
   double voxel = 0.1;       ///< side of a voxel, metres; larger: coarser shade that reaches farther
   double amount = 0.2;      ///< a: shade in the shader's own voxel; 0: no shade
@@ -36,10 +37,11 @@ struct ShadowParameters {
 
 /// A source of shade.
 struct Shader {
-  Vec3 position{0};
+  Vec3 position{0};   ///< metres
   double weight = 1;  ///< factor on the shade; negative: removes shade cast earlier
 };
 
+/// The shade of all shaders that were cast.
 class ShadowGrid {
  private:
   static constexpr int kSide = 8;  // voxels per side of a brick
@@ -55,6 +57,7 @@ class ShadowGrid {
   /// A cache of recently used bricks for one thread. It is valid as long as nothing is cast.
   class Recent {
    public:
+    /// An empty cache.
     Recent() { places_.fill({std::numeric_limits<std::int32_t>::min(), 0, 0}); }
 
    private:
@@ -70,11 +73,13 @@ class ShadowGrid {
   /// state exactly. Weights are rounded to 2^-32 of a shade. Throws std::invalid_argument for positions that are not
   /// finite or more than 10^10 voxels away. Throws it also for weights that are not finite or cast over 10^6 shades.
   void add(Vec3 position, double weight = 1);
+  /// Removes the shade of a shader that add() or cast() has added.
   void remove(Vec3 position, double weight = 1) { add(position, -weight); }
   /// Adds the shade of many shaders, on all threads. Throws TooMuchMemory before exceeding `most_bytes`, and throws
   /// Cancelled. After an exception, some of the shaders have been cast.
   void cast(std::span<const Shader> shaders, const Progress& progress,
             std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
+  /// Thrown before a call would exceed its limit of memory.
   struct TooMuchMemory {};
   /// Returns true if a position is close enough to cast shade and to be queried.
   bool reaches(Vec3 position) const;
@@ -90,7 +95,7 @@ class ShadowGrid {
   Vec3 brighter_way(Vec3 position, Recent& recent) const;
   Vec3 brighter_way(Vec3 position) const;
 
-  const ShadowParameters& form() const { return form_; }
+  const ShadowParameters& form() const { return form_; }  ///< the parameters of the grid
   bool empty() const { return brick_count() == 0; }
   std::size_t bytes() const;  ///< heap memory of the shaded space
 

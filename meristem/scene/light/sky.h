@@ -21,7 +21,7 @@ class Sky {
   explicit Sky(SkyDirection sun);
 
   Vec3 radiance(Vec3 direction) const;  ///< radiance of the dome without the sun's disc; constant below the horizon
-  Vec3 sun_direction() const { return sun_direction_; }
+  Vec3 sun_direction() const { return sun_direction_; }              ///< unit vector toward the sun
   Vec3 sun_irradiance() const { return sun_irradiance_; }            ///< on a surface facing the sun
   double sun_angular_radius() const { return sun_angular_radius_; }  ///< radians; the real value is 0.0047
   /// Returns the irradiance of the dome on level ground, without the sun.

@@ -15,8 +15,8 @@ namespace meristem {
 
 /// A position in the sky, radians.
 struct SkyDirection {
-  double azimuth = 0;
-  double altitude = 0;
+  double azimuth = 0;   ///< from north (-z) over east (+x)
+  double altitude = 0;  ///< above the horizon
 };
 
 /// Returns the sun's declination in radians on a day of the year.

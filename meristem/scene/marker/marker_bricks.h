@@ -19,49 +19,54 @@
 
 namespace meristem {
 
+/// Markers in sparse bricks of voxels. Not thread-safe, except for reading.
 class MarkerBricks {
  public:
-  static constexpr std::int32_t kSide = 4;       // voxels per side of a brick, bricks per side of a block
-  static constexpr std::uint32_t kInBrick = 64;  // markers of a brick, or bricks of a block: index x + 4 y + 16 z
-  static constexpr std::uint32_t kNone = ~0U;    // no brick, or no block
-  static constexpr std::uint64_t kAll = ~0ULL;   // all markers of a brick, or all bricks of a block
-  static constexpr int kMostReach = 32;          // voxels
-  // Largest number of bricks along an axis within this reach.
+  static constexpr std::int32_t kSide = 4;       ///< voxels per side of a brick, bricks per side of a block
+  static constexpr std::uint32_t kInBrick = 64;  ///< markers of a brick, or bricks of a block: index x + 4 y + 16 z
+  static constexpr std::uint32_t kNone = ~0U;    ///< no brick, or no block
+  static constexpr std::uint64_t kAll = ~0ULL;   ///< all markers of a brick, or all bricks of a block
+  static constexpr int kMostReach = 32;          ///< voxels
+  /// Largest number of bricks along an axis within this reach.
   static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;
 
   /// A position in units of 2^-16 voxels. The vector to a marker is then exact in floats.
   using FinePosition = std::array<std::int64_t, 3>;
   /// Coordinates of a voxel, brick or block. A brick is four voxels wide, a block four bricks.
   using Cell = std::array<std::int32_t, 3>;
+  /// A box of cells.
   struct Range {
     Cell low;   ///< first cell, included
     Cell high;  ///< last cell, included
   };
   /// The positions of a brick's markers, in voxels from its low corner.
   struct Pattern {
-    std::array<float, kInBrick> x;
-    std::array<float, kInBrick> y;
-    std::array<float, kInBrick> z;
+    std::array<float, kInBrick> x;  ///< along x, in [0, 4)
+    std::array<float, kInBrick> y;  ///< along y, in [0, 4)
+    std::array<float, kInBrick> z;  ///< along z, in [0, 4)
   };
+  /// Four by four by four voxels with one marker each.
   struct Brick {
     std::array<std::uint8_t, kInBrick> shoots{};  ///< number near each marker, modulo 256
     std::uint64_t free = kAll;                    ///< markers without a shoot nearby
     std::uint64_t within = kAll;                  ///< markers that some volume contains
     std::uint32_t slot = 0;                       ///< kInBrick * block + position in the block
     std::uint32_t claims = kNone;                 ///< for use by the owner of the bricks
-    std::uint8_t pattern = 0;
+    std::uint8_t pattern = 0;                     ///< index of the brick's pattern, below 64
   };
+  /// Four by four by four bricks.
   struct Block {
-    Cell position;
+    Cell position;                                ///< coordinates of the block
     std::uint64_t open = kAll;                    ///< bricks with available markers
     std::array<std::uint64_t, kInBrick> markers;  ///< available markers of each brick: free and within a volume
-    std::array<std::uint32_t, kInBrick> bricks;
+    std::array<std::uint32_t, kInBrick> bricks;   ///< index of each brick, or kNone
   };
   /// A cache of recently used blocks. All neighbours of a block fit.
   struct Recent {
+    /// An empty cache.
     Recent() { keys.fill(kAll); }
-    std::array<std::uint64_t, 64> keys;
-    std::array<std::uint32_t, 64> blocks;
+    std::array<std::uint64_t, 64> keys;    ///< key of the block in each place, or kAll
+    std::array<std::uint32_t, 64> blocks;  ///< index of the block in each place
   };
 
   /// Throws std::invalid_argument unless `spacing` (metres) is above 0 and `reach` is in [0, kMostReach] spacings.
@@ -70,6 +75,7 @@ class MarkerBricks {
   /// Counts a shoot at every marker within reach. vacate() is the exact inverse, and throws std::invalid_argument if no
   /// shoot is left to remove.
   void occupy(Vec3 position);
+  /// Uncounts a shoot that occupy() has counted at an equal position.
   void vacate(Vec3 position);
 
   /// Returns true if a position is finite and at most 4 million voxels away from the origin along each axis.
@@ -83,6 +89,7 @@ class MarkerBricks {
   static Range voxels(const FinePosition& position, Vec3 low, Vec3 high);
   /// Returns the brick that contains a voxel, or the block that contains a brick.
   static Cell holder(const Cell& cell) { return {cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}; }
+  /// Returns the holders of all cells of a range.
   static Range holders(const Range& range) { return {holder(range.low), holder(range.high)}; }
   /// Returns the index of a cell among the 64 cells of its holder.
   static std::uint32_t number(const Cell& cell) {
@@ -103,22 +110,22 @@ class MarkerBricks {
     const std::uint32_t lane = number(cell);
     return recent.keys[lane] == packed(cell) ? recent.blocks[lane] : look_up(cell, recent);
   }
-  std::uint32_t add_block(const Cell& cell);    ///< returns the existing block, or a new one
-  std::uint32_t add_brick(std::uint32_t slot);  ///< returns the existing brick, or a new one
-  const Block& block(std::uint32_t k) const { return blocks_[k]; }
-  std::size_t block_count() const { return blocks_.size(); }
-  Brick& brick(std::uint32_t k) { return bricks_[k]; }
+  std::uint32_t add_block(const Cell& cell);                        ///< returns the existing block, or a new one
+  std::uint32_t add_brick(std::uint32_t slot);                      ///< returns the existing brick, or a new one
+  const Block& block(std::uint32_t k) const { return blocks_[k]; }  ///< block with this index
+  std::size_t block_count() const { return blocks_.size(); }        ///< number of blocks
+  Brick& brick(std::uint32_t k) { return bricks_[k]; }              ///< brick with this index
   const Brick& brick(std::uint32_t k) const { return bricks_[k]; }
-  std::size_t brick_count() const { return bricks_.size(); }
-  Cell place_of(const Brick& brick) const;
-  const Pattern& pattern(std::uint8_t k) const { return patterns_[k]; }
+  std::size_t brick_count() const { return bricks_.size(); }             ///< number of bricks
+  Cell place_of(const Brick& brick) const;                               ///< coordinates of a brick
+  const Pattern& pattern(std::uint8_t k) const { return patterns_[k]; }  ///< pattern with this index
   /// Returns the pattern of a brick, which need not exist yet.
   std::uint8_t pattern_at(const Cell& brick) const;
   /// Sets the markers of a brick that some volume contains.
   void limit(Brick& brick, std::uint64_t within);
 
-  double spacing() const { return spacing_; }
-  std::size_t bytes() const;
+  double spacing() const { return spacing_; }  ///< side of a voxel, metres
+  std::size_t bytes() const;                   ///< heap memory
 
  private:
   static constexpr int kVoxelBits = 16;             // bits of a fine position within its voxel

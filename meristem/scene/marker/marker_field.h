@@ -23,6 +23,7 @@
 
 namespace meristem {
 
+/// The density of markers, and the reach of shoots.
 struct MarkerParameters {
   double spacing = 0.07;   ///< side of a voxel, metres; larger: coarser and cheaper
   double occupancy = 0.2;  ///< radius around a shoot in which markers are occupied, metres, up to 32 spacings
@@ -32,7 +33,7 @@ struct MarkerParameters {
 
 /// A bud that searches for space.
 struct Seeker {
-  Vec3 position{0};
+  Vec3 position{0};            ///< metres
   Vec3 direction{kUp};         ///< unit vector along the cone's axis
   std::uint32_t volume = 0;    ///< index from add_volume(); the seeker sees only markers of this volume
   float radius = 0.4F;         ///< length of the cone, metres, up to 32 spacings
@@ -48,6 +49,7 @@ struct Room {
 
 struct LookedAt;  // the looks at each brick in a round
 
+/// The markers of a scene, with the shoots that occupy them.
 class MarkerField {
  public:
   /// Markers inside obstacles are never free. Throws std::invalid_argument for parameters out of range.
@@ -62,6 +64,7 @@ class MarkerField {
   /// Occupies the markers around a shoot at `position`. vacate() of an equal position releases them exactly. Throws
   /// std::invalid_argument for positions out of range, and for vacating a position that was not occupied.
   void occupy(Vec3 position) { bricks_.occupy(position); }
+  /// Releases the markers that occupy() has occupied for an equal position.
   void vacate(Vec3 position) { bricks_.vacate(position); }
 
   /// Assigns each free marker to the nearest seeker that sees it (tie: the first seeker). Seekers that yield come after
@@ -71,6 +74,7 @@ class MarkerField {
   /// or Cancelled, `rooms` is unchanged.
   void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
                  std::uint64_t most_bytes = ~std::uint64_t{0});
+  /// Thrown before a call would exceed its limit of memory.
   struct TooMuchMemory {};
 
   /// Returns the free markers of a volume in a box, in unspecified order, for pictures and tests. Cost: proportional to
@@ -80,7 +84,7 @@ class MarkerField {
   /// Returns a field with equal markers and volumes, but without shoots.
   MarkerField vacant() const;
 
-  const MarkerParameters& form() const { return form_; }
+  const MarkerParameters& form() const { return form_; }  ///< the parameters of the field
   /// Returns the memory kept between rounds: about 120 bytes per brick of 64 markers that a shoot or a cone has
   /// touched. During a round, each seeker takes about 50 bytes. A seeker that finds a free marker takes another 100
   /// bytes, plus 12 for each brick in the box around its cone.

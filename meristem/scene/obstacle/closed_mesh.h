@@ -12,8 +12,8 @@ namespace meristem {
 
 /// Triangles of a file, counter-clockwise seen from outside; in double precision, like point clouds.
 struct TriangleMesh {
-  std::vector<DVec3> positions;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<DVec3> positions;                         ///< metres
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< three vertices each, as indices into `positions`
 };
 
 /// Returns the reasons why a mesh is not closed, each with its number of occurrences and first position. Reasons are
@@ -38,14 +38,14 @@ class ClosedMesh {
   /// meshes only.
   explicit ClosedMesh(const TriangleMesh& mesh);
 
-  bool contains(DVec3 point) const { return winding_number(point) != 0; }
+  bool contains(DVec3 point) const { return winding_number(point) != 0; }  ///< true if the point is inside
   /// Returns how often the surface winds around a point: 1 inside a simple body that faces outward.
   int winding_number(DVec3 point) const;
 
-  double volume() const { return volume_; }  ///< cubic units, at least 0
-  const std::vector<DVec3>& positions() const { return positions_; }
-  std::size_t triangle_count() const { return triangles_.size(); }
-  TriangleMesh mesh() const { return {positions_, triangles_}; }  ///< a copy
+  double volume() const { return volume_; }                           ///< cubic units, at least 0
+  const std::vector<DVec3>& positions() const { return positions_; }  ///< metres
+  std::size_t triangle_count() const { return triangles_.size(); }    ///< number of triangles
+  TriangleMesh mesh() const { return {positions_, triangles_}; }      ///< a copy
 
  private:
   using Grid3 = std::array<std::int32_t, 3>;

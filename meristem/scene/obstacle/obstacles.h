@@ -32,6 +32,7 @@ TriangleMesh box_mesh(DVec3 low, DVec3 high);
 /// All obstacles of a scene. Copies share their content. Queries are thread-safe.
 class Obstacles {
  public:
+  /// A surface that a ray meets.
   struct Hit {
     double distance = 0;       ///< metres along the ray
     std::size_t obstacle = 0;  ///< index into bodies()
@@ -43,8 +44,8 @@ class Obstacles {
   explicit Obstacles(std::vector<Obstacle> bodies);
 
   bool empty() const { return bodies().empty(); }
-  const std::vector<Obstacle>& bodies() const;
-  Box bounds() const;  ///< box around all obstacles; empty without obstacles
+  const std::vector<Obstacle>& bodies() const;  ///< in the order in which they were given
+  Box bounds() const;                           ///< box around all obstacles; empty without obstacles
 
   /// Returns true if a position is inside an obstacle. For a broken mesh, the majority of three views along x, y and z
   /// decides.

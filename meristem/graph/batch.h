@@ -15,6 +15,9 @@
 
 namespace meristem {
 
+/// Instances that one emitter expands, and one block of a result holds.
+inline constexpr std::size_t kBlock = 256;
+
 struct Sites {
   std::vector<Site> sites;
   std::optional<std::uint64_t> hash{};  ///< of the sites; nothing where nobody will ask for it, or it is not known

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -22,11 +20,14 @@
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
+#include "meristem/graph/batch_queue.h"
 #include "meristem/graph/emitter_context.h"
 #include "meristem/graph/forecast.h"
 #include "meristem/graph/grow_plantings.h"
+#include "meristem/graph/instance_variables.h"
 #include "meristem/graph/instances.h"
 #include "meristem/graph/link_sites.h"
+#include "meristem/graph/memory_limit.h"
 #include "meristem/graph/omission.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
@@ -35,40 +36,6 @@
 namespace meristem {
 
 namespace {
-
-constexpr std::size_t kBlock = 256;  // instances an emitter takes
-
-constexpr std::size_t kSitesTogether = 65'536;          // sites that one slice of a batch may offer
-constexpr double kBytesPerInstance = 160;               // memory that a plant may take for each of limits.instances
-constexpr double kBytesPerNode = 100;                   // and for each of limits.nodes
-constexpr double kBytesInAnyCase = 64.0 * 1024 * 1024;  // and however low both are
-
-/// The results of all batches of one component whose instances hang on the root by the same sequence of links, in the
-/// order of the instances.
-struct Way {
-  struct Made {
-    std::shared_ptr<const BatchResult> result;
-    BatchResult* own = nullptr;  // the result if nobody else reads it
-  };
-  ComponentIndex component = 0;
-  std::vector<Made> made{};
-  std::vector<std::pair<LinkIndex, Way*>> onward{};  // in the order of the links
-  std::vector<Site> waiting{};                       // of a component that grows
-  std::size_t sites = 0;                             // expanded so far
-  std::size_t offered = 0;                           // sites that these have offered
-};
-
-/// Instances of one component that expand together.
-struct Batch {
-  ComponentIndex component = 0;
-  std::shared_ptr<const Sites> places;
-  std::vector<std::uint32_t> numbers{};  // of the instances in the tree, where one is made
-  Way* way = nullptr;                    // where its results are noted; null: they are of no slice
-  std::size_t begin = 0;                 // of the places
-  std::size_t end = places == nullptr ? 0 : places->sites.size();
-
-  std::span<const Site> sites() const { return std::span(places->sites).subspan(begin, end - begin); }
-};
 
 /// What a batch has grown in its stand.
 struct Grown {
@@ -85,7 +52,10 @@ class Expansion {
         directions_(scene.directions()),
         time_(time),
         progress_(progress),
+        variables_(graph, time),
         links_(graph, scene, directions_, time, progress),
+        queue_(graph),
+        memory_(graph.limits),
         assembly_(graph),
         view_(options.view),
         traces_(options.traces),
@@ -102,6 +72,7 @@ class Expansion {
       traces_->recorded = view_.wish;
     }
     walk();
+    for (FinishedBatch& finished : queue_.take_results()) hand_on(std::move(finished));
     Plant plant = assembly_.run(mesh_bytes(), progress_);
     plant.plantings = grow_plantings(graph_, std::move(planting_), view_, traces_, results_, progress_);
     results_.end();
@@ -147,70 +118,26 @@ class Expansion {
   void walk() {
     require_bounded_counts(graph_, scene_);
     surroundings_ = fingerprint_of_surroundings();
-    site_names_hash_ = hash_of_names();
     Site root;
     root.key = RandomKey(graph_.seed);
-    Batch first{graph_.structure.root, places_of(with_variables(graph_.structure.root, {root}))};
+    Batch first{graph_.structure.root, places_of(variables_.draw(graph_.structure.root, {root}))};
     if (tree_) first.numbers = note_instances(first, {1}, {kNoIndex}, kNoIndex);
-    if (is_sliced_) first.way = roots_.emplace_back(new_way(graph_.structure.root));
     made_[first.component] = 1;
-    ready_.push_back(std::move(first));
-    while ((!ready_.empty() || !growing_.empty()) && !found_) {
-      if (ready_.empty()) {
-        grow_waiting();
-      } else {
-        const Batch batch = next_slice();
-        expand_batch(batch, Grown());
-      }
-      if (ready_.empty()) gather_ways();
+    queue_.begin(std::move(first), is_sliced_);
+    while (!found_) {
+      while (queue_.has_ready() && !found_) expand_batch(queue_.next(), Grown());
+      const std::vector<Batch> growing = found_ ? std::vector<Batch>() : queue_.take_growing();
+      if (growing.empty()) break;
+      grow_waiting(growing);
     }
   }
 
-  Way* new_way(ComponentIndex component) { return &ways_.emplace_back(Way{component}); }
-
-  /// Removes the next batch from the queue and returns it. Splits a large batch: returns as many instances as have
-  /// about kSitesTogether children. Their descendants are made before the remaining instances, so few sites are in
-  /// memory.
-  Batch next_slice() {
-    Batch batch = std::move(ready_.front());
-    ready_.pop_front();
-    if (batch.way == nullptr) return batch;
-    const Way& way = *batch.way;
-    const bool is_last = graph_.structure.outgoing[batch.component].empty();
-    std::size_t most = is_last ? kSitesTogether : kBlock;
-    if (!is_last && way.sites > 0) most = kSitesTogether * way.sites / std::max<std::size_t>(way.offered, 1);
-    most = std::clamp(most / kBlock * kBlock, kBlock, kSitesTogether);
-    if (batch.end - batch.begin > most) {
-      Batch rest = batch;
-      rest.begin = batch.end = batch.begin + most;
-      ready_.push_front(std::move(rest));
-    }
-    return batch;
-  }
-
-  /// Hands on what has been made by all ways since the last growth, as if each way had been one batch: ways that are
-  /// shorter come first. Components that grow wait.
-  void gather_ways() {
-    std::deque<Way*> ahead(roots_.begin(), roots_.end());
-    for (; !ahead.empty(); ahead.pop_front()) {
-      Way& way = *ahead.front();
-      for (Way::Made& made : way.made) hand_on(way.component, std::move(made.result), made.own);
-      for (const auto& [link, onward] : way.onward) {
-        if (onward->waiting.empty()) {
-          ahead.push_back(onward);
-        } else {
-          growing_.push_back({onward->component, places_of(std::move(onward->waiting))});
-        }
-      }
-    }
-    roots_.clear();
-    ways_.clear();
-  }
-
-  void hand_on(ComponentIndex component, std::shared_ptr<const BatchResult> result, BatchResult* own) {
+  void hand_on(FinishedBatch finished) {
     const auto has_plants = [](const Emitted& block) { return !block.plants.empty(); };
-    if (std::ranges::any_of(result->blocks, has_plants)) planting_.push_back({component, result});
-    assembly_.add(component, std::move(result), own);
+    if (std::ranges::any_of(finished.result->blocks, has_plants)) {
+      planting_.push_back({finished.component, finished.result});
+    }
+    assembly_.add(finished.component, std::move(finished.result), finished.own);
   }
 
   /// What all results depend on; nothing where that is not known, or nobody will ask.
@@ -258,39 +185,6 @@ class Expansion {
     return wish;
   }
 
-  std::uint64_t hash_of_names() const {
-    Fingerprint names;
-    for (const std::string& name : graph_.site_names) names.add_text(name);
-    return names.hash();
-  }
-
-  /// The sites with the variables that each instance of the component draws.
-  std::vector<Site> with_variables(ComponentIndex component, std::vector<Site> sites) const {
-    for (const InstanceVariable& variable : graph_.instance_variables) {
-      if (variable.owner != component || sites.empty()) continue;
-      const VaryingValues drawn(std::span(&variable.value, 1), sites, time_);
-      for (std::size_t k = 0; k < sites.size(); ++k) {
-        SiteValues values = sites[k].values != nullptr ? *sites[k].values : SiteValues();
-        values.names = site_names_hash_;
-        values.numbers.resize(graph_.site_names.size(), std::numeric_limits<double>::quiet_NaN());
-        values.numbers[variable.slot] = drawn.value(0, k);
-        sites[k].values = std::make_shared<const SiteValues>(std::move(values));
-      }
-    }
-    return sites;
-  }
-
-  /// Hash of how a component's variables are drawn.
-  std::uint64_t hash_of_variables(ComponentIndex component) const {
-    Fingerprint hash;
-    for (const InstanceVariable& variable : graph_.instance_variables) {
-      if (variable.owner != component) continue;
-      hash.add_text(variable.name).add(time_);
-      hash.add(variable.fingerprint);
-    }
-    return hash.add(site_names_hash_).hash();
-  }
-
   std::shared_ptr<const Sites> places_of(std::vector<Site> sites) const {
     auto places = std::make_shared<Sites>();
     places->sites = std::move(sites);
@@ -298,41 +192,8 @@ class Expansion {
     return places;
   }
 
-  /// Growing components wait for their stand; all others expand in turn, slices before what came earlier.
-  void enqueue(Batch batch, std::vector<Batch>& slices) {
-    if (batch.sites().empty()) return;
-    instances_ += batch.sites().size();
-    made_[batch.component] += batch.sites().size();
-    const bool grows = static_cast<bool>(graph_.components[batch.component].type->grow);
-    if (grows && batch.way != nullptr) {
-      std::vector<Site>& waiting = batch.way->waiting;
-      waiting.insert(waiting.end(), batch.sites().begin(), batch.sites().end());
-    } else if (grows) {
-      growing_.push_back(std::move(batch));
-    } else if (is_sliced_) {
-      slices.push_back(std::move(batch));
-    } else {
-      ready_.push_back(std::move(batch));
-    }
-  }
-
-  /// The way by a link from a batch's own. Children of a batch that has grown begin a way, or grow next.
-  Way* way_onward(const Batch& batch, LinkIndex link) {
-    const ComponentIndex to = graph_.links[link].to;
-    if (!is_sliced_) return nullptr;
-    if (batch.way == nullptr) return graph_.components[to].type->grow ? nullptr : roots_.emplace_back(new_way(to));
-    for (const auto& [known, way] : batch.way->onward) {
-      if (known == link) return way;
-    }
-    return batch.way->onward.emplace_back(link, new_way(to)).second;
-  }
-
   /// Grows all that waits in one stand, but for plants that want to be alone, and expands it with what has grown.
-  void grow_waiting() {
-    std::deque<Batch> batches = std::move(growing_);
-    growing_.clear();
-    std::stable_sort(batches.begin(), batches.end(),
-                     [](const Batch& a, const Batch& b) { return a.component < b.component; });
+  void grow_waiting(const std::vector<Batch>& batches) {
     std::vector<Batch> together;
     std::copy_if(batches.begin(), batches.end(), std::back_inserter(together),
                  [&](const Batch& batch) { return !grows_alone(batch); });
@@ -346,8 +207,8 @@ class Expansion {
     }
   }
 
-  /// Finds the growths that the instances of a batch watch: those of the instances with their keys.
-  void find_watched(const Batch& batch, const std::deque<Batch>& batches, const std::vector<Grown>& all,
+  /// Finds the growths that the instances of a batch watch. A watched instance has the key of its watcher.
+  void find_watched(const Batch& batch, const std::vector<Batch>& batches, const std::vector<Grown>& all,
                     Grown& grown) const {
     const Prototype& prototype = graph_.components[batch.component];
     if (!watches_growth(prototype)) return;
@@ -476,16 +337,11 @@ class Expansion {
     if (!counts_.empty()) count_instances(batch);
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
-    require_room(batch.component, *result);
-    std::vector<Batch> slices;
-    for (const LinkIndex link : links) follow(link, batch, key, *result, slices);
-    for (auto slice = slices.rbegin(); slice != slices.rend(); ++slice) ready_.push_front(std::move(*slice));
+    memory_.add(graph_.components[batch.component].id, *result);
+    for (const LinkIndex link : links) follow(link, batch, key, *result);
     if (key) own.reset();  // the cache has it
     if (own != nullptr) release_sites(*own);
-    held_bytes_ += static_cast<double>(result->bytes_without_sites());
-    if (batch.way == nullptr) return hand_on(batch.component, std::move(result), own.get());
-    batch.way->made.push_back({std::move(result), own.get()});
-    batch.way->sites += batch.sites().size();
+    queue_.finish(batch, std::move(result), own.get());
   }
 
   /// Once its links have been followed, nobody asks for the sites of a result that is in no cache.
@@ -496,22 +352,6 @@ class Expansion {
       block.branch_sites = std::vector<Site>();
       block.named_sites = std::vector<std::pair<std::uint32_t, Site>>();
     }
-  }
-
-  /// Throws where what has been made takes more memory than the limits stand for.
-  void require_room(ComponentIndex component, const BatchResult& result) const {
-    const Limits& limits = graph_.limits;
-    const double room = kBytesInAnyCase + kBytesPerInstance * static_cast<double>(limits.instances) +
-                        kBytesPerNode * static_cast<double>(limits.nodes);
-    const double bytes = held_bytes_ + static_cast<double>(result.bytes_without_sites());
-    if (bytes <= room) return;
-    throw InputError(Diagnostic{
-        .message = fmt::format("with '{}' the instances take {:.2g} bytes of memory, which are too many",
-                               graph_.components[component].id, bytes),
-        .expected = fmt::format("at most {:.2g}: {:.0f} for each of {} (limits.instances), and {:.0f} for each of {} "
-                                "(limits.nodes)",
-                                room, kBytesPerInstance, limits.instances, kBytesPerNode, limits.nodes),
-        .path = "components." + graph_.components[component].id});
   }
 
   /// Hands out what was recorded of a batch's growth.
@@ -599,7 +439,7 @@ class Expansion {
             .wants_child_sites = wants(links, false),
             .wants_branch_sites = wants(links, true),
             .site_names = graph_.site_names.size(),
-            .site_names_hash = site_names_hash_,
+            .site_names_hash = variables_.names_hash(),
             .mesh_bytes = mesh_bytes() - meshes.bytes(),
             .instances = instances_,
             .nodes = nodes_};
@@ -674,24 +514,24 @@ class Expansion {
   }
 
   /// The children of a batch by one link.
-  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result,
-              std::vector<Batch>& slices) {
+  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
     const CacheKey own = links_.fingerprint(link);
     const ComponentIndex to = graph_.links[link].to;
     const CacheKey key =
-        parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).add(hash_of_variables(to)).hash()) : std::nullopt;
+        parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).add(variables_.hash(to)).hash()) : std::nullopt;
     std::shared_ptr<const Sites> places = results_.find<const Sites>(key);
     std::vector<std::size_t> per_parent;
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
-      places = places_of(with_variables(
+      places = places_of(variables_.draw(
           to, links_.places(link, result, {instances_, batch.sites().size(), made_}, tree_ ? &per_parent : nullptr)));
       results_.store(key, places);
     }
-    Batch children{.component = to, .places = std::move(places), .way = way_onward(batch, link)};
-    if (batch.way != nullptr) batch.way->offered += children.sites().size();
+    Batch children = queue_.children(batch, link, std::move(places));
+    instances_ += children.sites().size();
+    made_[to] += children.sites().size();
     if (clocks_ && graph_.components[batch.component].type->begins_clock) note_clocks(batch.component, children);
     if (tree_) children.numbers = note_instances(children, per_parent, batch.numbers, link);
-    enqueue(std::move(children), slices);
+    queue_.add(std::move(children));
   }
 
   /// Notes the clocks that a component has begun for its children.
@@ -778,26 +618,23 @@ class Expansion {
   }
 
   const Graph& graph_;
-  std::uint64_t site_names_hash_ = 0;
   std::vector<PlantingBatch> planting_;
   const Scene& scene_;
   const Directions directions_;
   double time_;
   Progress& progress_;
+  InstanceVariables variables_;
   LinkSites links_;
+  BatchQueue queue_;
+  MemoryLimit memory_;
   PlantAssembly assembly_;
   GrowthView view_;
   GrowthTraces* traces_ = nullptr;
   std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // so far
   CacheRun results_;
   CacheKey surroundings_;
-  bool is_sliced_ = false;           // batches expand in slices, since nobody asks for whole ones
-  double held_bytes_ = 0;            // of all that has been made
-  std::vector<std::uint64_t> made_;  // instances by component, so far
-  std::deque<Way> ways_;             // since the last growth; their addresses stay
-  std::vector<Way*> roots_;          // ways from the root or from a component that grows
-  std::deque<Batch> ready_;
-  std::deque<Batch> growing_;
+  bool is_sliced_ = false;              // batches expand in slices, since nobody asks for whole ones
+  std::vector<std::uint64_t> made_;     // instances by component, so far
   std::optional<InstanceTree> tree_;    // where one is made
   std::uint64_t most_ = 0;              // instances of it
   const InstanceWish* wish_ = nullptr;  // what is looked for

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/batch_queue.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kSitesTogether = 65'536;  // sites that one slice of a batch may offer
+
+}  // namespace
+
+void BatchQueue::begin(Batch root, bool in_slices) {
+  in_slices_ = in_slices;
+  if (in_slices_) root.way = roots_.emplace_back(new_way(root.component));
+  ready_.push_back(std::move(root));
+}
+
+Batch BatchQueue::next() {
+  Batch batch = std::move(ready_.front());
+  ready_.pop_front();
+  if (batch.way == nullptr) return batch;
+  const Way& way = *batch.way;
+  const bool is_last = graph_.structure.outgoing[batch.component].empty();
+  std::size_t most = is_last ? kSitesTogether : kBlock;
+  if (!is_last && way.sites > 0) most = kSitesTogether * way.sites / std::max<std::size_t>(way.offered, 1);
+  most = std::clamp(most / kBlock * kBlock, kBlock, kSitesTogether);
+  if (batch.end - batch.begin > most) {
+    Batch rest = batch;
+    rest.begin = batch.end = batch.begin + most;
+    ready_.push_front(std::move(rest));
+  }
+  return batch;
+}
+
+std::vector<Batch> BatchQueue::take_growing() {
+  gather_ways();
+  std::vector<Batch> growing = std::exchange(growing_, {});
+  std::ranges::stable_sort(growing, {}, &Batch::component);
+  return growing;
+}
+
+Batch BatchQueue::children(const Batch& parent, LinkIndex link, std::shared_ptr<const Sites> places) {
+  Batch children{.component = graph_.links[link].to, .places = std::move(places), .way = way_onward(parent, link)};
+  if (parent.way != nullptr) parent.way->offered += children.sites().size();
+  return children;
+}
+
+void BatchQueue::add(Batch children) {
+  const std::span<const Site> sites = children.sites();
+  if (sites.empty()) return;
+  const bool grows = static_cast<bool>(graph_.components[children.component].type->grow);
+  if (grows && children.way != nullptr) {
+    std::vector<Site>& waiting = children.way->waiting;
+    waiting.insert(waiting.end(), sites.begin(), sites.end());
+  } else if (grows) {
+    growing_.push_back(std::move(children));
+  } else if (in_slices_) {
+    added_.push_back(std::move(children));
+  } else {
+    ready_.push_back(std::move(children));
+  }
+}
+
+void BatchQueue::finish(const Batch& batch, std::shared_ptr<const BatchResult> result, BatchResult* own) {
+  ready_.insert(ready_.begin(), std::move_iterator(added_.begin()), std::move_iterator(added_.end()));
+  added_.clear();
+  std::vector<FinishedBatch>& results = batch.way != nullptr ? batch.way->made : results_;
+  results.push_back({batch.component, std::move(result), own});
+  if (batch.way != nullptr) batch.way->sites += batch.sites().size();
+}
+
+std::vector<FinishedBatch> BatchQueue::take_results() { return std::exchange(results_, {}); }
+
+Way* BatchQueue::new_way(ComponentIndex component) { return &ways_.emplace_back(Way{component}); }
+
+/// Returns the way by a link from the parent's own way. Children of a batch that has grown begin a way, unless they
+/// grow themselves.
+Way* BatchQueue::way_onward(const Batch& parent, LinkIndex link) {
+  const ComponentIndex to = graph_.links[link].to;
+  if (!in_slices_) return nullptr;
+  if (parent.way == nullptr) return graph_.components[to].type->grow ? nullptr : roots_.emplace_back(new_way(to));
+  for (const auto& [known, way] : parent.way->onward) {
+    if (known == link) return way;
+  }
+  return parent.way->onward.emplace_back(link, new_way(to)).second;
+}
+
+/// Hands on what all ways have made since the last growth, as if each way had been one batch: shorter ways come first.
+/// Components that grow wait.
+void BatchQueue::gather_ways() {
+  std::deque<Way*> ahead(roots_.begin(), roots_.end());
+  for (; !ahead.empty(); ahead.pop_front()) {
+    Way& way = *ahead.front();
+    results_.insert(results_.end(), std::move_iterator(way.made.begin()), std::move_iterator(way.made.end()));
+    for (const auto& [link, onward] : way.onward) {
+      if (onward->waiting.empty()) {
+        ahead.push_back(onward);
+      } else {
+        growing_.push_back({onward->component, std::make_shared<Sites>(Sites{std::move(onward->waiting)})});
+      }
+    }
+  }
+  roots_.clear();
+  ways_.clear();
+}
+
+}  // namespace meristem

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meristem/graph/graph.h"
+
+namespace meristem {
+
+/// The values that sites have by name at one time of the document.
+class InstanceVariables {
+ public:
+  /// `graph` must outlive this object. `time` is the document's, seconds.
+  InstanceVariables(const Graph& graph, double time);
+
+  /// Hash of the names of Graph::site_names.
+  std::uint64_t names_hash() const { return names_hash_; }
+  /// Hash of how the variables of a component are drawn.
+  std::uint64_t hash(ComponentIndex component) const;
+  /// Returns the sites with the variables that each instance of the component draws.
+  std::vector<Site> draw(ComponentIndex component, std::vector<Site> sites) const;
+
+ private:
+  const Graph& graph_;
+  double time_;
+  std::uint64_t names_hash_;
+};
+
+}  // namespace meristem

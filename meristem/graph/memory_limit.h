@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "meristem/base/limits.h"
+#include "meristem/graph/batch.h"
+
+namespace meristem {
+
+/// The memory that the results of an expansion take, against what limits.instances and limits.nodes stand for.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(const Limits& limits) : limits_(limits) {}
+
+  /// Adds a result of a component, without its sites for children. Throws InputError, with the component's id, if all
+  /// results take too much.
+  void add(const std::string& component, const BatchResult& result);
+
+ private:
+  const Limits& limits_;
+  double held_ = 0;  // bytes
+};
+
+}  // namespace meristem

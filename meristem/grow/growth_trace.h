@@ -33,6 +33,7 @@ enum class TracePart : std::uint8_t {
 class TraceWish {
  public:
   constexpr TraceWish() = default;
+  /// A request for these parts.
   constexpr TraceWish(std::initializer_list<TracePart> parts) {
     for (const TracePart part : parts) bits_ |= bit(part);
   }
@@ -43,8 +44,8 @@ class TraceWish {
     return wish;
   }
 
-  constexpr bool has(TracePart part) const { return (bits_ & bit(part)) != 0; }
-  constexpr bool any() const { return bits_ != 0; }
+  constexpr bool has(TracePart part) const { return (bits_ & bit(part)) != 0; }  ///< true if the part is requested
+  constexpr bool any() const { return bits_ != 0; }                              ///< true if any part is requested
   constexpr std::uint64_t bits() const { return bits_; }  ///< equal for equal requests; 0 for the empty request
   /// Returns the request without one part.
   constexpr TraceWish without(TracePart part) const {
@@ -74,17 +75,17 @@ enum class PlaceState : std::uint8_t {
 
 /// An attraction point, or a marker of space.
 struct TracedPlace {
-  Vec3 position{0};  ///< position at the step, or when it was used up; world space
-  PlaceState state = PlaceState::free;
-  int used_in = 0;  ///< step in which it was used up; 0 if it is not used or if the step is unknown
+  Vec3 position{0};                     ///< position at the step, or when it was used up; world space
+  PlaceState state = PlaceState::free;  ///< free, used or removed
+  int used_in = 0;                      ///< step in which it was used up; 0 if it is not used or if the step is unknown
 
   bool operator==(const TracedPlace&) const = default;
 };
 
 /// A segment from one position to another, world space.
 struct TracedWay {
-  Vec3 from{0};
-  Vec3 to{0};
+  Vec3 from{0};  ///< metres
+  Vec3 to{0};    ///< metres
 
   bool operator==(const TracedWay&) const = default;
 };
@@ -97,7 +98,7 @@ enum class LossCause : std::uint8_t {
 
 /// The reason for the loss of a branch.
 struct LossReason {
-  LossCause cause = LossCause::shed;
+  LossCause cause = LossCause::shed;  ///< shed or cut
   std::string path;  ///< path in the document: "components.oak.shedding", or the path of the operation that cut it
 
   bool operator==(const LossReason&) const = default;
@@ -105,8 +106,8 @@ struct LossReason {
 
 /// A branch that was lost together with everything that it bore.
 struct TracedLoss {
-  int step = 0;  ///< step in which it was lost
-  LossReason why;
+  int step = 0;                     ///< step in which it was lost
+  LossReason why;                   ///< the cause, and its place in the document
   Vec3 position{0};                 ///< where it was attached, world space
   double length = 0;                ///< total length of its segments, metres
   std::vector<TracedWay> segments;  ///< positions of its segments

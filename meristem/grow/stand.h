@@ -53,6 +53,7 @@ class Commons {
   virtual void end_record(Progress&) {}
 };
 
+/// Plants that grow together, and what they share. Add all plants, then call grow() and take_skeletons().
 class Stand {
  public:
   /// Returns the shared object of type T, created on first use. References stay valid for the lifetime of the stand.
@@ -65,6 +66,7 @@ class Stand {
     return static_cast<T&>(*commons_.back().commons);
   }
 
+  /// Adds a plant. Its index among the skeletons is the number of earlier members.
   void add(std::unique_ptr<Grower> member) { members_.push_back(std::move(member)); }
 
   /// Grows all members together, step by step, until none can grow further or all have reached their step limits.

@@ -25,6 +25,7 @@ class RoomSeeker {
   virtual bool begin_round() = 0;
   /// Appends the plant's current buds. take_room() later receives one result per bud, in this order.
   virtual void list_seekers(std::vector<Seeker>& seekers) const = 0;
+  /// Receives the results of this round, one per bud that list_seekers() has listed.
   virtual void take_room(std::span<const Room> rooms) = 0;
 };
 
@@ -63,7 +64,9 @@ class StandSpace : public Commons {
   /// Returns true if any plant uses shade or markers. Otherwise reports of shoots have no effect.
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 
+  /// Reports a leafy shoot that has grown, as ShootChanges::grow().
   void grow_shoot(Vec3 position, double length) { changes_.grow(position, length); }
+  /// Reports a leafy shoot that was lost, as ShootChanges::lose().
   void lose_shoot(Vec3 position, double length) { changes_.lose(position, length); }
   /// Adds all `changes`, and clears them.
   void take(ShootChanges& changes);

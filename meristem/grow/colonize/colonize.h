@@ -21,6 +21,7 @@
 
 namespace meristem {
 
+/// Parameters of space colonization, for one plant.
 struct ColonizeParameters {
   double step = 0.05;      ///< metres between nodes; smaller: finer and slower
   double influence = 0.6;  ///< metres within which a point pulls, may be infinite; larger: smoother, sparser branches
@@ -28,16 +29,16 @@ struct ColonizeParameters {
   int iterations = 1000;   ///< largest number of steps
   Vec3 bias{0};            ///< added to each growth direction; (0, 0.2, 0) bends all growth upward a little
   Directions directions;   ///< only fields added to the scene's light and gravity act on growth
-  LightResponse light;
-  Finish finish;
-  PipeModel radii;
-  TraceWish wish;  ///< parts to record: steps and points
+  LightResponse light;     ///< response to the light of the scene and to shade
+  Finish finish;           ///< post-processing of the finished skeleton
+  PipeModel radii;         ///< radii of the finished skeleton
+  TraceWish wish;          ///< parts to record: steps and points
 };
 
 /// The begin of one tree and the points that it brings into the stand (world space).
 struct Seedling {
-  Vec3 root{0};
-  std::vector<Vec3> points;
+  Vec3 root{0};              ///< metres
+  std::vector<Vec3> points;  ///< attraction points, metres
 };
 
 /// Makes colonizing trees in a stand. Together they are one member of the stand and one skeleton, and they share their

@@ -25,18 +25,19 @@ struct LightLimit {
 /// than `bears`.
 struct ShadeResponse {
   double bears = 0.4;  ///< light below which points do not pull, from 1 (no shade) to 0
-  ShadowParameters form{.voxel = 0.25, .amount = 0.04, .base = 1.3, .depth = 10};
+  ShadowParameters form{.voxel = 0.25, .amount = 0.04, .base = 1.3, .depth = 10};  ///< the form of the shade
 };
 
+/// How light and shade move, remove and disable attraction points.
 struct LightResponse {
   double shift = 0;          ///< metres that the whole cloud moves per step
   double drift = 0;          ///< metres per step that a point moves if its node is completely in the shade
   double sunlit_weight = 1;  ///< weight of light that arrives, relative to light that is blocked
   bool hold_height = false;  ///< true: scales the heights of the points after each move, so that the cloud's top stays
-  LightLimit limit;
-  std::optional<ShadeResponse> shade;
+  LightLimit limit;          ///< points removed before growth
+  std::optional<ShadeResponse> shade;  ///< response to the shade of existing growth; unset: no response
 
-  bool moves() const { return shift != 0 || drift != 0; }
+  bool moves() const { return shift != 0 || drift != 0; }  ///< true if points move
 };
 
 }  // namespace meristem

@@ -24,44 +24,45 @@ inline constexpr int kMostSteps = 1'000'000;
 
 /// A module of a successor or an axiom, with an expression for each parameter.
 struct ModuleTemplate {
-  LetterIndex letter = kNoLetter;
-  std::vector<Expression> parameters;
+  LetterIndex letter = kNoLetter;      ///< letter of the module
+  std::vector<Expression> parameters;  ///< as many as the letter has parameters
 };
 
 /// A module of a context. It matches modules with its letter, and their parameters become variables of the rule.
 struct ContextModule {
-  LetterIndex letter = kNoLetter;
+  LetterIndex letter = kNoLetter;    ///< letter that the module must have
   std::uint32_t first_variable = 0;  ///< index of the rule's variable for this module's first parameter
 };
 
 /// `[id :] [left <] predecessor [> right] [@ life] [: condition] [: weight] -> successor`.
 struct Rule {
-  std::string text;  ///< as written, for messages
-  int line = 0;      ///< line in the grammar's text, from 1
-  LetterIndex predecessor = kNoLetter;
-  std::uint32_t first_variable = 0;  ///< index of the predecessor's first parameter
+  std::string text;                     ///< as written, for messages
+  int line = 0;                         ///< line in the grammar's text, from 1
+  LetterIndex predecessor = kNoLetter;  ///< letter that the rule replaces
+  std::uint32_t first_variable = 0;     ///< index of the predecessor's first parameter
   /// Parameters of left context, predecessor and right context together, and the age.
   std::uint32_t variable_count = 0;
-  bool sees_age = false;             ///< true: the last variable is the age of the predecessor's module
-  std::vector<ContextModule> left;   ///< from the root toward the predecessor; without brackets
-  std::vector<ContextModule> right;  ///< away from the predecessor; may contain the letters of [ and ]
-  std::optional<Expression> condition;
+  bool sees_age = false;                ///< true: the last variable is the age of the predecessor's module
+  std::vector<ContextModule> left;      ///< from the root toward the predecessor; without brackets
+  std::vector<ContextModule> right;     ///< away from the predecessor; may contain the letters of [ and ]
+  std::optional<Expression> condition;  ///< the rule applies where this holds; unset: everywhere
   /// The age at which a module of a timed grammar is replaced.
   std::optional<Expression> life;
   /// Weight of a stochastic rule: among matching rules, one is drawn with a probability proportional to its weight.
   std::optional<Expression> weight;
-  std::vector<ModuleTemplate> successor;
+  std::vector<ModuleTemplate> successor;  ///< modules that replace the predecessor; may be empty
 };
 
 /// Rules by predecessor, in the order of the text.
 struct RuleSet {
-  std::vector<Rule> rules;
+  std::vector<Rule> rules;                            ///< in the order of the text
   std::vector<std::vector<std::uint32_t>> of_letter;  ///< indices into `rules`, one list per letter of the alphabet
 };
 
+/// A grammar that read_grammar() has compiled.
 struct Grammar {
-  std::string file;  ///< name of the grammar in messages
-  Alphabet alphabet;
+  std::string file;                   ///< name of the grammar in messages
+  Alphabet alphabet;                  ///< all letters of the text
   LetterIndex open = kNoLetter;       ///< [
   LetterIndex close = kNoLetter;      ///< ]
   LetterIndex cut = kNoLetter;        ///< %

@@ -42,7 +42,7 @@ namespace meristem {
 /// A word of a grammar's text.
 struct GrammarWord {
   std::size_t offset = 0;  ///< bytes
-  std::string text;
+  std::string text;        ///< the symbol or name
 
   bool operator==(const GrammarWord&) const = default;
 };
@@ -54,6 +54,7 @@ struct GrammarWords {
   std::vector<GrammarWord> names;
 };
 
+/// Inputs of a grammar's text, and results that the reader collects.
 struct GrammarOptions {
   std::string file;  ///< name of the grammar in messages
   /// Constants for expressions of the grammar and of included grammars. A `#define` of such a name is only a default

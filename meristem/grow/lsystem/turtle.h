@@ -32,16 +32,17 @@ namespace meristem {
 
 /// How symbols are drawn. Lengths are in metres, angles in degrees, as in words.
 struct TurtleParameters {
+  /// How symbols of turns change the heading.
   enum class Reading {
     frame,  ///< each turn is about the turtle's own axes
     polar,  ///< & and ^ change an elevation, + and - an azimuth; rolls have no effect; starts level, along x
   };
-  Reading reading = Reading::frame;
-  double angle = 22.5;    ///< turn without a parameter; in polar reading, change of the elevation
-  double azimuth = 22.5;  ///< change of the azimuth without a parameter, in polar reading
-  double length = 0.1;    ///< length of F, G, f and g without a parameter
-  double width = 0.01;    ///< radius at the root
-  double thinner = 0.7;   ///< radius factor of `!` without a parameter; `#` divides by it
+  Reading reading = Reading::frame;  ///< frame or polar
+  double angle = 22.5;               ///< turn without a parameter; in polar reading, change of the elevation
+  double azimuth = 22.5;             ///< change of the azimuth without a parameter, in polar reading
+  double length = 0.1;               ///< length of F, G, f and g without a parameter
+  double width = 0.01;               ///< radius at the root
+  double thinner = 0.7;              ///< radius factor of `!` without a parameter; `#` divides by it
   /// Radius at a segment's end relative to its begin, outside brackets. Applies to words without ! and #.
   double trunk_decay = 1;
   double branch_decay = 1;      ///< like trunk_decay, for segments inside brackets
@@ -53,10 +54,10 @@ struct TurtleParameters {
 
 /// The corners of a filled shape, which may be non-planar.
 struct TurtlePolygon {
-  std::uint32_t first = 0;  ///< index of the first corner in Drawing::corners
-  std::uint32_t count = 0;  ///< at least 3
-  Frame frame;              ///< frame of the turtle at the begin of the polygon
-  std::uint32_t colour = 0;
+  std::uint32_t first = 0;   ///< index of the first corner in Drawing::corners
+  std::uint32_t count = 0;   ///< at least 3
+  Frame frame;               ///< frame of the turtle at the begin of the polygon
+  std::uint32_t colour = 0;  ///< number of the colour
   NodeIndex node = kNoNode;  ///< node at the begin of the polygon; kNoNode if nothing has been drawn there
   std::uint32_t module = 0;  ///< index in the word of the { that begins it
 };
@@ -70,6 +71,7 @@ struct TurtleSite {
   std::uint32_t module = 0;        ///< index in the word of the letter that names the component
 };
 
+/// The result of drawing a word.
 struct Drawing {
   /// Segments that no other segment precedes begin at a root. Births equal the births of the modules, or 0. The column
   /// "end" is 1 where a ] has ended a branch, also a branch without length.
@@ -77,9 +79,9 @@ struct Drawing {
   /// By node, the index in the word of the module that drew the segment to the node. For a root, the module of the
   /// first segment from it.
   std::vector<std::uint32_t> module_of_node;
-  std::vector<Vec3> corners;
+  std::vector<Vec3> corners;            ///< corners of all polygons, metres
   std::vector<TurtlePolygon> polygons;  ///< in the order of their ends
-  std::vector<TurtleSite> places;
+  std::vector<TurtleSite> places;       ///< places of components, in the order of the word
 };
 
 /// Draws a word with letters of `alphabet` in the world. Starts at `start` with its heading and its z axis up; lengths

@@ -18,12 +18,12 @@ namespace meristem {
 
 /// Index into an Alphabet.
 using LetterIndex = std::uint16_t;
-inline constexpr LetterIndex kNoLetter = std::numeric_limits<LetterIndex>::max();
+inline constexpr LetterIndex kNoLetter = std::numeric_limits<LetterIndex>::max();  ///< marks a missing letter
 
 /// A symbol with a number of parameters. F, F(l) and F(l, w) are three letters, because matching includes the number.
 struct Letter {
-  std::string symbol;
-  std::uint16_t arity = 0;
+  std::string symbol;       ///< as in the grammar
+  std::uint16_t arity = 0;  ///< number of parameters
 
   bool operator==(const Letter&) const = default;
 };
@@ -37,6 +37,7 @@ class Alphabet {
   LetterIndex find(std::string_view symbol, std::uint16_t arity) const;
 
   std::size_t size() const { return letters_.size(); }
+  /// Returns the letter with this index, which must exist.
   const Letter& operator[](LetterIndex letter) const { return letters_[letter]; }
 
  private:
@@ -48,10 +49,12 @@ class Alphabet {
 /// own part first.
 template <typename Item>
 struct UnsetAllocator : std::allocator<Item> {
+  /// The allocator for another type, which containers ask for.
   template <typename Other>
   struct rebind {
-    using other = UnsetAllocator<Other>;
+    using other = UnsetAllocator<Other>;  ///< the allocator of that type
   };
+  /// Makes an item: without arguments its bytes stay undefined.
   template <typename Other>
   void construct(Other* item) noexcept {
     ::new (static_cast<void*>(item)) Other;
@@ -69,14 +72,14 @@ using WordColumn = std::vector<Item, UnsetAllocator<Item>>;
 /// A bracketed string of modules: their letters, and all their parameters in sequence. Each module has as many
 /// parameters as its letter.
 struct Word {
-  WordColumn<LetterIndex> letters;
-  WordColumn<double> parameters;
+  WordColumn<LetterIndex> letters;  ///< one per module
+  WordColumn<double> parameters;    ///< of all modules, in sequence
   /// The step in which each module was created, 0 for those of an axiom; in timed grammars the time. Empty unless
   /// births were requested.
   WordColumn<double> births;
   double time = 0;  ///< number of steps, or the time, of the word
 
-  std::size_t module_count() const { return letters.size(); }
+  std::size_t module_count() const { return letters.size(); }  ///< number of modules
   bool operator==(const Word&) const = default;
 };
 

@@ -16,11 +16,12 @@
 
 namespace meristem {
 
-using MetamerIndex = std::uint32_t;
+using MetamerIndex = std::uint32_t;  ///< index of a metamer in its tree
 
 /// A bud, or the metamer that it has grown into.
 class Bud {
  public:
+  /// The fate of a bud.
   enum class State : std::uint8_t {
     open,     ///< may grow, but may also be dormant
     grown,    ///< has become a metamer
@@ -29,18 +30,22 @@ class Bud {
   };
 
   constexpr Bud() = default;
+  /// A bud that has become this metamer.
   static constexpr Bud grown(MetamerIndex metamer) { return Bud(metamer); }
+  /// A bud whose metamer was cut.
   static constexpr Bud damaged() { return Bud(kOpen - 1); }
+  /// A bud whose metamer was shed, or that never existed.
   static constexpr Bud dead() { return Bud(kOpen - 2); }
 
+  /// Returns the bud's state.
   constexpr State state() const {
     if (bits_ < kOpen - 2) return State::grown;
     return bits_ == kOpen ? State::open : (bits_ == kOpen - 1 ? State::damaged : State::dead);
   }
-  constexpr bool is_grown() const { return bits_ < kOpen - 2; }
-  constexpr bool is_open() const { return bits_ == kOpen; }
-  constexpr bool is_damaged() const { return bits_ == kOpen - 1; }
-  constexpr MetamerIndex metamer() const { return bits_; }  ///< the metamer that a grown bud has become
+  constexpr bool is_grown() const { return bits_ < kOpen - 2; }     ///< true if it has become a metamer
+  constexpr bool is_open() const { return bits_ == kOpen; }         ///< true if it may grow
+  constexpr bool is_damaged() const { return bits_ == kOpen - 1; }  ///< true if its metamer was cut
+  constexpr MetamerIndex metamer() const { return bits_; }          ///< the metamer that a grown bud has become
 
  private:
   static constexpr std::uint32_t kOpen = 0xffffffffU;
@@ -50,9 +55,10 @@ class Bud {
 
 /// The states of the buds that had grown into removed metamers.
 struct BudsLeft {
-  Bud terminal;
-  Bud lateral;
+  Bud terminal;  ///< state of terminal buds
+  Bud lateral;   ///< state of lateral buds
 
+  /// One state for both kinds of buds, or a state for each.
   BudsLeft(Bud both) : terminal(both), lateral(both) {}  // NOLINT(google-explicit-constructor): usually both are equal
   BudsLeft(Bud of_terminal, Bud of_lateral) : terminal(of_terminal), lateral(of_lateral) {}
 };
@@ -74,39 +80,40 @@ void erase_marked(std::vector<T>& column, const std::vector<std::uint8_t>& marks
 /// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change. They are never reused unless a removal
 /// leaves an open bud.
 struct Metamers {
-  std::vector<MetamerIndex> parent;  ///< kNoNode for the seed
-  std::vector<Bud> terminal;
-  std::vector<Bud> lateral;
-  std::vector<Vec3> tip;        ///< metres from the root
-  std::vector<Vec3> side;       ///< unit vector from the axis to the lateral bud
-  std::vector<AxisIndex> axis;  ///< axes are numbered from 0 in the order of their first metamers
-  std::vector<std::uint32_t> number;
-  std::vector<std::uint16_t> order;
-  std::vector<std::uint16_t> birth;  ///< iteration
-  std::vector<float> lost_tips;      ///< number of tips beyond it that were shed or cut
+  std::vector<MetamerIndex> parent;   ///< kNoNode for the seed
+  std::vector<Bud> terminal;          ///< terminal bud of each metamer
+  std::vector<Bud> lateral;           ///< lateral bud of each metamer
+  std::vector<Vec3> tip;              ///< metres from the root
+  std::vector<Vec3> side;             ///< unit vector from the axis to the lateral bud
+  std::vector<AxisIndex> axis;        ///< axes are numbered from 0 in the order of their first metamers
+  std::vector<std::uint32_t> number;  ///< number on its axis, from 1; 0 for the seed
+  std::vector<std::uint16_t> order;   ///< branching order: 0 on the stem
+  std::vector<std::uint16_t> birth;   ///< iteration
+  std::vector<float> lost_tips;       ///< number of tips beyond it that were shed or cut
 
+  /// A chain of metamers that terminal buds have grown.
   struct Axis {
-    RandomKey key;  ///< derived from the shoot's name
-    MetamerIndex first = 0;
-    MetamerIndex last = 0;
+    RandomKey key;             ///< derived from the shoot's name
+    MetamerIndex first = 0;    ///< metamer at its base
+    MetamerIndex last = 0;     ///< metamer at its end
     std::uint32_t tie = 0;     ///< number of the line that the shoot is tied to, from 1; 0: not tied
     bool has_no_heir = false;  ///< true: no other shoot takes over if its terminal bud is damaged
     std::uint32_t marks = 0;   ///< one bit for each mark of the shoot
     bool is_loose = false;     ///< true: it was cut off and will be removed by clear_away()
   };
-  std::vector<Axis> axes;
+  std::vector<Axis> axes;  ///< axes by number
 
   /// A tree that consists of the seed at the root. `heading` is a unit vector.
   Metamers(Vec3 heading, Vec3 side, RandomKey key);
 
-  std::size_t count() const { return parent.size(); }
-  void reserve(std::size_t metamers);
+  std::size_t count() const { return parent.size(); }  ///< number of metamers, the seed included
+  void reserve(std::size_t metamers);                  ///< reserves memory for this number of metamers in all columns
   /// Grows the open terminal or lateral bud of a metamer. The caller must set side and tip.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration);
 
   /// Returns the unit vector from a metamer's base to its tip; for the seed, its first growth direction.
   Vec3 heading(MetamerIndex metamer) const;
-  float length(MetamerIndex metamer) const;
+  float length(MetamerIndex metamer) const;  ///< from base to tip, metres
   /// Returns the unit vector in which a metamer's terminal or lateral bud points. The angle between axis and lateral
   /// buds is `branching_angle`.
   Vec3 bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const;
@@ -124,7 +131,7 @@ struct Metamers {
   std::optional<AxisIndex> find_shoot(std::string_view name) const;
   /// Returns the metamer with that number on an axis, or nothing if it does not exist.
   std::optional<MetamerIndex> find(AxisIndex on, std::uint32_t wanted) const;
-  std::string name_of(AxisIndex of) const;
+  std::string name_of(AxisIndex of) const;  ///< returns the name of a shoot, such as `main.4`
   /// Returns the names of the shoots on an axis, from its base.
   std::vector<std::string> shoots_on(AxisIndex on) const;
   /// Returns a metamer and everything that it bears, nearest first. Cost: proportional to the result.

@@ -19,23 +19,26 @@ namespace meristem {
 /// Weights of the priority model by the rank of an axis's buds and laterals. The weight is `highest` for rank 0, the
 /// terminal. It falls linearly to `lowest` at the share `reach` of all ranks and then stays constant.
 struct PriorityWeights {
-  double highest = 1;
-  double lowest = 0.006;
-  double reach = 0.5;  ///< 0 to 1; larger: more laterals get a large share
+  double highest = 1;     ///< weight of the terminal
+  double lowest = 0.006;  ///< weight of the last ranks
+  double reach = 0.5;     ///< 0 to 1; larger: more laterals get a large share
 
+  /// Returns the weight of `rank` among `count` buds and laterals.
   double operator()(std::size_t rank, std::size_t count) const;
 };
 
+/// How a tree's resource is made and divided.
 struct ResourceModel {
+  /// The rule that divides the resource: at each fork, or along each axis.
   enum class Division { borchert_honda, priority };
-  Division division = Division::borchert_honda;
-  double alpha = 2;              ///< resource per unit of light; larger: all growth is faster
-  double alpha0 = 0;             ///< resource without light
+  Division division = Division::borchert_honda;  ///< which rule
+  double alpha = 2;                              ///< resource per unit of light; larger: all growth is faster
+  double alpha0 = 0;                             ///< resource without light
   double lambda = 0.52;          ///< 0 to 1: weight of the terminal side of a fork; larger: more upright trees
   Curve lambda_curve{{{0, 1}}};  ///< factor on `lambda` over the age
-  PriorityWeights weights;
-  int until = 0;     ///< number of first iterations that use the priority model; 0: all iterations
-  int laterals = 0;  ///< buds grow only on axes with at most this number of laterals; 0: on all axes
+  PriorityWeights weights;       ///< weights of the priority model
+  int until = 0;                 ///< number of first iterations that use the priority model; 0: all iterations
+  int laterals = 0;              ///< buds grow only on axes with at most this number of laterals; 0: on all axes
   /// Share that each lateral takes of the resource that a damaged terminal bud passes down its axis.
   double pass_back = 0.5;
 };
@@ -43,9 +46,9 @@ struct ResourceModel {
 /// The light of the buds, by metamer.
 struct BudLight {
   std::vector<float> terminal;  ///< light of the terminal bud; for a damaged bud, the light that it would have
-  std::vector<float> lateral;
+  std::vector<float> lateral;   ///< light of the lateral bud
 
-  void resize(std::size_t metamers);
+  void resize(std::size_t metamers);  ///< sets the length of both columns; new entries are 0
 };
 
 /// Quantities of a tree in one iteration, by metamer.
@@ -58,7 +61,9 @@ struct ResourceFlow {
   std::vector<double> passed_back;
   double lost = 0;  ///< resource that damaged buds passed back and no lateral took, and resource at forks without light
 
+  /// Returns the resource for the terminal bud or the metamer beyond.
   double terminal(MetamerIndex metamer) const { return resource[metamer] - resource[metamer] * to_lateral[metamer]; }
+  /// Returns the resource for the lateral bud or branch.
   double lateral(MetamerIndex metamer) const {
     return resource[metamer] * (to_lateral[metamer] + passed_back[metamer]);
   }

@@ -27,12 +27,13 @@ namespace meristem {
 
 /// How the light of buds is computed.
 struct BudLightModel {
+  /// Where the light of a bud comes from.
   enum class Kind {
     shadow,   ///< the scene's light, reduced by the shade of all plants of the stand
     markers,  ///< the free space that a bud sees
   };
-  Kind kind = Kind::shadow;
-  double full = 1;  ///< C: light of a bud without shade; in the marker model, light of a bud with free space
+  Kind kind = Kind::shadow;  ///< shade, or space
+  double full = 1;           ///< C: light of a bud without shade; in the marker model, light of a bud with free space
 
   // Shade.
   double voxel = 0;  ///< side of a voxel, metres; 0: the length of a metamer
@@ -43,7 +44,7 @@ struct BudLightModel {
   double lean = 1;   ///< 0 to 1: from shade that falls vertically to shade along the scene's light
 
   // Markers. Distances are in lengths of a metamer.
-  double spacing = 0.7;
+  double spacing = 0.7;   ///< distance of markers
   double occupancy = 2;   ///< radius around a metamer in which it occupies markers
   double perception = 4;  ///< distance up to which a bud sees markers
   double cone = kPi / 2;  ///< full angle of a bud's view
@@ -63,8 +64,9 @@ struct DirectionWeights {
 
 /// The arrangement of lateral buds.
 struct Phyllotaxis {
+  /// How lateral buds follow each other along an axis.
   enum class Kind { spiral, alternate, decussate };
-  Kind kind = Kind::spiral;
+  Kind kind = Kind::spiral;                      ///< spiral, alternate or decussate
   double branching_angle = radians(55);          ///< between axis and lateral bud
   double divergence = radians(kGoldenAngleDeg);  ///< divergence angle of the spiral
   double jitter = radians(4);  ///< standard deviation of the direction of each new metamer and of its lateral bud
@@ -76,27 +78,28 @@ struct Shedding {
   int after = 3;     ///< only shoots older than this number of iterations are shed
 };
 
+/// Parameters of self-organizing trees, for one plant.
 struct OrganizeParameters {
-  int iterations = 20;
+  int iterations = 20;  ///< number of iterations
   int every = 1;        ///< rounds of the stand per iteration
   double length = 0.1;  ///< length of a metamer, metres
   /// True: the length of a new shoot follows its resource, up to 10 n metamer lengths for n metamers; false: n lengths.
   bool stretch = false;
-  int longest_shoot = 10;  ///< largest number of metamers that a bud grows in an iteration
-  int maturity = 25;       ///< iteration at which curves over the age end
-  BudLightModel light;
-  ResourceModel resource;
+  int longest_shoot = 10;          ///< largest number of metamers that a bud grows in an iteration
+  int maturity = 25;               ///< iteration at which curves over the age end
+  BudLightModel light;             ///< how the light of buds is computed
+  ResourceModel resource;          ///< how the resource is made and divided
   double terminal_threshold = 1;   ///< resource at which a terminal bud grows
   double lateral_threshold = 1.8;  ///< resource at which a lateral bud grows
   bool laterals_wait = true;       ///< true: a lateral bud opens with or after its terminal bud only
   bool damage = true;              ///< true: a cut bud is damaged permanently; false: it may grow again
-  double takeover = 0.5;  ///< weight of a cut terminal's direction in the first metamer of the lateral beside it
-  DirectionWeights direction;
+  double takeover = 0.5;       ///< weight of a cut terminal's direction in the first metamer of the lateral beside it
+  DirectionWeights direction;  ///< directions of new metamers
   std::optional<DirectionWeights> stem;  ///< weights of the leading stem, if different
-  Phyllotaxis phyllotaxis;
-  Shedding shedding;
-  std::optional<Sag> sag;
-  PipeModel radii;
+  Phyllotaxis phyllotaxis;               ///< directions of lateral buds
+  Shedding shedding;                     ///< branches that are shed
+  std::optional<Sag> sag;                ///< bending under load; unset: no bending
+  PipeModel radii;                       ///< radii of the finished skeleton
   double callus = 0;                  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
   std::vector<Operation> operations;  ///< applied in this order
   std::vector<std::string> marks;     ///< names of the marks, by number
@@ -112,8 +115,8 @@ struct OrganizeParameters {
 /// The begin of one tree. Its space is a crown above its root, or all of space if null. Markers exist only in it, and
 /// shoots of the shadow model end at its surface.
 struct OrganizeSeed {
-  Frame frame;  ///< heading: the first growth direction of the stem
-  CrownPointer room;
+  Frame frame;        ///< heading: the first growth direction of the stem
+  CrownPointer room;  ///< relative to the root; null: all of space
   /// An existing tree that continues to grow: a tree with one root at the origin, in metres, in world axes, with all
   /// radii above 0. Null: only the seed.
   std::shared_ptr<const Skeleton> wood{};

@@ -14,6 +14,7 @@
 
 namespace meristem {
 
+/// The wood and the load of branches.
 struct Sag {
   double stiffness = 5;      ///< modulus of elasticity, gigapascals; green wood has 4 to 12; larger: less bending
   double density = 900;      ///< density of green wood, kilograms per cubic metre

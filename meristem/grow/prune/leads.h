@@ -12,6 +12,7 @@
 
 namespace meristem {
 
+/// The leads of a tree, by axis.
 struct Leads {
   std::vector<std::uint16_t> rank;    ///< rank of each axis
   std::vector<AxisIndex> heir;        ///< the axis that continues each axis, or kNoAxis

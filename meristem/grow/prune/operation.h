@@ -31,14 +31,16 @@ inline constexpr std::size_t kMostMarks = 32;
 
 /// When an operation acts: after all growth of these iterations, or in summer after a part of it.
 struct Schedule {
-  int from = 1;   ///< first iteration, from 1
-  int every = 1;  ///< iterations between two times
-  int to = kLastIteration;
+  int from = 1;                    ///< first iteration, from 1
+  int every = 1;                   ///< iterations between two times
+  int to = kLastIteration;         ///< last iteration
   std::optional<Expression> when;  ///< condition over tree_variables(); unset: always true
   bool once = false;               ///< true: acts at most once on each tree
   bool in_summer = false;          ///< true: the rest of the iteration's growth comes after it
 
+  /// A schedule of one iteration.
   static Schedule at(int iteration) { return {iteration, 1, iteration, std::nullopt}; }
+  /// Returns true if the operation acts in this iteration, apart from `when` and `once`.
   bool is_in_turn(int iteration) const {
     return iteration >= from && iteration <= to && (iteration - from) % every == 0;
   }
@@ -46,31 +48,36 @@ struct Schedule {
 
 /// The shoots of an operation.
 struct ShootChoice {
+  /// How the shoots are chosen.
   enum class Kind {
     label,      ///< the shoot with this name; an error if it does not exist
     leader,     ///< the shoot that leads, from the ground up
     condition,  ///< all shoots for which the condition holds; an empty set is no error
   };
-  Kind kind = Kind::leader;
+  Kind kind = Kind::leader;    ///< label, leader or condition
   std::string text;            ///< as written in the document
   Expression condition;        ///< over shoot_variables(), followed by the marks of the operation list
   std::string key = "shoots";  ///< key in the operation's document object, for errors
 
+  /// The shoot with this name.
   static ShootChoice label(std::string name) { return {Kind::label, std::move(name), {}, "shoots"}; }
+  /// The shoot that leads.
   static ShootChoice leader() { return {Kind::leader, "leader", {}, "shoots"}; }
 };
 
 /// A cut just above a living bud or a lateral shoot. If there is none at the position, the cut moves down to the next
 /// one.
 struct Cut {
+  /// Where a shoot is cut.
   enum class Place {
     above,          ///< keeps a number of metamers: Cut::above
     above_lateral,  ///< just above a lateral shoot
     to_bud,         ///< just above a dormant bud that faces one direction
     outside,        ///< at the surface of a body
   };
+  /// Which of the buds is preferred, by its direction.
   enum class Toward { down, up, out, direction };
-  Place place = Place::above;
+  Place place = Place::above;    ///< the rule for the place
   int above = 0;                 ///< number of metamers that stay; 0: removes the whole shoot
   Expression lateral;            ///< number of the lateral shoot from the base, from 1; may be random
   Toward toward = Toward::down;  ///< desired direction of the bud
@@ -82,18 +89,18 @@ struct Cut {
 
 /// Shortens shoots to a number of metamers and removes their branches.
 struct Spur {
-  int metamers = 2;
+  int metamers = 2;  ///< metamers that stay
 };
 
 /// Limits the length of shoots.
 struct Limit {
-  int metamers = 12;
+  int metamers = 12;  ///< largest number of metamers
 };
 
 /// The rule of the espalier, layer by layer along the leader. First all shoots are removed, then one arm grows on each
 /// side, then the leader is cut to a bud that continues it.
 struct Layers {
-  int count = 3;
+  int count = 3;          ///< number of layers
   int metamers = 6;       ///< metamers of the leader in each layer; the last is cut, and the two below it bear the arms
   Vec3 right{1, 0, 0};    ///< horizontal unit vector: direction of the right arms
   double angle = 0;       ///< inclination of the lowest arms above the horizontal, radians
@@ -138,9 +145,10 @@ struct Tie {
   int iterations = 1;             ///< duration of the drawing
 };
 
+/// An operation with its schedule, its shoots and its trees.
 struct Operation {
-  Schedule when;
-  ShootChoice shoots;
+  Schedule when;            ///< the iterations in which it acts
+  ShootChoice shoots;       ///< the shoots that it acts on
   std::optional<int> tree;  ///< number of the one root that it applies to, from 0; unset: all roots
   std::string path;         ///< document path for errors: "components.apple.operations[3]"
   int number = 0;           ///< number in the component's list, from 1; the column `plan_cut` refers to it

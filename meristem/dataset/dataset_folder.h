@@ -34,13 +34,13 @@ class DatasetFolder {
   DatasetFolder(const DatasetFolder&) = delete;
   DatasetFolder& operator=(const DatasetFolder&) = delete;
 
-  const std::string& path() const;
-  std::uint64_t total() const;
-  std::uint64_t done() const;   ///< plants that are there
-  std::uint64_t found() const;  ///< plants that were there when it was opened
-  /// What was there and not right, and is made again: one line each, the first hundred.
+  const std::string& path() const;  ///< path of the folder, as it was given
+  std::uint64_t total() const;      ///< plants of the plan
+  std::uint64_t done() const;       ///< plants that are there
+  std::uint64_t found() const;      ///< plants that were there when it was opened
+  /// Faults of the folder's content, which is made again: one line each, the first hundred.
   const std::vector<std::string>& faults() const;
-  std::uint64_t fault_count() const;
+  std::uint64_t fault_count() const;  ///< number of all faults
 
   /// Plants that are there with an error and without files.
   std::uint64_t failed() const;

@@ -24,7 +24,7 @@ namespace meristem {
 
 /// A document of a data set.
 struct DatasetDocument {
-  std::string name;
+  std::string name;                                          ///< name of the document in the plan
   std::string document;                                      ///< path of its file below documents/NAME
   std::string hash;                                          ///< of the file and all that it names
   std::vector<std::pair<std::string, std::string>> files{};  ///< path below documents/NAME and hash; none in format 1
@@ -40,31 +40,33 @@ inline constexpr int kDatasetFormat = 2;
 
 /// What dataset.json says.
 struct DatasetInfo {
-  int format = kDatasetFormat;
-  std::string version;  ///< of the program that began it
-  std::string name;
-  std::string plan;  ///< hash of the plan
-  std::uint64_t plants = 0;
-  std::uint64_t rows = 0;  ///< of a table of the manifest
-  std::vector<DatasetDocument> documents;
+  int format = kDatasetFormat;                 ///< format of dataset.json
+  std::string version;                         ///< of the program that began it
+  std::string name;                            ///< name of the data set, as its plan says
+  std::string plan;                            ///< hash of the plan
+  std::uint64_t plants = 0;                    ///< plants of the plan
+  std::uint64_t rows = 0;                      ///< of a table of the manifest
+  std::vector<DatasetDocument> documents;      ///< documents of the plan
   std::vector<std::string> tables{};           ///< hash of each table; empty until all plants of the table are made
   std::map<std::string, std::string> files{};  ///< hashes of plan, data card and arrays, by path
   bool is_as_written = true;                   ///< false if somebody has edited the file since
 
-  std::uint64_t table_count() const { return (plants + rows - 1) / rows; }
+  std::uint64_t table_count() const { return (plants + rows - 1) / rows; }  ///< tables of the manifest
 };
 
 /// Names of parts of a folder.
 inline constexpr const char* kDatasetInfoName = "dataset.json";
-inline constexpr const char* kFolderPlanName = "plan.json";
-inline constexpr const char* kDocumentsName = "documents";
-inline constexpr const char* kChecksName = "checks";
-inline constexpr const char* kPlanCopyName = "checks/plan.json";
-inline constexpr const char* kDataCardName = "README.md";
+inline constexpr const char* kFolderPlanName = "plan.json";       ///< the plan, within the folder
+inline constexpr const char* kDocumentsName = "documents";        ///< folder of the documents
+inline constexpr const char* kChecksName = "checks";              ///< folder of hashes and of a copy of the plan
+inline constexpr const char* kPlanCopyName = "checks/plan.json";  ///< copy of the plan
+inline constexpr const char* kDataCardName = "README.md";         ///< the data card
 
 /// Where these lie in a folder.
 std::string dataset_info_path(const std::string& folder);
+/// Returns the path of the plan in a folder.
 std::string folder_plan_path(const std::string& folder);
+/// Returns the path of the folder of documents in a folder.
 std::string documents_path(const std::string& folder);
 
 /// What the data set of a plan says of itself.

@@ -18,17 +18,17 @@ namespace meristem {
 
 /// A file of a plant.
 struct PlantFile {
-  std::string path;  ///< below the folder of the data set, without spaces
-  std::uint64_t bytes = 0;
-  std::string hash;  ///< 128-bit XXH3 as 32 hexadecimal digits
+  std::string path;         ///< below the folder of the data set, without spaces
+  std::uint64_t bytes = 0;  ///< size of the file
+  std::string hash;         ///< 128-bit XXH3 as 32 hexadecimal digits
 
   bool operator==(const PlantFile&) const = default;
 };
 
 /// What became of a plant.
 struct MadePlant {
-  PlannedPlant plant;
-  std::vector<PlantFile> files;
+  PlannedPlant plant;                  ///< the plant, as the plan draws it
+  std::vector<PlantFile> files;        ///< files that were written
   std::vector<MeasureValue> measures;  ///< in the order of the plan; none after an error
   std::string error;                   ///< why there is no plant, in one line
 };
@@ -47,18 +47,18 @@ std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
 /// What of a row tells whether its plant is there.
 struct ManifestEntry {
-  std::uint64_t number = 0;
-  std::vector<PlantFile> files;
-  std::string error;  ///< why there is no plant; empty if there is one
+  std::uint64_t number = 0;      ///< number of the plant in the plan
+  std::vector<PlantFile> files;  ///< files of the plant
+  std::string error;             ///< why there is no plant; empty if there is one
 };
 
 /// Where the columns of a manifest stand.
 struct ManifestLayout {
-  std::size_t count = 0;
-  std::size_t files = 0;
-  std::size_t bytes = 0;
-  std::size_t hashes = 0;
-  std::size_t error = 0;
+  std::size_t count = 0;   ///< number of columns
+  std::size_t files = 0;   ///< column of the files
+  std::size_t bytes = 0;   ///< column of their sizes
+  std::size_t hashes = 0;  ///< column of their hashes
+  std::size_t error = 0;   ///< column of the error
 
   /// Nothing where the line is not the first one of a manifest.
   static std::optional<ManifestLayout> of_header(std::string_view line);

@@ -16,17 +16,17 @@ namespace meristem {
 
 /// A plant in hand, of which files are written.
 struct PlantInHand {
-  const Document& document;
+  const Document& document;    ///< the document with the plant's values
   const GrownDocument& grown;  ///< up to what the output needs
   const Value& settings;       ///< what the plan says beside the ending, as the output's table has it; null: nothing
 };
 
 /// A kind of file.
 struct PlantOutput {
-  std::string ending;  ///< with its dot
-  std::string doc;     ///< one sentence
-  GrownPart needs = GrownPart::plant;
-  TraceWish wish{};  ///< what must be recorded of growth for it
+  std::string ending;                  ///< with its dot
+  std::string doc;                     ///< one sentence
+  GrownPart needs = GrownPart::plant;  ///< the stage up to which the plant must have grown
+  TraceWish wish{};                    ///< what must be recorded of growth for it
   /// Writes the file at `path`, and what belongs to it beside it.
   std::function<void(const PlantInHand& plant, const std::string& path, Progress& progress)> write;
   /// What the plan may say beside the ending; null: nothing.

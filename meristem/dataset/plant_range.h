@@ -17,16 +17,16 @@ namespace meristem {
 
 /// The plants [begin, end) of a plan, all in one table of the manifest.
 struct PlantRange {
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
+  std::uint64_t begin = 0;  ///< number of the first plant
+  std::uint64_t end = 0;    ///< behind the number of the last plant
 
-  std::uint64_t count() const { return end - begin; }
+  std::uint64_t count() const { return end - begin; }  ///< number of plants
   bool operator==(const PlantRange&) const = default;
 };
 
 /// Plants that were made apart from the folder of their data set.
 struct MadeRange {
-  PlantRange range;
+  PlantRange range;  ///< the plants
   std::string rows;  ///< of the manifest
   /// Path below the folder of the data set, and content.
   std::vector<std::pair<std::string, std::string>> files;

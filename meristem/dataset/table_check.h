@@ -15,7 +15,7 @@ namespace meristem {
 
 /// A row of a table, or of a part of one.
 struct TableRow {
-  ManifestEntry entry;
+  ManifestEntry entry;   ///< fields of the row
   std::string line;      ///< without its line end
   bool is_right = true;  ///< false if the row has changed since it was written, or if nothing can tell
 };
@@ -29,9 +29,9 @@ struct TableRows {
 
 /// What the rows of a table are compared with.
 struct TableKnowledge {
-  const DatasetInfo& info;
+  const DatasetInfo& info;            ///< dataset.json of the folder
   const DatasetPlan* plan = nullptr;  ///< null if it cannot be read: drawn values are not compared
-  std::string folder;
+  std::string folder;                 ///< folder of the data set
 };
 
 /// Returns the hash that a table had when it was written: that of dataset.json, or else that of checks/. Empty if

@@ -16,6 +16,7 @@ namespace meristem {
 
 /// A distribution. Numbers are drawn until one lies from `low` to `high`.
 struct Variation {
+  /// The kind of distribution, and what its `numbers` are.
   enum class Kind {
     uniform,      ///< numbers: the two ends
     log_uniform,  ///< the two ends, above 0; the logarithm is uniform
@@ -25,12 +26,12 @@ struct Variation {
     integer,      ///< the two ends, both included; whole numbers
     choice,       ///< one of `choices`
   };
-  Kind kind = Kind::uniform;
-  std::vector<double> numbers;
-  std::vector<Value> choices;
+  Kind kind = Kind::uniform;    ///< kind of distribution
+  std::vector<double> numbers;  ///< parameters, as the kind says
+  std::vector<Value> choices;   ///< values to choose from, for Kind::choice
   std::vector<double> weights;  ///< one per choice, above 0 in all; empty: all alike
   std::optional<double> low;    ///< unset: not bounded
-  std::optional<double> high;
+  std::optional<double> high;   ///< unset: not bounded
 
   /// The value of this key: the same one on every machine.
   Value draw(RandomKey key) const;

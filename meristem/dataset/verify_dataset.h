@@ -39,11 +39,11 @@ std::vector<std::string> strange_tables(const DatasetInfo& info, const std::stri
 
 /// What a folder holds.
 struct DatasetCheck {
-  std::uint64_t plants = 0;  ///< that the plan asks for
-  std::uint64_t rows = 0;    ///< plants with a row in a table
-  std::uint64_t failed = 0;  ///< of them, plants that have an error
-  std::uint64_t files = 0;
-  std::uint64_t bytes = 0;
+  std::uint64_t plants = 0;           ///< that the plan asks for
+  std::uint64_t rows = 0;             ///< plants with a row in a table
+  std::uint64_t failed = 0;           ///< of them, plants that have an error
+  std::uint64_t files = 0;            ///< files of plants that were read
+  std::uint64_t bytes = 0;            ///< bytes of these files
   std::vector<std::string> faults;    ///< one line each: first those of the whole set, then in the order of the tables
   std::vector<std::string> warnings;  ///< what could not be checked, one line each
 };

@@ -19,6 +19,7 @@ inline constexpr double kMostOfTheLevelBefore = 0.35;
 /// plants of at most kSmallPlant triangles, and for larger ones. Those are thinned out, and wherever the sky is seen
 /// between leaves as small as a pixel, their crowns change from pixel to pixel.
 inline constexpr double kLeastOutlineShared = 0.9;
+/// Like kLeastOutlineShared, for plants of more than kSmallPlant triangles.
 inline constexpr double kLeastCrownShared = 0.8;
 
 /// How many pixels high a plant is shown at most as level `number`: half as many as the level before, 256 as a whole.
@@ -33,8 +34,8 @@ std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const M
 
 /// A level of detail that is not worth a file, and why.
 struct WorthlessLevel {
-  int number = 0;
-  std::string reason;
+  int number = 0;      ///< number of the level, from 1
+  std::string reason;  ///< why the level is not worth a file
 };
 
 /// Makes the levels of detail 1 to `count` of a plant one after the other, and gives the number and the meshes of each

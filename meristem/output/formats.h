@@ -16,7 +16,7 @@ namespace meristem {
 /// Properties of a format, for programs.
 struct FormatOptions {
   GltfInstances instances = GltfInstances::automatic;  ///< how organs share a mesh, in formats that can
-  EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none
+  EncodedPictures* pictures = nullptr;                 ///< shared with other files; may be null
   bool obstacles = false;                              ///< formats with meshes hold the scene's obstacles as well
 };
 
@@ -27,10 +27,11 @@ Provenance provenance_of(const Document& document);
 struct Format {
   std::string_view ending;  ///< with its dot; may hold more than one
   std::string_view doc;     ///< one line
+  /// Writes the file at `path`. Throws MachineError and Cancelled, and InputError for what the format cannot hold.
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path,
                 const FormatOptions& options, Progress& progress);
   GrownPart needs = GrownPart::plant;  ///< what is written
-  bool can_instance = false;
+  bool can_instance = false;           ///< true if organs can be instances of one mesh in a file
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
   bool is_whole = false;     ///< it holds the plant alone, without obstacles, and has no levels of detail
@@ -53,6 +54,7 @@ std::span<const Format> formats();
 
 /// What files of all of these formats need: what is made of the document, and what is recorded of its growth.
 GrownPart needed_part(std::span<const Format* const> formats);
+/// Returns the parts of growth that must be recorded for files of all these formats.
 TraceWish needed_wish(std::span<const Format* const> formats);
 
 /// The format of a path by its ending, the longest that fits (capitals count as equal); "-" is standard output in the

@@ -21,10 +21,10 @@ enum class GltfInstances {
 
 /// How instances are written, and where the plant came from.
 struct GltfOptions {
-  GltfInstances instances = GltfInstances::automatic;
-  std::uint64_t flatten_triangles = 5'000'000;  ///< scenes with more triangles are large
-  Provenance provenance;
-  EncodedPictures* pictures = nullptr;  ///< shared with other files; null: none
+  GltfInstances instances = GltfInstances::automatic;  ///< how instances are written
+  std::uint64_t flatten_triangles = 5'000'000;         ///< scenes with more triangles are large
+  Provenance provenance;                               ///< origin of the plant, stored in the file
+  EncodedPictures* pictures = nullptr;                 ///< shared with other files; may be null
 };
 
 /// Writes `scene` as binary glTF 2.0 to `path` ("-" for standard output): metres, y up, one node per component,

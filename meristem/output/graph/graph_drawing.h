@@ -14,6 +14,7 @@
 
 namespace meristem {
 
+/// Options of drawings of a graph.
 struct DrawingOptions {
   bool shows_types = false;  ///< the type of each component below its name
 };

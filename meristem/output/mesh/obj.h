@@ -13,8 +13,8 @@ namespace meristem {
 
 /// What the head of the file says.
 struct ObjOptions {
-  Provenance provenance;
-  EncodedPictures* pictures = nullptr;  ///< shared with other files; null: none
+  Provenance provenance;                ///< written as comments
+  EncodedPictures* pictures = nullptr;  ///< shared with other files; may be null
 };
 
 /// Writes `scene` as Wavefront OBJ to `path`: metres, y up, v upward; one object and group a component, by its id;

@@ -14,7 +14,7 @@ namespace meristem {
 
 /// What the head of the file says.
 struct PlyOptions {
-  Provenance provenance;
+  Provenance provenance;                  ///< written as comments
   const SurfaceLabels* labels = nullptr;  ///< of the meshes; null: faces have none
 };
 

@@ -42,8 +42,8 @@ struct OverlaySubject;  // what overlays are made from, with what was recorded o
 
 /// A part as people choose it.
 struct OverlayPartInfo {
-  OverlayPart part;
-  const char* name;
+  OverlayPart part;                                                  ///< the part
+  const char* name;                                                  ///< name for options and plans: "points"
   const char* title;                                                 ///< for a switch: "Attraction points"
   const char* doc;                                                   ///< one sentence
   TraceWish wish;                                                    ///< what must have been recorded of growth
@@ -53,6 +53,7 @@ struct OverlayPartInfo {
 
 /// All parts, in the order in which they are listed.
 std::span<const OverlayPartInfo> overlay_parts();
+/// Returns the description of a part.
 const OverlayPartInfo& overlay_part(OverlayPart part);
 /// The part of that name. Throws InputError for another name, with the nearest one; `who` cannot show it.
 OverlayPart overlay_part_named(std::string_view name, const std::string& who);
@@ -61,19 +62,22 @@ std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::
 /// What must be recorded of growth for all of these.
 TraceWish wish_for_overlays(std::span<const OverlayPart> parts);
 
+/// A point of an overlay.
 struct OverlayPoint {
-  Vec3 position{0};
-  Vec3 colour{0};  ///< sRGB
+  Vec3 position{0};  ///< world space, metres
+  Vec3 colour{0};    ///< sRGB
 };
 
+/// A line of an overlay, or an arrow from `from` to `to`.
 struct OverlayLine {
-  Vec3 from{0};
-  Vec3 to{0};
+  Vec3 from{0};    ///< world space, metres
+  Vec3 to{0};      ///< world space, metres
   Vec3 colour{0};  ///< sRGB
 };
 
+/// A text beside a position.
 struct OverlayLabel {
-  Vec3 at{0};
+  Vec3 at{0};        ///< world space, metres
   std::string text;  ///< ASCII
 };
 
@@ -85,22 +89,22 @@ struct OverlayKey {
 
 /// What one part shows.
 struct OverlayLayer {
-  OverlayPart part = OverlayPart::points;
-  std::vector<OverlayPoint> points;
-  std::vector<OverlayLine> lines;
-  std::vector<OverlayLine> arrows;
-  std::vector<OverlayLabel> labels;
-  std::vector<OverlayKey> legend;
+  OverlayPart part = OverlayPart::points;  ///< the part that the layer shows
+  std::vector<OverlayPoint> points;        ///< points
+  std::vector<OverlayLine> lines;          ///< lines
+  std::vector<OverlayLine> arrows;         ///< lines with a tip at their end
+  std::vector<OverlayLabel> labels;        ///< texts
+  std::vector<OverlayKey> legend;          ///< what the colours mean
 };
 
 /// What overlays show something of.
 struct OverlaySource {
-  const Plant& plant;
+  const Plant& plant;          ///< the plant that is shown
   const GrowthTraces& traces;  ///< recorded with wish_for_overlays() or more
-  const Scene& scene;
-  const Limits& limits;  ///< of the document that the plant has grown from
-  Box bounds;            ///< around all that is seen of the plant
-  Vec3 right{1, 0, 0};   ///< unit vector on the ground along which the scale lies
+  const Scene& scene;          ///< light and obstacles around the plant
+  const Limits& limits;        ///< of the document that the plant has grown from
+  Box bounds;                  ///< around all that is seen of the plant
+  Vec3 right{1, 0, 0};         ///< unit vector on the ground along which the scale lies
 };
 
 /// The layers of the parts, in their order, at the step of growth that the plant stands at. Plants of other documents

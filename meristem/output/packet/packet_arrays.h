@@ -18,12 +18,14 @@ namespace meristem {
 /// Collects arrays and says where each stands: [bytes from the first array, count of numbers].
 class PacketArrays {
  public:
+  /// Appends an array of numbers, and returns its place for the head of a packet.
   template <class Number>
   Value add(const std::vector<Number>& numbers) {
     return add_bytes(numbers.data(), numbers.size() * sizeof(Number), numbers.size());
   }
+  /// Appends bytes, and returns their place for the head of a packet.
   Value add_bytes(std::string_view bytes) { return add_bytes(bytes.data(), bytes.size(), bytes.size()); }
-  const std::string& bytes() const { return bytes_; }
+  const std::string& bytes() const { return bytes_; }  ///< all arrays, each filled up to a multiple of 4 bytes
 
  private:
   Value add_bytes(const void* data, std::size_t size, std::size_t count);
@@ -43,7 +45,9 @@ std::vector<std::int8_t> packed_normals(const std::vector<Vec3>& normals);
 std::vector<std::int8_t> packed_tangents(const std::vector<Vec4>& tangents);
 /// Whether all lie in 0 to 1, so that 16 bits do.
 bool fit_sixteen_bits(const std::vector<Vec2>& uvs);
+/// Returns texture coordinates in 0 to 1 as whole numbers of 16 bits: 65535 is 1.
 std::vector<std::uint16_t> packed_uvs(const std::vector<Vec2>& uvs);
+/// Returns texture coordinates as floats, for coordinates outside 0 to 1.
 std::vector<float> wide_uvs(const std::vector<Vec2>& uvs);
 /// Three rows of four numbers a frame: what x, y and z of a point come to are the products of a row with (x, y, z, 1).
 std::vector<float> packed_frames(const std::vector<Frame>& frames);

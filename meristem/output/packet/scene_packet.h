@@ -21,9 +21,9 @@ namespace meristem {
 
 /// What there is of a plant; a packet may show less of it.
 struct PacketCounts {
-  std::uint64_t triangles = 0;
-  std::uint64_t instances = 0;
-  std::uint64_t nodes = 0;
+  std::uint64_t triangles = 0;  ///< triangles of all instances
+  std::uint64_t instances = 0;  ///< instances of meshes
+  std::uint64_t nodes = 0;      ///< nodes of skeletons
 };
 
 /// What a packet says besides the scene.

@@ -13,10 +13,10 @@ class Camera {
   /// Looks from `position` to `target`; `aspect` is width over height, `field_of_view` the vertical one in radians.
   Camera(Vec3 position, Vec3 target, double field_of_view, double aspect);
 
-  Vec3 position() const { return position_; }
-  Vec3 forward() const { return forward_; }  ///< unit, the way it looks
-  Vec3 right() const { return right_; }      ///< unit, where x of the film rises
-  Vec3 up() const { return up_; }            ///< unit, where y of the film rises
+  Vec3 position() const { return position_; }  ///< metres, in the world
+  Vec3 forward() const { return forward_; }    ///< unit, the way it looks
+  Vec3 right() const { return right_; }        ///< unit, where x of the film rises
+  Vec3 up() const { return up_; }              ///< unit, where y of the film rises
   /// Half the film's height at a distance of 1; half its width is this times the aspect.
   float half_height() const { return half_height_; }
   /// The unit direction of the ray through a point of the film.

@@ -14,8 +14,8 @@ namespace meristem {
 
 /// A still, seen from where, and what is drawn over the plants.
 struct PictureOptions {
-  StillOptions still;
-  View view;
+  StillOptions still;                   ///< size and quality
+  View view;                            ///< the place and direction of the camera
   bool crown_hulls = false;             ///< draws the convex hull of each tree's crown as wires
   std::vector<OverlayPart> overlays{};  ///< what else is shown, with a legend; the camera frames that, too
   bool plants = true;                   ///< false: nothing but overlays and obstacles
@@ -23,10 +23,11 @@ struct PictureOptions {
 
 /// What render_still draws for a picture, and what is written over it.
 struct PictureScene {
-  MeshScene meshes;
-  View view;
-  std::vector<OverlayLayer> layers;
+  MeshScene meshes;                  ///< the meshes to render
+  View view;                         ///< the view with the camera placed
+  std::vector<OverlayLayer> layers;  ///< layers to draw over the rendered picture
 };
+/// Prepares a picture: chooses meshes, camera and layers, and renders nothing. Throws as take_picture() does.
 PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, const Scene& scene,
                            const PictureOptions& options, const Progress& progress);
 

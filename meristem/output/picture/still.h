@@ -14,8 +14,8 @@ namespace meristem {
 
 /// Size and quality of a picture.
 struct StillOptions {
-  int width = 1200;  ///< pixels, 1 to 16384; the same for the height
-  int height = 1200;
+  int width = 1200;   ///< pixels, 1 to 16384; the same for the height
+  int height = 1200;  ///< pixels
   /// Most paths per pixel. Noise falls with its root; even sky and ground, where no more is seen, take an eighth.
   int samples = 64;
   bool transparent = false;  ///< no background, ground and obstacles; only the plant, with alpha

@@ -24,7 +24,7 @@ enum class TruthLevel {
   shoot,  ///< each axis with the organs on it
   plant,  ///< each plant
 };
-inline constexpr int kTruthLevels = 3;
+inline constexpr int kTruthLevels = 3;  ///< number of values of TruthLevel
 
 /// Something that is seen in a picture.
 struct SeenThing {
@@ -41,10 +41,10 @@ struct TruthMask {
   std::vector<SeenThing> things;      ///< those that are seen, in the order of their first pixels
 };
 
-/// All that is known of each pixel, row by row from the top.
+/// The surface behind each pixel, row by row from the top.
 struct Truth {
-  int width = 0;
-  int height = 0;
+  int width = 0;             ///< pixels
+  int height = 0;            ///< pixels
   std::vector<float> depth;  ///< metres along the way that the camera looks; infinite for the sky
   /// Unit, on the side that is seen, in the camera's own frame: x to the right, y up, z toward the camera; 0 for the
   /// sky.
@@ -52,13 +52,14 @@ struct Truth {
   TruthMask masks[kTruthLevels];  ///< by TruthLevel
   Camera camera;                  ///< which sees it: that of take_picture for the same view and size
 
+  /// Returns the mask of a level.
   const TruthMask& mask(TruthLevel level) const { return masks[static_cast<int>(level)]; }
 };
 
 /// Size of the picture, and what it shows.
 struct TruthOptions {
-  int width = 1200;  ///< pixels
-  int height = 1200;
+  int width = 1200;          ///< pixels
+  int height = 1200;         ///< pixels
   bool transparent = false;  ///< without ground and obstacles, as in StillOptions
 };
 

@@ -22,8 +22,8 @@ struct TruthFormat {
 
 /// A file about a picture that is to be written.
 struct TruthFile {
-  const TruthFormat* format = nullptr;
-  std::string path;  ///< with one of the format's endings
+  const TruthFormat* format = nullptr;  ///< the kind of file; not null
+  std::string path;                     ///< with one of the format's endings
 };
 
 /// What a file about a picture says besides the pixels.

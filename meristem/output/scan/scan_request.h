@@ -14,7 +14,7 @@ namespace meristem {
 
 /// What a request means.
 struct ScanPlan {
-  ScanOptions options{};
+  ScanOptions options{};  ///< instrument, stations and noise
   bool obstacles = true;  ///< whether the scene's visible obstacles are seen as well
 };
 

@@ -15,8 +15,8 @@ inline constexpr std::uint32_t kNoCylinder = 0xffffffffU;
 
 /// The segment that ends in a node. Metres, in the coordinates of such programs: x east, y north, z up.
 struct Cylinder {
-  Vec3 begin{0};
-  Vec3 end{0};
+  Vec3 begin{0};                       ///< metres
+  Vec3 end{0};                         ///< metres
   float radius = 0;                    ///< that which gives the cylinder the volume of the cone between its two nodes
   std::uint32_t parent = kNoCylinder;  ///< the cylinder that it begins on; none at a root
   std::uint32_t extension = kNoCylinder;  ///< the next one of its axis

@@ -18,15 +18,17 @@ struct SkeletonRow {
   NodeIndex node = 0;    ///< index into the stem's skeleton
 };
 
+/// A column of the table.
 struct SkeletonColumn {
+  /// The meaning of a column's numbers.
   enum class Kind {
     component,  ///< a whole number that indexes SkeletonTable::components()
     label,      ///< one that indexes SkeletonTable::labels()
     index,      ///< a whole number; kNoRow where there is none
     number,     ///< a float; NaN where not known
   };
-  std::string name;
-  Kind kind = Kind::number;
+  std::string name;          ///< name in the head of a table
+  Kind kind = Kind::number;  ///< meaning of the numbers
 };
 
 /// A view of all stems in the plant's order. The columns, in this order:
@@ -42,19 +44,20 @@ struct SkeletonColumn {
 /// | `label` | that of the axis (axis_labels), where some skeleton numbers its metamers |
 class SkeletonTable {
  public:
-  static constexpr double kNoRow = -1;
+  static constexpr double kNoRow = -1;  ///< marks a missing row
 
   /// `plant` must outlive the table.
   explicit SkeletonTable(const Plant& plant);
 
-  std::size_t row_count() const { return first_row_.back(); }
-  const std::vector<SkeletonColumn>& columns() const { return columns_; }
+  std::size_t row_count() const { return first_row_.back(); }              ///< number of nodes of all stems
+  const std::vector<SkeletonColumn>& columns() const { return columns_; }  ///< columns in the order above
   /// Ids of components with stems, in the plant's order.
   const std::vector<std::string>& components() const { return components_; }
 
   /// The label of each axis; empty where there is no column of them.
   const std::vector<std::string>& labels() const { return labels_; }
 
+  /// Returns the node of a row.
   SkeletonRow row(std::size_t number) const;
   /// Calls `body(row)` for each row from number `begin` to `end`.
   template <class Body>

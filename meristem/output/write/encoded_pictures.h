@@ -13,13 +13,14 @@ namespace meristem {
 
 /// A picture of a texture.
 struct TexturePicture {
+  /// The pictures of a texture.
   enum class Kind {
     colour,
     normals,
     mask,  ///< the colours' alpha in all four channels: readers look for it in its alpha or in its green
   };
-  const Texture* texture = nullptr;
-  Kind kind = Kind::colour;
+  const Texture* texture = nullptr;  ///< must outlive the picture; not null
+  Kind kind = Kind::colour;          ///< which of the texture's pictures
 
   bool operator==(const TexturePicture&) const = default;
 };

@@ -12,6 +12,7 @@ namespace meristem {
 /// The default quality of JPEG files: noise and thin twigs look as they do in a PNG.
 inline constexpr int kUsualJpegQuality = 90;
 
+/// Quality and size of a JPEG file.
 struct JpegOptions {
   int quality = kUsualJpegQuality;         ///< 1 to 100; higher: closer to the picture, and larger
   std::optional<std::uint64_t> max_bytes;  ///< a larger file gets the highest quality at which it is no larger

@@ -8,12 +8,12 @@
 
 namespace meristem {
 
-/// What a file says about where it came from, so that the plant can be grown again.
+/// The origin of a file: enough to grow its plant again.
 struct Provenance {
-  std::string name;  ///< the document's
-  std::string author;
-  std::string licence;
-  std::uint64_t seed = 0;
+  std::string name;                 ///< the document's
+  std::string author;               ///< author of the document, or empty
+  std::string licence;              ///< licence of the document, or empty
+  std::uint64_t seed = 0;           ///< seed of the plant
   std::string version;              ///< version of the program
   std::vector<std::string> sets{};  ///< the values that were set for it, each as `--set` takes it: "age=20"
 };

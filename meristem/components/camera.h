@@ -8,7 +8,7 @@ namespace meristem {
 
 /// The root of every graph: the view, and the frame in which the plants stand.
 struct CameraParameters : ComponentBase {
-  View view;
+  View view;  ///< camera and frame of pictures
 };
 
 /// The type of that name.

@@ -14,7 +14,8 @@ namespace meristem {
 struct GrassCurves {
   /// A leaf that the source has; what has no rank or number suits all.
   struct Name {
-    std::optional<int> rank, leaf;
+    std::optional<int> rank;  ///< rank on the plant
+    std::optional<int> leaf;  ///< number of the leaf
 
     bool operator==(const Name&) const = default;
   };
@@ -22,17 +23,18 @@ struct GrassCurves {
   Name leaf;                 ///< whose curves follow
 
   // Away from the stem and up the stem, from the collar at (0, 0), in the unit of the source.
-  std::vector<Vec2> midrib_points;
-  std::vector<Vec2> midrib;    ///< fitted; those of the last age, where it was measured at several
-  double midrib_distance = 0;  ///< root mean square, of the points from the fitted midrib
+  std::vector<Vec2> midrib_points;  ///< points of the source
+  std::vector<Vec2> midrib;         ///< fitted; those of the last age, where it was measured at several
+  double midrib_distance = 0;       ///< root mean square, of the points from the fitted midrib
 
   // Position from base (0) to tip (1), and width as a share of the largest.
-  std::vector<Vec2> width_points;
-  std::vector<Vec2> widths;  ///< fitted
+  std::vector<Vec2> width_points;  ///< points of the source
+  std::vector<Vec2> widths;        ///< fitted
 
-  bool has_midrib_file = false, has_width_file = false;  ///< else the document holds the points
-  double length = 0;  ///< metres of the blade as it was measured; 0 where no file says it
-  double width = 0;   ///< metres at its widest as it was measured; 0 where no file says it
+  bool has_midrib_file = false;  ///< false: the document holds the points of the midrib
+  bool has_width_file = false;   ///< false: the document holds the points of the widths
+  double length = 0;             ///< metres of the blade as it was measured; 0 where no file says it
+  double width = 0;              ///< metres at its widest as it was measured; 0 where no file says it
 };
 
 /// The curves of the leaf with this rank and number, or else of the first leaf of the source. Nothing for components of

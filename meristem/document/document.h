@@ -24,20 +24,20 @@ inline constexpr int kDocumentFormat = 1;
 
 /// A value that every expression can use by name: one of the few handles that a user should see, or a private one.
 struct Variable {
-  std::string name;
-  double value = 0;
-  double min = 0;  ///< least and greatest sensible value, for sliders; nothing is refused beyond them
-  double max = 1;
-  std::string unit;
-  std::string doc;
+  std::string name;         ///< an identifier
+  double value = 0;         ///< value of the name in expressions
+  double min = 0;           ///< least and greatest sensible value, for sliders; nothing is refused beyond them
+  double max = 1;           ///< greatest sensible value
+  std::string unit;         ///< unit for people, such as "m"; may be empty
+  std::string doc;          ///< one sentence for people; may be empty
   std::string expression;   ///< the expression that gave the value, or empty: "2 + 0.1*age"
   std::string per;          ///< id of the component whose instances each draw a value, or empty
   bool is_private = false;  ///< no handle, but a name for what several expressions share; it can be set all the same
 };
 
-/// What messages say of a variable when a value that it went into turns out to be wrong.
+/// A note on a variable, for messages on wrong values that depend on it.
 struct VariableNote {
-  std::string variable;
+  std::string variable;           ///< name of the variable
   std::string text;               ///< "age is 1000, beyond 8 to 160", or empty
   std::vector<std::size_t> uses;  ///< notes of the variables that it is worked out from
 };
@@ -53,21 +53,21 @@ struct OutputParameters {
 /// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key
 /// ("links[1].density", "scene.latitude", "seed"). A variable is preferred to a key of its name.
 struct Override {
-  std::string path;
-  Value value;
+  std::string path;  ///< such as "age" or "stem.length"
+  Value value;       ///< replaces the value in the text
   std::string name;  ///< what messages call it, in place of a file; empty: "set PATH"
 };
 
 /// Where a document came from, for messages and for editors that patch the text.
 struct Source {
-  std::string file;  ///< the document's name in messages
-  std::string text;
-  Value tree;                               ///< what the text says, with the values that overrides have set
-  std::vector<std::string> named_files;     ///< paths of the files that were read with it
-  std::vector<std::string> overridden;      ///< document paths that an override has set
-  std::vector<std::string> override_names;  ///< what messages call each override
-  std::vector<std::string> sets;            ///< the overrides as they were given, the last of each path: "age=20"
-  std::vector<VariableNote> variable_notes;
+  std::string file;                          ///< the document's name in messages
+  std::string text;                          ///< text of the document
+  Value tree;                                ///< what the text says, with the values that overrides have set
+  std::vector<std::string> named_files;      ///< paths of the files that were read with it
+  std::vector<std::string> overridden;       ///< document paths that an override has set
+  std::vector<std::string> override_names;   ///< what messages call each override
+  std::vector<std::string> sets;             ///< the overrides as they were given, the last of each path: "age=20"
+  std::vector<VariableNote> variable_notes;  ///< notes of the variables that values depend on
 
   /// Gives diagnostics with a path their file, line and column: in the text, or the override that brought the value.
   /// Errors tell of the variables behind the value that were set or lie beyond their ranges.
@@ -77,15 +77,15 @@ struct Source {
 
 /// A document that was read without faults: what grows, in which scene, and the defaults for output.
 struct Document {
-  std::string name;
-  std::string description;
-  std::string author;
-  std::string licence;
-  std::vector<Variable> variables;
-  Graph graph;
-  Scene scene;
-  OutputParameters output;
-  Source source;
+  std::string name;                  ///< name for people
+  std::string description;           ///< one sentence for people; may be empty
+  std::string author;                ///< may be empty
+  std::string licence;               ///< may be empty
+  std::vector<Variable> variables;   ///< in the order of the text
+  Graph graph;                       ///< components and links
+  Scene scene;                       ///< light, obstacles, camera and supports
+  OutputParameters output;           ///< defaults for pictures and files
+  Source source;                     ///< text and files that the document was read from
   std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
   double time = 0;                   ///< seconds: what is one value for the document has the value of its keys then
   /// The document at another time, where its keys make that another one; else empty. Throws what read_document throws.
@@ -101,9 +101,9 @@ Override parse_override(std::string_view text);
 
 /// Documents that name each other, from the last one back.
 struct DocumentChain {
-  std::string file;  ///< where it really lies
-  std::string name;  ///< as it was named
-  const DocumentChain* before = nullptr;
+  std::string file;                       ///< where it really lies
+  std::string name;                       ///< as it was named
+  const DocumentChain* before = nullptr;  ///< the document that names this one; null: a user opened it
 };
 
 /// How a document is read.

@@ -22,7 +22,7 @@ enum class GrownPart {
 
 /// A document that has grown: skeletons and organs, and the meshes that clothe them.
 struct GrownDocument {
-  Plant plant;
+  Plant plant;                         ///< skeletons, organs and materials
   MeshScene meshes;                    ///< empty if only the plant was made
   GrownPart up_to = GrownPart::plant;  ///< what there is of it; without textures, materials have sketches of them
   std::vector<Diagnostic> warnings;    ///< what is odd about the plant but not wrong, placed in the document's text
@@ -37,19 +37,20 @@ using GrowthCache = Cache;
 /// How much of a kind of result the last growth with a cache made anew, and how much the cache had.
 struct ReuseCount {
   const char* what;  ///< in the plural: "instances"
-  Reuse count;
+  Reuse count;       ///< results made and reused
 };
 
 /// How much of each kind of result the cache gave back, in the order in which growth makes the kinds; a kind that the
 /// growth did not need is left out.
 std::vector<ReuseCount> reuse_of(const GrowthCache& cache);
 
+/// The time, the last stage and the detail of a growth.
 struct GrowthOptions {
-  double time = 0;  ///< seconds: the document as it stands then
-  Detail detail{};  ///< how coarse the meshes are
-  GrownPart up_to = GrownPart::textures;
-  GrowthCache* cache = nullptr;
-  GrowthView view;  ///< the step of growth that is shown, and what is recorded of growth
+  double time = 0;                        ///< seconds: the document as it stands then
+  Detail detail{};                        ///< how coarse the meshes are
+  GrownPart up_to = GrownPart::textures;  ///< the last stage that is made
+  GrowthCache* cache = nullptr;           ///< results of the last growth; null: everything is made anew
+  GrowthView view;                        ///< the step of growth that is shown, and what is recorded of growth
 };
 
 /// Grows a document: the one call that all programs make. The same document gives the same bytes on any number of

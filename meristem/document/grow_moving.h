@@ -9,13 +9,13 @@
 
 namespace meristem {
 
-inline constexpr std::size_t kUsualKeys = 16;  ///< of an animated file
-inline constexpr std::size_t kMostKeys = 1000;
+inline constexpr std::size_t kUsualKeys = 16;   ///< of an animated file
+inline constexpr std::size_t kMostKeys = 1000;  ///< largest number of times
 
 /// How a document is grown as a scene that moves.
 struct MovingOptions {
   std::size_t keys = kUsualKeys;  ///< times at which it is grown, 2 to kMostKeys; more: closer to it, and larger
-  MovingLimits limits;
+  MovingLimits limits;            ///< limits of the moving scene
 };
 
 /// The document's animation as a scene that moves, with textures: the document at `keys` times, evenly from 0 to the

@@ -16,6 +16,7 @@ namespace meristem {
 /// With which some programs begin a text.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+/// A position in a text.
 struct TextPosition {
   int line = 1;    ///< from 1
   int column = 1;  ///< in characters, from 1

@@ -9,6 +9,7 @@ namespace meristem {
 
 /// The names of a folder's documents (files without `.json`), in alphabetical order; none if it cannot be read.
 std::vector<std::string> model_names(const std::string& folder);
+/// Returns the path of a model's file in the folder, which need not exist.
 std::string model_path(const std::string& folder, const std::string& name);
 
 /// The file that a user means by `path`: that file, or the model of this name, after which a file of the same name goes
@@ -17,7 +18,7 @@ std::string find_document(const std::string& path, const std::string& folder);
 
 /// A document's file, and the folder that holds the files that it may name.
 struct DocumentFile {
-  std::string file;
+  std::string file;  ///< path of the document
   std::string root;  ///< for ReadOptions::root; empty: any file may be read
 };
 

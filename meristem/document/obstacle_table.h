@@ -15,22 +15,22 @@ namespace meristem {
 /// A mesh from a file, with what keeps it from being closed (closedness_faults) or else a body (body_fault), which
 /// takes long to find out.
 struct ObstacleMesh {
-  TriangleMesh mesh;
-  std::vector<std::string> faults;
-  std::string body_fault;
+  TriangleMesh mesh;                ///< the triangles of the file
+  std::vector<std::string> faults;  ///< reasons why the mesh is not closed; empty if it is closed
+  std::string body_fault;           ///< reason why a closed mesh is not a body, or empty
 
-  bool is_sound() const { return faults.empty() && body_fault.empty(); }
+  bool is_sound() const { return faults.empty() && body_fault.empty(); }  ///< true for a closed body
 };
 
 /// Exactly one of box and mesh is given.
 struct ObstacleParameters {
-  std::optional<Box> box;  ///< corners as written, in any order
-  Asset<ObstacleMesh> mesh;
-  ImportPose pose;
-  bool broken = false;
-  bool hidden = false;
-  Vec3 colour = Obstacle{}.colour;
-  std::string name;
+  std::optional<Box> box;           ///< corners as written, in any order
+  Asset<ObstacleMesh> mesh;         ///< mesh from a file
+  ImportPose pose;                  ///< place of the mesh's file in the world
+  bool broken = false;              ///< true: a mesh that is not closed is accepted
+  bool hidden = false;              ///< true: not drawn in pictures
+  Vec3 colour = Obstacle{}.colour;  ///< sRGB
+  std::string name;                 ///< name for measures; may be empty
 };
 
 const ParameterTable& obstacle_table();  ///< the rows of ObstacleParameters

@@ -13,8 +13,8 @@ namespace meristem {
 
 /// Operations that are planned besides those of the document, as a document lists them.
 struct PlanRules {
-  std::vector<Value> operations;
-  std::string name = "rules";  ///< what messages call them
+  std::vector<Value> operations;  ///< operations, each an object
+  std::string name = "rules";     ///< what messages call them
 };
 
 /// What to read a document's text with, besides all that it was read with, so that the operations of all of its

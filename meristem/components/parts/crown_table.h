@@ -18,73 +18,82 @@
 
 namespace meristem {
 
+/// A crown by its radius at each height, for one azimuth.
 struct ProfileParameters {
   std::vector<Vec2> profile;  ///< (radius, height), metres over the root
 };
 
+/// An ellipsoid.
 struct EllipsoidParameters {
-  Vec3 centre{0};
-  Vec3 radii{1};
+  Vec3 centre{0};  ///< metres from the root
+  Vec3 radii{1};   ///< half axes along x, y and z, metres
 };
 
+/// A sphere.
 struct SphereParameters {
-  Vec3 centre{0};
-  double radius = 1;
+  Vec3 centre{0};     ///< metres from the root
+  double radius = 1;  ///< metres
 };
 
+/// A cone on a horizontal disc.
 struct ConeParameters {
-  Vec3 base{0};
-  double radius = 1;
-  double height = 2;
+  Vec3 base{0};       ///< middle of the disc, metres from the root
+  double radius = 1;  ///< radius of the disc, metres
+  double height = 2;  ///< of the apex above the disc, metres
 };
 
+/// An upright cylinder.
 struct UprightCylinderParameters {
-  Vec3 base{0};
-  double radius = 1;
-  double height = 2;
+  Vec3 base{0};       ///< middle of the lower disc, metres from the root
+  double radius = 1;  ///< metres
+  double height = 2;  ///< metres
 };
 
+/// A pyramid on a horizontal square.
 struct PyramidParameters {
-  Vec3 base{0};
-  double width = 2;
-  double height = 2;
+  Vec3 base{0};       ///< middle of the square, metres from the root
+  double width = 2;   ///< side of the square, metres
+  double height = 2;  ///< of the apex above the square, metres
 };
 
+/// All space on one side of a plane.
 struct HalfSpaceParameters {
-  Vec3 point{0};
-  Vec3 normal{0, 1, 0};
+  Vec3 point{0};         ///< on the plane, metres from the root
+  Vec3 normal{0, 1, 0};  ///< points out of the half space
 };
 
 /// Exactly one member is given.
 struct CrownParameters {
-  std::vector<Vec2> profile;
+  std::vector<Vec2> profile;  ///< (radius, height), metres from the root; for all azimuths
   std::vector<std::pair<std::string, ProfileParameters>> profiles;  ///< by azimuth, degrees
-  std::vector<CrownParameters> united;
-  std::vector<CrownParameters> intersected;
-  std::vector<CrownParameters> subtracted;  ///< all others from the first
-  std::optional<EllipsoidParameters> ellipsoid;
-  std::optional<SphereParameters> sphere;
-  std::optional<ConeParameters> cone;
-  std::optional<UprightCylinderParameters> cylinder;
-  std::optional<PyramidParameters> pyramid;
-  std::optional<HalfSpaceParameters> half_space;
-  std::optional<Box> box;
-  Asset<ClosedMesh> mesh;
-  ImportPose mesh_place;
+  std::vector<CrownParameters> united;                              ///< crowns whose union is the crown
+  std::vector<CrownParameters> intersected;                         ///< crowns whose intersection is the crown
+  std::vector<CrownParameters> subtracted;                          ///< all others from the first
+  std::optional<EllipsoidParameters> ellipsoid;                     ///< an ellipsoid
+  std::optional<SphereParameters> sphere;                           ///< a sphere
+  std::optional<ConeParameters> cone;                               ///< a cone
+  std::optional<UprightCylinderParameters> cylinder;                ///< an upright cylinder
+  std::optional<PyramidParameters> pyramid;                         ///< a pyramid
+  std::optional<HalfSpaceParameters> half_space;                    ///< a half space
+  std::optional<Box> box;                                           ///< corners in any order, metres from the root
+  Asset<ClosedMesh> mesh;                                           ///< a closed mesh from a file
+  ImportPose mesh_place;                                            ///< place of the mesh's file
 };
 
+/// A part of the points that fills a zone of the crown.
 struct ShareParameters {
-  double share = 0;
-  double above = 0;
-  double outer = 1;
+  double share = 0;  ///< share of the points, 0 to 1
+  double above = 0;  ///< lower end of the zone, as a share of the crown's height
+  double outer = 1;  ///< share of the radius that belongs to the zone, from outside
 };
 
+/// The attraction points of a tree.
 struct PointsParameters {
-  std::uint64_t count = 2400;
-  std::vector<ShareParameters> shares;
-  bool blue_noise = false;
-  Asset<PointCloud> file;  ///< instead of the rows above
-  ImportPose file_place;
+  std::uint64_t count = 2400;           ///< number of points in the crown
+  std::vector<ShareParameters> shares;  ///< zones with more points
+  bool blue_noise = false;              ///< true: points keep a distance from each other
+  Asset<PointCloud> file;               ///< instead of the rows above
+  ImportPose file_place;                ///< place of the file's points
 };
 
 const ParameterTable& crown_table();   ///< the rows of CrownParameters
@@ -100,10 +109,10 @@ CrownPointer build_crown(const CrownParameters& form);
 
 /// Where trees stand, and what they grow into.
 struct RootsInCrowns {
-  const std::optional<CrownParameters>& crown;
-  const PointsParameters& points;
-  const std::vector<Vec3>& roots;  ///< in the component's frame
-  bool one_crown;                  ///< over the component's origin, instead of one per root
+  const std::optional<CrownParameters>& crown;  ///< form of the crown; unset: the points come from a file
+  const PointsParameters& points;               ///< number, distribution or file of the points
+  const std::vector<Vec3>& roots;               ///< in the component's frame
+  bool one_crown;                               ///< over the component's origin, instead of one per root
 
   /// Whether all roots grow into the same points.
   bool share_points() const { return one_crown || points.file; }
@@ -112,7 +121,7 @@ struct RootsInCrowns {
 /// The attraction points of one root, in the component's frame. The points of a crown of its own stand around the root,
 /// over `base`; points that all roots share belong to the first root.
 struct PointsOfRoot {
-  Vec3 base{0};
+  Vec3 base{0};              ///< position of the root, metres
   std::vector<Vec3> points;  ///< relative to it
 };
 /// Throws as make_points does.

@@ -13,12 +13,14 @@ const ParameterTable& surface_table();
 
 /// The names of TrimMode, and the sentence on the row that chooses one, for every component that makes stems.
 const std::vector<std::string>& trim_modes();
+/// Sentence of the row that chooses a TrimMode.
 inline constexpr const char* kTrimDoc =
     "What the body of a 'trim' component above does to the stems: 'cut' ends them flat at its boundary, 'fit' tapers "
     "them to an end there, 'none' lets them pass.";
 
 /// What of a texture means nothing on stems, and why.
 const std::vector<std::string>& names_off_stems();
+/// Reason why the names of names_off_stems() mean nothing on stems.
 inline constexpr const char* kWhyOffStems = "on stems 'surface.uv_scale' says how large a picture is";
 
 }  // namespace meristem

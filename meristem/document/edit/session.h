@@ -26,50 +26,51 @@ namespace meristem {
 
 /// Sets the value at the path. Missing members along the path are added; elements of lists must exist.
 struct SetValue {
-  std::string path;
-  Value value;
+  std::string path;  ///< path of the value
+  Value value;       ///< the new value
 };
 /// Removes a member if it exists, so that its default holds.
 struct UnsetValue {
-  std::string path;
+  std::string path;  ///< path of the member
 };
 /// Inserts an element before that of the path, or a new member, as the last or at `index`. A list that is not there yet
 /// is made for its first element.
 struct InsertValue {
-  std::string path;
-  Value value;
-  std::optional<std::size_t> index{};
+  std::string path;                    ///< where the new value goes
+  Value value;                         ///< the new value
+  std::optional<std::size_t> index{};  ///< index among the members; unset: last
 };
 /// Removes a member or element that exists; a component together with all links from and to it.
 struct RemoveValue {
-  std::string path;
+  std::string path;  ///< path of the member or element
 };
 /// Renames a member; components and variables also in the document's links, expressions and grammars. The random
 /// numbers of a component follow its name, so a renamed component grows differently.
 struct RenameValue {
-  std::string path;
-  std::string name;
+  std::string path;  ///< path of the member
+  std::string name;  ///< the new name
 };
 /// Moves a member or element within its object or list to `index`, with its note.
 struct MoveValue {
-  std::string path;
-  std::size_t index = 0;
+  std::string path;       ///< path of the member or element
+  std::size_t index = 0;  ///< index after the move, from 0
 };
-/// Has the comment on a member say `note`: on lines of its own directly above it, or behind it in its last line where
-/// one stands there. An empty note takes the comment away.
+/// Sets the comment on a member: on lines of its own directly above it, or behind it in its last line if a comment
+/// stands there. An empty note removes the comment.
 struct SetNote {
-  std::string path;
-  std::string note;
+  std::string path;  ///< path of the member
+  std::string note;  ///< text of the comment, without comment signs
 };
 /// Puts in a part of a document, a text as plant_part() gives it: its components with their notes, its links, and those
-/// of its variables that the document has not. A variable of which the document says something else gets a free name.
+/// of its variables that the document lacks. A variable whose value differs in the document gets a free name.
 struct InsertPart {
-  std::string text;
+  std::string text;                                          ///< the part, as plant_part() gives it
   std::vector<std::pair<std::string, std::string>> names{};  ///< other names of components, which must be free
   std::optional<std::size_t> index{};                        ///< of the first among the components; not given: last
   std::optional<std::size_t> link_index{};                   ///< of its first link among the links; not given: last
 };
-using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote, InsertPart>;
+using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote,
+                          InsertPart>;  ///< any kind of edit
 
 /// A part of a document: a text that is a document too, with these components, the links among them and the variables
 /// that they name, all as they are written. Throws an InputError where the text is not JSON or has no such component.
@@ -82,10 +83,11 @@ std::vector<std::pair<std::string, std::string>> component_notes(const std::stri
 
 /// A change of the text, and the inverse change.
 struct Change {
-  Patch patch;
-  Patch inverse;
+  Patch patch;    ///< turns the text before into the text after
+  Patch inverse;  ///< turns the text after into the text before
 };
 
+/// How a session reads its text.
 struct SessionOptions {
   std::vector<Override> overrides{};    ///< as of read_document
   std::optional<std::uint64_t> seed{};  ///< as of read_document
@@ -107,8 +109,8 @@ class Session {
   /// outlive the session. Never throws for faults of the text: see faults().
   Session(std::string text, std::string file, const Registry& registry, SessionOptions options = {});
 
-  const std::string& text() const { return text_; }
-  const std::string& file() const { return file_; }
+  const std::string& text() const { return text_; }  ///< the present text, also if it has faults
+  const std::string& file() const { return file_; }  ///< name of the text in messages
   /// Errors of the present text, or if there are none the document's warnings.
   const std::vector<Diagnostic>& faults() const { return faults_; }
   /// Whether the present text has no errors, so that document() is the document of this text.
@@ -132,11 +134,14 @@ class Session {
   void read(const Progress* progress = nullptr);
   /// Takes the last step back, or makes it again; nullopt if there is no such step.
   std::optional<Change> undo(const Progress* progress = nullptr);
+  /// Makes the step again that undo() has taken back.
   std::optional<Change> redo(const Progress* progress = nullptr);
-  std::size_t undo_count() const { return done_.size(); }
-  std::size_t redo_count() const { return undone_.size(); }
+  std::size_t undo_count() const { return done_.size(); }    ///< number of steps that undo() can take back
+  std::size_t redo_count() const { return undone_.size(); }  ///< number of steps that redo() can make again
 
-  const std::vector<Override>& overrides() const { return options_.overrides; }
+  const std::vector<Override>& overrides() const {
+    return options_.overrides;
+  }  ///< values that replace values of the text
   /// Values that replace those of the text until the next call, as during the drag of a slider; the text stays.
   void set_overrides(std::vector<Override> overrides, const Progress* progress = nullptr);
   /// Reads the files that have changed on the disk since they were read, and the document with them.
@@ -150,8 +155,10 @@ class Session {
   /// Keys of what has grown, and how it differs from the growth before.
   const SceneKeys& keys() const { return keys_; }
   const SceneKeys& keys_before() const { return keys_before_; }  ///< the keys of the growth before
-  const SceneDifference& difference() const { return difference_; }
-  const GrowthCache& cache() const { return cache_; }
+  const SceneDifference& difference() const {
+    return difference_;
+  }                                                    ///< how the last growth differs from the growth before
+  const GrowthCache& cache() const { return cache_; }  ///< results of the last growth, for the next one
   /// What reading has done; see ReadStore::Counts.
   const ReadStore::Counts& read_counts() const { return store_.counts(); }
 

@@ -19,9 +19,9 @@ struct OrganArea {
 /// The leaves of a plant. A leaf is an organ whose material is two-sided: a blade without thickness, as the components
 /// `leaf` makes them (petals made so count as well); closed organs such as fruits are none.
 struct Foliage {
-  std::uint64_t leaves = 0;
-  double area = 0;          ///< square metres of blades, one side, without the holes of their textures
-  double petiole_area = 0;  ///< square metres of their petioles' surface
+  std::uint64_t leaves = 0;  ///< number of leaves
+  double area = 0;           ///< square metres of blades, one side, without the holes of their textures
+  double petiole_area = 0;   ///< square metres of their petioles' surface
 
   /// One more leaf.
   void add(const OrganArea& leaf) {
@@ -37,7 +37,9 @@ struct LeafLayers {
   std::int64_t first = 0;    ///< number of the lowest layer, which begins at `first` times `height`
   std::vector<double> area;  ///< square metres of leaf blades in each, from below; empty without leaves
 
+  /// Returns the lower border of a layer, metres.
   double low(std::size_t layer) const { return height * static_cast<double>(first + static_cast<std::int64_t>(layer)); }
+  /// Returns the upper border of a layer, metres.
   double high(std::size_t layer) const { return low(layer + 1); }
 };
 

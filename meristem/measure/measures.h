@@ -25,57 +25,57 @@ namespace meristem {
 /// diameter are the tallest tree's; angles, ratios and exponents are taken over all forks of all trees. Metres and
 /// radians. An optional without a value is unknown or not there to be measured.
 struct Measures {
-  std::uint64_t trees = 0;
-  std::uint64_t nodes = 0;
-  std::uint64_t metamers = 0;
-  std::uint64_t tips = 0;
-  std::uint64_t forks = 0;
-  std::uint64_t axes = 0;
-  std::vector<std::uint64_t> axes_by_order;
-  std::vector<double> length_by_order;
-  double length = 0;
-  double height = 0;
-  double crown_height = 0;
-  double crown_width = 0;
-  double crown_mean_width = 0;
-  double crown_ground_area = 0;
-  double crown_hull_area = 0;
-  double crown_hull_volume = 0;
-  std::optional<double> lit_share;      ///< lit share of the hull; for several trees, of all their hulls together
-  std::optional<double> stem_diameter;  ///< diameter of the tallest tree's stem
+  std::uint64_t trees = 0;                   ///< roots of skeletons
+  std::uint64_t nodes = 0;                   ///< skeleton nodes, roots included
+  std::uint64_t metamers = 0;                ///< metamers that are numbered, else segments
+  std::uint64_t tips = 0;                    ///< nodes without children
+  std::uint64_t forks = 0;                   ///< nodes with more than one child
+  std::uint64_t axes = 0;                    ///< stems and branches
+  std::vector<std::uint64_t> axes_by_order;  ///< axes of each branching order, from 0
+  std::vector<double> length_by_order;       ///< metres, of the axes of each branching order, from 0
+  double length = 0;                         ///< metres, of all axes
+  double height = 0;                         ///< metres from the root to the highest node
+  double crown_height = 0;                   ///< metres from the first fork to the highest node
+  double crown_width = 0;                    ///< metres, largest horizontal distance between crown nodes
+  double crown_mean_width = 0;               ///< metres, horizontal extent of the crown, averaged over all directions
+  double crown_ground_area = 0;              ///< square metres of ground below the convex hull of the crown
+  double crown_hull_area = 0;                ///< square metres of the crown's convex hull
+  double crown_hull_volume = 0;              ///< cubic metres of the crown's convex hull
+  std::optional<double> lit_share;           ///< lit share of the hull; for several trees, of all their hulls together
+  std::optional<double> stem_diameter;       ///< diameter of the tallest tree's stem
   /// Diameter of one stem with the cross-section that all stems of the tallest tree have at breast height.
   std::optional<double> stem_equivalent_diameter;
-  std::uint64_t stem_count = 0;  ///< at breast height, see kStemShare
-  double basal_area = 0;         ///< square metres of cross-section at breast height
-  std::optional<double> base_diameter;
-  std::optional<double> slenderness;
-  std::optional<double> inclination_azimuth;
-  std::optional<double> inclination_altitude;
-  std::optional<double> centroid_azimuth;
-  double centroid_radius = 0;
-  Distribution branching_angle;
-  std::vector<std::uint64_t> strahler_streams;
-  std::vector<double> bifurcation_ratios;
-  std::optional<double> bifurcation_ratio;
-  Distribution pipe_exponent;
-  std::uint64_t pipe_unsolved = 0;
-  Distribution area_ratio;
+  std::uint64_t stem_count = 0;                 ///< at breast height, see kStemShare
+  double basal_area = 0;                        ///< square metres of cross-section at breast height
+  std::optional<double> base_diameter;          ///< metres, at the root
+  std::optional<double> slenderness;            ///< height divided by stem diameter
+  std::optional<double> inclination_azimuth;    ///< radians from north over east, of the sum of all segments
+  std::optional<double> inclination_altitude;   ///< radians above the horizon, of the sum of all segments
+  std::optional<double> centroid_azimuth;       ///< radians from north over east, from the root to the mean node
+  double centroid_radius = 0;                   ///< metres, horizontally from the root to the mean node
+  Distribution branching_angle;                 ///< radians between axes and their laterals
+  std::vector<std::uint64_t> strahler_streams;  ///< number of Strahler streams of each order, from 1
+  std::vector<double> bifurcation_ratios;       ///< streams of each order divided by streams of the next order
+  std::optional<double> bifurcation_ratio;      ///< geometric mean of the ratios
+  Distribution pipe_exponent;                   ///< exponent of the pipe model at each fork
+  std::uint64_t pipe_unsolved = 0;              ///< forks for which no exponent exists
+  Distribution area_ratio;                      ///< cross-section above a fork divided by the one below
 
   // Measures of plants, and of a tree where its leaves are known to be its own.
-  std::optional<std::uint64_t> leaf_count;
-  std::optional<double> leaf_area;
-  std::optional<double> petiole_area;
-  std::optional<double> leaf_area_index;
-  std::optional<double> leaf_exposure;  ///< this and the next only where options ask for the light on organs
-  std::optional<double> leaf_irradiance;
+  std::optional<std::uint64_t> leaf_count;  ///< organs with a two-sided material
+  std::optional<double> leaf_area;          ///< square metres of blades, one side
+  std::optional<double> petiole_area;       ///< square metres of petioles
+  std::optional<double> leaf_area_index;    ///< leaf area divided by crown_ground_area
+  std::optional<double> leaf_exposure;      ///< this and the next only where options ask for the light on organs
+  std::optional<double> leaf_irradiance;    ///< mean light per leaf area, see LitOrgan::irradiance
 
   // Measures of whole plants.
-  std::optional<double> thickened_below;  ///< this and the next two for blended stems alone
-  std::optional<double> thickened_length;
-  std::optional<double> thickened_volume;
-  std::optional<std::uint64_t> triangles;
-  std::optional<std::uint64_t> instances;
-  std::optional<std::uint64_t> bytes;
+  std::optional<double> thickened_below;   ///< this and the next two for blended stems alone
+  std::optional<double> thickened_length;  ///< share of the length of blended stems that is thickened
+  std::optional<double> thickened_volume;  ///< volume that thickening adds, as a share of the stems' own
+  std::optional<std::uint64_t> triangles;  ///< triangles of all instances
+  std::optional<std::uint64_t> instances;  ///< surfaces and organs
+  std::optional<std::uint64_t> bytes;      ///< memory of the geometry
 };
 
 /// What a tree is of.
@@ -89,8 +89,8 @@ struct TreeOrigin {
 
 /// A stand and its trees: each root of each skeleton is a tree.
 struct StandMeasures {
-  Measures whole;
-  std::vector<Measures> trees;
+  Measures whole;                    ///< measures of the stand as a whole
+  std::vector<Measures> trees;       ///< measures of each tree
   std::vector<TreeOrigin> origins;   ///< origin of each tree
   std::vector<LitOrgan> organs;      ///< in the plant's order; empty unless options ask for them
   std::optional<LeafLayers> layers;  ///< unset unless options ask for them
@@ -132,11 +132,11 @@ using MeasureValue =
 
 /// One measure as users see it.
 struct MeasureRow {
-  std::string_view name;  ///< snake_case: the key in JSON
-  std::string_view unit;  ///< "m", "°", or empty for counts and ratios
-  std::string_view doc;
-  MeasureValue (*value)(const Measures&);
-  bool only_whole = false;    ///< not known of each tree
+  std::string_view name;                   ///< snake_case: the key in JSON
+  std::string_view unit;                   ///< "m", "°", or empty for counts and ratios
+  std::string_view doc;                    ///< one sentence
+  MeasureValue (*value)(const Measures&);  ///< reads the measure
+  bool only_whole = false;                 ///< not known of each tree
   bool needs_light = false;   ///< the light on organs, which takes longer than all else (MeasureOptions::organ_light)
   bool needs_meshes = false;  ///< has a value only if the meshes of the plant are made
 };

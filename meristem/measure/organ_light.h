@@ -33,6 +33,7 @@ std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limi
 /// Organs as one: their area together, and means by area.
 class MeanLight {
  public:
+  /// Adds an organ.
   void add(const LitOrgan& organ) {
     sum_.area += organ.area;
     sum_.exposure += organ.area * organ.exposure;

@@ -8,12 +8,12 @@ namespace meristem {
 
 /// Statistics of many numbers; all are 0 if there are no numbers.
 struct Distribution {
-  std::size_t count = 0;
-  double mean = 0;
-  double spread = 0;  ///< standard deviation of these numbers, not of a population they stand for
-  double low = 0;     ///< 5 % of the numbers are below
-  double median = 0;
-  double high = 0;  ///< 5 % are above
+  std::size_t count = 0;  ///< how many numbers
+  double mean = 0;        ///< arithmetic mean
+  double spread = 0;      ///< standard deviation of these numbers, not of a population they stand for
+  double low = 0;         ///< 5 % of the numbers are below
+  double median = 0;      ///< half of the numbers are below
+  double high = 0;        ///< 5 % are above
 };
 
 /// Numbers between two neighbours in rank are interpolated. Costs a sort.

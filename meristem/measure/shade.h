@@ -22,7 +22,7 @@ struct ShadeSurface {
   /// Columns of a grid, whose points stand row by row, the first row last in a picture; 0 where the points form no
   /// grid.
   int columns = 0;
-  int rows = 0;
+  int rows = 0;  ///< rows of a grid
   /// For each cell of a grid, 1 where the cell has a point, 0 where an obstacle stands on it; `positions` has the cells
   /// with 1 only.
   std::vector<std::uint8_t> has_point{};
@@ -69,9 +69,9 @@ struct ShadeMoment {
 
 /// The share of all moments in which each point lies in shade.
 struct ShadeOfSurface {
-  std::vector<ShadeMoment> moments;  ///< for each position of the sun
-  std::vector<double> of_point;      ///< for each point, over the positions above the horizon
-  std::vector<double> of_point_without_plants;
+  std::vector<ShadeMoment> moments;             ///< for each position of the sun
+  std::vector<double> of_point;                 ///< for each point, over the positions above the horizon
+  std::vector<double> of_point_without_plants;  ///< like `of_point`, with the obstacles alone
 };
 
 /// Rays that one call may take: points times positions of the sun.

@@ -30,13 +30,14 @@ inline constexpr std::array<std::string_view, 4> kSurfaceKindNames{"ground", "wo
 /// In place of the number of a shoot.
 inline constexpr std::uint32_t kNoShoot = 0xffffffffU;
 
+/// The origin of a position on a surface.
 struct SurfaceLabel {
-  SurfaceKind kind = SurfaceKind::ground;
-  std::uint32_t component = 0;  ///< index into SurfaceLabels::components
-  std::uint32_t instance = 0;   ///< number of the stem or organ among those of its component, from 0
-  std::uint32_t tree = kNoTree;
-  std::uint32_t shoot = kNoShoot;
-  std::uint16_t order = 0;  ///< branching order of the shoot
+  SurfaceKind kind = SurfaceKind::ground;  ///< ground, wood, organ or obstacle
+  std::uint32_t component = 0;             ///< index into SurfaceLabels::components
+  std::uint32_t instance = 0;              ///< number of the stem or organ within its component, from 0
+  std::uint32_t tree = kNoTree;            ///< number of the tree, or kNoTree
+  std::uint32_t shoot = kNoShoot;          ///< number of the shoot, or kNoShoot
+  std::uint16_t order = 0;                 ///< branching order of the shoot
 
   bool operator==(const SurfaceLabel&) const = default;
 };
@@ -69,6 +70,7 @@ class SurfaceLabels {
 
   /// Ids of the components in the order in which the scene has their meshes, and last "ground".
   const std::vector<std::string>& components() const;
+  /// Returns the index of "ground" among the components.
   std::uint32_t ground() const { return static_cast<std::uint32_t>(components().size()) - 1; }
   /// Number of all shoots of the plant.
   std::uint32_t shoot_count() const;

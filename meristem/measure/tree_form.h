@@ -13,21 +13,21 @@ namespace meristem {
 
 /// Size, shape and order of one tree. Lengths in metres.
 struct TreeForm {
-  std::uint64_t nodes = 0;
+  std::uint64_t nodes = 0;  ///< skeleton nodes, the root included
   std::uint64_t metamers =
-      0;  ///< metamers that the column "metamer" numbers on each axis if there is one, else segments
-  std::uint64_t tips = 0;
-  std::uint64_t forks = 0;
-  std::vector<std::uint64_t> axes_by_order;
-  std::vector<double> length_by_order;
-  double height = 0;               ///< height of the highest node above the root
-  std::optional<NodeIndex> fork;   ///< the first: where the crown begins
-  double crown_height = 0;         ///< height of the highest node above the first fork
-  double crown_width = 0;          ///< the largest horizontal distance between crown nodes
-  double crown_mean_width = 0;     ///< mean over all horizontal directions of the crown's extent
-  double crown_ground_area = 0;    ///< area of the convex hull of the crown's nodes projected on the ground
-  double crown_hull_area = 0;      ///< surface of the convex hull of the crown's nodes, square metres
-  double crown_hull_volume = 0;    ///< cubic metres
+      0;                    ///< metamers that the column "metamer" numbers on each axis if there is one, else segments
+  std::uint64_t tips = 0;   ///< nodes without children
+  std::uint64_t forks = 0;  ///< nodes with more than one child
+  std::vector<std::uint64_t> axes_by_order;  ///< axes of each branching order, from 0
+  std::vector<double> length_by_order;       ///< metres, of the axes of each branching order, from 0
+  double height = 0;                         ///< height of the highest node above the root
+  std::optional<NodeIndex> fork;             ///< the first: where the crown begins
+  double crown_height = 0;                   ///< height of the highest node above the first fork
+  double crown_width = 0;                    ///< the largest horizontal distance between crown nodes
+  double crown_mean_width = 0;               ///< mean over all horizontal directions of the crown's extent
+  double crown_ground_area = 0;              ///< area of the convex hull of the crown's nodes projected on the ground
+  double crown_hull_area = 0;                ///< surface of the convex hull of the crown's nodes, square metres
+  double crown_hull_volume = 0;              ///< cubic metres
   Mesh crown_hull;                 ///< convex_hull of the crown's nodes: empty where they are flat or there is no crown
   double base_diameter = 0;        ///< at the root, the collar; 0 where not known
   std::optional<double> diameter;  ///< diameter of the thickest stem at breast height above the root, if one reaches it

@@ -17,7 +17,7 @@ enum class ScannerClass {
 
 /// The numbers of a scanner. Angles in radians.
 struct Instrument {
-  ScannerClass kind = ScannerClass::terrestrial;
+  ScannerClass kind = ScannerClass::terrestrial;  ///< class of the scanner
 
   // Which ways it looks.
   double step = radians(0.04);   ///< between pulses, both ways; of a drone, across its line
@@ -25,11 +25,11 @@ struct Instrument {
   double highest = radians(60);  ///< altitude at which they end
   double field = radians(80);    ///< across, of a drone's line and a camera's picture
   int columns = 640;             ///< pixels of a camera
-  int rows = 480;
-  double altitude = 50;      ///< of a drone's flight above y = 0, metres
-  double line_spacing = 15;  ///< between its lines, metres
-  double advance = 0.04;     ///< that it flies from one sweep to the next, metres
-  double heading = 0;        ///< azimuth of its lines, from north over east
+  int rows = 480;                ///< pixels of a camera
+  double altitude = 50;          ///< of a drone's flight above y = 0, metres
+  double line_spacing = 15;      ///< between its lines, metres
+  double advance = 0.04;         ///< that it flies from one sweep to the next, metres
+  double heading = 0;            ///< azimuth of its lines, from north over east
 
   // What a pulse is.
   double divergence = 0.35;      ///< full angle of the beam at 1/e² of its strength, milliradians

@@ -34,11 +34,12 @@ struct ScanPoint {
   std::uint8_t count = 1;     ///< returns of the pulse
 };
 
+/// The instrument, the positions and the surroundings of a scan.
 struct ScanOptions {
-  Instrument instrument{};
+  Instrument instrument{};  ///< the scanner
   /// Positions of the scanner, metres. Empty: `around` ones all around the plants. A drone flies lines over the plants.
   std::vector<Vec3> stations{};
-  int around = 4;
+  int around = 4;                ///< number of positions if `stations` is empty
   std::optional<Vec3> target{};  ///< what depth cameras look at; unset: the middle of the plants
   bool ground = false;           ///< whether y = 0 is a flat ground that is seen as well
   std::uint64_t seed = 0;        ///< of the noise
@@ -62,10 +63,10 @@ class Scanner {
   Scanner(const Scanner&) = delete;
   Scanner& operator=(const Scanner&) = delete;
 
-  std::uint64_t pulse_count() const;
-  const std::vector<Vec3>& stations() const;
-  const SurfaceLabels& labels() const;
-  const ScanOptions& options() const;
+  std::uint64_t pulse_count() const;          ///< pulses of the whole scan
+  const std::vector<Vec3>& stations() const;  ///< positions of the scanner, metres
+  const SurfaceLabels& labels() const;        ///< labels of all surfaces that the scanner sees
+  const ScanOptions& options() const;         ///< options of the scan
 
   /// Calls `take` with the points of the scan, some at a time, in the order of the pulses; equal on any number of
   /// threads. Memory stays below 200 MB, whatever the number of points. Begins a stage of `progress`, which counts
@@ -81,7 +82,7 @@ class Scanner {
 
 /// A whole scan in memory.
 struct Scan {
-  std::vector<ScanPoint> points{};
+  std::vector<ScanPoint> points{};          ///< all points, in the order of the pulses
   std::vector<std::string> components{};    ///< ids that labels index; the last is "ground"
   std::vector<std::uint32_t> shoots{};      ///< numbers of the shoots that have points, rising
   std::vector<std::string> shoot_labels{};  ///< label of each of them
@@ -98,7 +99,9 @@ Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, con
 /// Notes which shoots have points.
 class ShootsSeen {
  public:
+  /// No shoot has points yet; `shoots` is the number of all shoots.
   explicit ShootsSeen(std::uint32_t shoots) : is_seen_(shoots) {}
+  /// Notes the shoots of these points.
   void add(std::span<const ScanPoint> points);
   /// Their numbers, rising.
   std::vector<std::uint32_t> numbers() const;

@@ -51,16 +51,16 @@ struct PicturePlan {
   enum class Colour { png, jpg, none };
   /// The format of a map, or no map.
   enum class Map { none, png, pfm };
-  std::vector<int> size{512, 512};
-  int samples = 16;             ///< light paths for each pixel; larger: less noise, slower
-  bool transparent = false;     ///< true: neither sky nor ground, and alpha is 0 beside the plant
-  Colour colour = Colour::png;  ///< format of the pictures
-  Map depth = Map::none;        ///< format of the distances to the camera
-  Map normals = Map::none;      ///< format of the surface normals
-  bool organs = false;          ///< true: masks of organs
-  bool shoots = false;          ///< true: masks of shoots
-  bool plants = false;          ///< true: masks of plants
-  bool coco = false;            ///< true: annotations in the format of COCO
+  std::vector<int> size{512, 512};  ///< width and height, pixels
+  int samples = 16;                 ///< light paths for each pixel; larger: less noise, slower
+  bool transparent = false;         ///< true: neither sky nor ground, and alpha is 0 beside the plant
+  Colour colour = Colour::png;      ///< format of the pictures
+  Map depth = Map::none;            ///< format of the distances to the camera
+  Map normals = Map::none;          ///< format of the surface normals
+  bool organs = false;              ///< true: masks of organs
+  bool shoots = false;              ///< true: masks of shoots
+  bool plants = false;              ///< true: masks of plants
+  bool coco = false;                ///< true: annotations in the format of COCO
   /// Fixed views, azimuth and altitude in degrees; empty where they are drawn.
   std::vector<std::pair<double, double>> fixed_views{};
   int drawn_views = 0;                     ///< views that are drawn; 0 without fixed ones: the document's camera

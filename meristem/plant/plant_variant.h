@@ -60,7 +60,7 @@ class ExpandedPlant {
   ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress);
   /// The expanded plant.
   const Plant& operator*() const { return *plant_; }
-  const Plant* operator->() const { return plant_; }
+  const Plant* operator->() const { return plant_; }  ///< access to members of the expanded plant
 
  private:
   std::shared_ptr<const Plant> made_;

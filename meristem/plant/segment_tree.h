@@ -14,8 +14,8 @@ namespace meristem {
 
 /// A cone between two nodes, closed by a half ball at each end.
 struct RoundSegment {
-  Vec3 begin{0};  ///< metres
-  Vec3 end{0};
+  Vec3 begin{0};             ///< metres
+  Vec3 end{0};               ///< metres
   float begin_radius = 0;    ///< metres
   float end_radius = 0;      ///< metres
   std::uint32_t number = 0;  ///< number assigned by the caller

@@ -16,8 +16,8 @@ inline constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::m
 
 /// The tube of an axis in a mesh: from this triangle up to the first of the next tube.
 struct AxisTriangles {
-  std::uint32_t first = 0;
-  AxisIndex axis = 0;
+  std::uint32_t first = 0;  ///< index of the first triangle of the tube
+  AxisIndex axis = 0;       ///< axis of the stem's skeleton
 };
 
 /// Exactly one of `stem`, `prototype` and `planting` is a number.

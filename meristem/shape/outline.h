@@ -26,9 +26,9 @@ struct OutlineOverlap {
   std::vector<double> of_direction;  ///< 0 to 1: what both cover over what any of them covers
   std::vector<double> growth;        ///< what the level covers over what the whole covers
 
-  double least() const;
-  double mean() const;
-  double mean_growth() const;
+  double least() const;        ///< overlap of the direction with the least overlap
+  double mean() const;         ///< mean overlap of all directions
+  double mean_growth() const;  ///< mean growth of all directions
 };
 
 /// Compares what `level` covers with what `whole` does, drawn by parallel rays from the same directions into the same

@@ -33,7 +33,7 @@ struct RayHit {
 
 /// The surface where a ray meets it, in world space.
 struct SurfacePoint {
-  Vec3 position;
+  Vec3 position;       ///< metres, on the triangle
   Vec3 face_normal;    ///< unit, of the triangle's front
   Vec3 normal;         ///< unit, interpolated where the mesh has normals
   Vec3 smooth_offset;  ///< from `position` to the curved surface that the interpolated normals suggest
@@ -41,7 +41,7 @@ struct SurfacePoint {
 
 /// How a texture lies on the surface where a ray meets it, in world space.
 struct TextureMapping {
-  Vec2 uv{0};
+  Vec2 uv{0};               ///< texture coordinates
   Vec3 along_u{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
   Vec3 along_v{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
   float uvs_per_metre = 0;  ///< geometric mean of both ways
@@ -77,11 +77,13 @@ class RayScene {
   bool is_blocked(const Ray& ray, float within = std::numeric_limits<float>::infinity()) const;
   /// How far off a surface at a position a ray has to start not to meet it again, metres.
   static float clearance(Vec3 point);
-  /// Bytes that the trees of the scene take now, without those of `scene` itself.
+  /// Returns the bytes of the trees, without the memory of `scene` itself.
   std::uint64_t bytes() const;
+  /// Returns the surface at a hit.
   SurfacePoint surface_point(const RayHit& hit) const;
   /// Normal of the triangle's front, unit, in world space; faster than surface_point.
   Vec3 face_normal(const RayHit& hit) const;
+  /// Returns how the texture lies on the surface at a hit.
   TextureMapping texture_mapping(const RayHit& hit) const;
   /// Linear factors on the colour of the instance that was hit.
   Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }

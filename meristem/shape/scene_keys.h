@@ -16,7 +16,7 @@ namespace meristem {
 struct SceneKeys {
   /// What stands at one index of MeshScene::meshes.
   struct Batch {
-    std::string component;
+    std::string component;        ///< id of the component
     std::uint32_t number = 0;     ///< number among the component's batches
     std::uint64_t mesh = 0;       ///< key of the mesh that the batch's instances share
     std::uint64_t material = 0;   ///< key of how the batch looks
@@ -31,6 +31,7 @@ struct SceneKeys {
 /// Makes keys. What scenes share, because a growth has kept it, is hashed once.
 class SceneKeyMaker {
  public:
+  /// Returns the keys of a scene.
   SceneKeys keys_of(const MeshScene& scene);
 
  private:
@@ -48,27 +49,29 @@ class SceneKeyMaker {
 struct SceneDifference {
   /// Keys in rising order.
   struct Keys {
-    std::vector<std::uint64_t> added;
-    std::vector<std::uint64_t> removed;
+    std::vector<std::uint64_t> added;    ///< keys that only the later scene has
+    std::vector<std::uint64_t> removed;  ///< keys that only the earlier scene has
   };
-  Keys meshes;
-  Keys materials;
+  Keys meshes;     ///< keys of meshes
+  Keys materials;  ///< keys of materials
   /// Indices of batches: batches added and changed by their index in the later scene, batches removed by their index in
   /// the earlier one. Two batches are one where they have component and number in common; the batch has changed where a
   /// key differs.
   struct Batches {
-    std::vector<std::size_t> added;
-    std::vector<std::size_t> changed;
-    std::vector<std::size_t> removed;
+    std::vector<std::size_t> added;    ///< by their index in the later scene
+    std::vector<std::size_t> changed;  ///< by their index in the later scene
+    std::vector<std::size_t> removed;  ///< by their index in the earlier scene
   };
-  Batches batches;
+  Batches batches;  ///< batches
 
+  /// Returns true if both scenes are equal.
   bool is_empty() const {
     return meshes.added.empty() && meshes.removed.empty() && materials.added.empty() && materials.removed.empty() &&
            batches.added.empty() && batches.changed.empty() && batches.removed.empty();
   }
 };
 
+/// Compares the keys of two scenes. Cost: linear, plus sorting keys.
 SceneDifference difference(const SceneKeys& before, const SceneKeys& after);
 
 }  // namespace meristem

@@ -15,11 +15,12 @@ namespace meristem {
 
 /// What a view draws of a plant.
 struct ViewMeshes {
-  MeshScene scene;
+  MeshScene scene;              ///< meshes and materials to draw
   bool is_whole = true;         ///< if false, the scene is coarser than the plant
   std::uint64_t triangles = 0;  ///< of the whole plant after instancing; an estimate if the scene is not whole
 };
 
+/// The limit of triangles of a view.
 struct ViewMeshOptions {
   std::uint64_t triangles = 250'000;  ///< about the most triangles of the scene, after instancing
   MeshWork* work = nullptr;           ///< counts what is made; null: nobody counts

@@ -152,6 +152,7 @@ struct Operation {
   std::optional<int> tree;  ///< number of the one root that it applies to, from 0; unset: all roots
   std::string path;         ///< document path for errors: "components.apple.operations[3]"
   int number = 0;           ///< number in the component's list, from 1; the column `plan_cut` refers to it
+  /// The act of the operation, with its parameters.
   std::variant<Cut, Spur, Limit, Layers, Support, Mark, Girdle, Bend, Tie> what;
 };
 

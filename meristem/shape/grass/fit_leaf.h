@@ -43,13 +43,13 @@ struct FittedWidths {
 /// Throws InputError by check_widths, and std::invalid_argument for options out of range.
 FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options = {});
 
-/// A leaf fitted to measured points, with what can be said of the fit.
+/// A leaf fitted to measured points, and the quality of the fit.
 struct FittedLeaf {
-  GrassLeaf leaf;
+  GrassLeaf leaf;              ///< the fitted leaf
   double midrib_length = 0;    ///< as of FittedMidrib, in the unit of the points
   double polyline_length = 0;  ///< length of the points joined by lines, in their unit
   double distance = 0;         ///< root mean square, of the points from the fitted midrib
-  bool was_turned = false;
+  bool was_turned = false;     ///< widths ran from the tip to the base
 };
 
 /// Both together. Each is taken over its own length from base to tip, since those who digitise leaves that stand catch

@@ -14,10 +14,10 @@ namespace meristem {
 
 /// Edge waves. Their height rises with the square of the distance from the midrib, where it is 0.
 struct EdgeWaves {
-  double number = 0;  ///< from base to tip
-  double depth = 0;   ///< depth of the crests at the edge, as a share of half the blade's width there
-  double left = 0;    ///< phase of the left edge, radians; seen from above with the tip ahead
-  double right = kPi;
+  double number = 0;   ///< from base to tip
+  double depth = 0;    ///< depth of the crests at the edge, as a share of half the blade's width there
+  double left = 0;     ///< phase of the left edge, radians; seen from above with the tip ahead
+  double right = kPi;  ///< phase of the right edge, radians
 };
 
 /// What bends the blade's sections. Angles in radians.
@@ -25,8 +25,8 @@ struct GrassBlade {
   double twist = 0;                                        ///< torsion about the midrib from base to tip
   Curve twist_along{{{0, 0}, {1, 1}}, CurveKind::linear};  ///< share of it that is reached, over the position
   double fold = 0;                                         ///< angle of each half above the flat blade: a V
-  double roll = 0;  ///< bend from edge to edge where the blade is widest; raised, the edges rise more
-  EdgeWaves waves;
+  double roll = 0;          ///< bend from edge to edge where the blade is widest; raised, the edges rise more
+  EdgeWaves waves;          ///< waves along the edges
   int across = 2;           ///< quads from edge to edge, an even number
   double clasp = 0;         ///< share of the length over which the blade unrolls from the sheath's round
   double clasp_radius = 0;  ///< radius of the sheath's round, metres; 0: the blade begins as it goes on

@@ -23,7 +23,7 @@ struct GrassLeaf {
   std::vector<double> y;  ///< in lengths
   std::vector<double> r;  ///< width there as a share of the widest, 0 to 1
 
-  std::size_t point_count() const { return s.size(); }
+  std::size_t point_count() const { return s.size(); }  ///< number of points of the midrib
 };
 
 /// Throws std::invalid_argument, naming the fault, if lists or numbers are not as said above.

@@ -16,11 +16,11 @@ namespace meristem {
 
 /// A list of points with the lines of a file on which they stand; `lines` may be empty.
 struct MeasuredCurve {
-  std::optional<int> rank;    ///< rank of the leaf on its stem, or a class of ranks
-  std::optional<int> lindex;  ///< which one among the leaves of that rank
-  std::optional<double> age;
-  std::vector<glm::dvec2> points;
-  std::vector<int> lines;
+  std::optional<int> rank;         ///< rank of the leaf on its stem, or a class of ranks
+  std::optional<int> lindex;       ///< which one among the leaves of that rank
+  std::optional<double> age;       ///< age of the leaf, in any unit
+  std::vector<glm::dvec2> points;  ///< midribs: (x, y); widths: (s, r); in the unit of the file
+  std::vector<int> lines;          ///< line of each point, from 1; may be empty
 };
 
 /// Reads a text with the columns x and y (away from the stem and up, of any unit) and, if there, rank, lindex and age;

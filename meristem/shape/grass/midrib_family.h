@@ -21,9 +21,9 @@ class MidribFamily {
   /// Ages that rise strictly, at least two, with the midrib of each. Throws std::invalid_argument otherwise.
   explicit MidribFamily(const std::vector<std::pair<double, GrassLeaf>>& midribs);
 
-  double first_age() const { return ages_.front(); }
-  double last_age() const { return ages_.back(); }
-  std::size_t piece_count() const { return angles_.front().size(); }
+  double first_age() const { return ages_.front(); }                  ///< the least age
+  double last_age() const { return ages_.back(); }                    ///< the greatest age
+  std::size_t piece_count() const { return angles_.front().size(); }  ///< pieces of each midrib
   /// Radians away from the stem of each piece. Ages outside the family count as its nearest.
   std::vector<double> angles(double age) const;
 

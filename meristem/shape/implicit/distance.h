@@ -17,6 +17,7 @@
 
 namespace meristem::distance {
 
+/// A vector of three numbers of type T.
 template <class T>
 using V3 = glm::vec<3, T>;
 
@@ -31,6 +32,7 @@ struct RoundCone {
   T slope = 0;      ///< fall of the radius along the axis: the sine of the flank's angle, in (-1, 1)
   T tangent = 0;    ///< tangent of the flank's angle
 
+  /// Returns the distance from the position (x, y, z) to the surface, negative inside.
   T distance(T x, T y, T z) const {
     const T dx = x - origin.x;
     const T dy = y - origin.y;
@@ -47,12 +49,13 @@ struct RoundCone {
 /// A cone between two flat discs.
 template <class T>
 struct FlatCone {
-  V3<T> origin{0};  ///< in the middle of the axis
-  V3<T> axis{0};
-  T half = 0;  ///< half of the length
-  T low_radius = 0;
-  T high_radius = 0;
+  V3<T> origin{0};    ///< in the middle of the axis
+  V3<T> axis{0};      ///< unit vector
+  T half = 0;         ///< half of the length
+  T low_radius = 0;   ///< radius of the disc against the axis
+  T high_radius = 0;  ///< radius of the disc along the axis
 
+  /// Returns the distance from the position (x, y, z) to the surface, negative inside.
   T distance(T x, T y, T z) const {
     const T dx = x - origin.x;
     const T dy = y - origin.y;
@@ -80,12 +83,14 @@ struct FlatCone {
   }
 };
 
+/// A box in any rotation.
 template <class T>
 struct Box {
-  V3<T> origin{0};  ///< the centre
-  glm::mat<3, 3, T> axes{1};
-  V3<T> half{0};
+  V3<T> origin{0};            ///< the centre
+  glm::mat<3, 3, T> axes{1};  ///< columns: unit vectors along the edges
+  V3<T> half{0};              ///< half lengths of the edges
 
+  /// Returns the distance from the position (x, y, z) to the surface, negative inside.
   T distance(T x, T y, T z) const {
     const V3<T> d = V3<T>(x, y, z) - origin;
     const V3<T> out(std::abs(glm::dot(d, axes[0])) - half.x, std::abs(glm::dot(d, axes[1])) - half.y,
@@ -97,11 +102,12 @@ struct Box {
   }
 };
 
+/// An ellipsoid in any rotation.
 template <class T>
 struct Ellipsoid {
-  V3<T> origin{0};
-  glm::mat<3, 3, T> axes{1};
-  V3<T> radii{1};
+  V3<T> origin{0};            ///< the centre
+  glm::mat<3, 3, T> axes{1};  ///< columns: unit vectors along the half axes
+  V3<T> radii{1};             ///< half axes
 
   /// The nearest point is r²p / (t + r²), with the t that brings it onto the surface: a convex function's root, which
   /// Newton's steps reach from below. They count u = t + the least r², so that positions near the plane across the

@@ -25,13 +25,15 @@
 
 namespace meristem {
 
+/// Any simple body, in double precision.
 using Solid = std::variant<distance::RoundCone<double>, distance::FlatCone<double>, distance::Box<double>,
                            distance::Ellipsoid<double>>;
 
 /// One step of a body's function, in postfix order: a solid gives a value, an operation takes the last two.
 struct BodyClause {
+  /// A solid, a set operation, or a kind of blend.
   enum class Kind : std::uint8_t { solid, unite, intersect, subtract, poly, root, pasko };
-  Kind kind = Kind::solid;
+  Kind kind = Kind::solid;  ///< solid or operation
   std::uint32_t solid = 0;  ///< number of the solid
   std::uint32_t size = 1;   ///< clauses of this one with all that it takes
   double width = 0;         ///< width of blends, metres
@@ -44,6 +46,7 @@ class ImplicitBody {
   ImplicitBody() = default;
   /// All that follow throw std::invalid_argument for sizes that are not above 0 and for what is not finite.
   static ImplicitBody sphere(DVec3 centre, double radius);
+  /// All balls of one radius about the points of a segment.
   static ImplicitBody capsule(DVec3 from, DVec3 to, double radius);
   /// A cone between two balls, all balls between them included; radii may be 0 on one side.
   static ImplicitBody round_cone(DVec3 from, double from_radius, DVec3 to, double to_radius);
@@ -51,25 +54,29 @@ class ImplicitBody {
   static ImplicitBody flat_cone(DVec3 from, double from_radius, DVec3 to, double to_radius);
   /// Centre and rotation from `frame` (its scale counts), `half` along its axes.
   static ImplicitBody box(const Frame& frame, Vec3 half);
+  /// Centre and rotation from `frame` (its scale counts), half axes `radii`.
   static ImplicitBody ellipsoid(const Frame& frame, Vec3 radii);
 
+  /// Adds the space of another body.
   ImplicitBody& unite(const ImplicitBody& other);
+  /// Keeps only the space shared with another body.
   ImplicitBody& intersect(const ImplicitBody& other);
+  /// Removes the space of another body.
   ImplicitBody& subtract(const ImplicitBody& other);
   /// A union with a transition of `width` metres; 0 is a union.
   ImplicitBody& blend(const ImplicitBody& other, BlendKind kind, double width);
 
-  bool is_empty() const { return clauses_.empty(); }
+  bool is_empty() const { return clauses_.empty(); }  ///< true if the body has no solid
   /// The value at a position, of everything; +infinity for no body. Cost linear in solids.
   double value(DVec3 position) const;
   /// A box that holds the solids (of an intersection what both may share).
   DVec3 low() const { return low_; }
-  DVec3 high() const { return high_; }
+  DVec3 high() const { return high_; }  ///< high corner of that box
   /// How far blends may swell the body beyond that.
   double reach() const { return reach_; }
 
-  std::span<const BodyClause> clauses() const { return clauses_; }
-  std::span<const Solid> solids() const { return solids_; }
+  std::span<const BodyClause> clauses() const { return clauses_; }  ///< solids and operations, in postfix order
+  std::span<const Solid> solids() const { return solids_; }         ///< solids by number
 
  private:
   ImplicitBody(Solid solid, DVec3 low, DVec3 high);

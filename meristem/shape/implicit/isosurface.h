@@ -39,10 +39,10 @@ Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& optio
 
 /// Values on a grid: `size` of them along x, y and z, x fastest, the first at `origin`, `spacing` metres apart.
 struct SampledField {
-  glm::ivec3 size{0};
-  DVec3 origin{0};
-  double spacing = 1;
-  std::vector<float> values;
+  glm::ivec3 size{0};         ///< number of values along each axis
+  DVec3 origin{0};            ///< position of the first value, metres
+  double spacing = 1;         ///< distance of neighbouring values, metres
+  std::vector<float> values;  ///< x fastest, then y
 };
 
 /// The surface between values below `isovalue` and the others. What lies beyond the grid counts as outside, as do

@@ -13,7 +13,9 @@ namespace meristem {
 /// Angles in radians, lengths in metres. The blade's own frame: its joint with the stalk at the origin, y along the
 /// midrib there, z out of the upper face.
 struct LeafBlade {
+  /// The form of a polygon's corners.
   enum class Corners { sharp, round };
+  /// Whether the mesh follows the outline, or the texture cuts it out.
   enum class Edge { shape, picture };
 
   double length = 0.08;  ///< length of the midrib from the joint to the tip

@@ -14,7 +14,8 @@ namespace meristem {
 struct LeafOutline {
   std::vector<glm::dvec2> edge;  ///< from the joint (0, 0) to the tip (0, 1); a hull starts and ends at low and high
   std::vector<double> rows;      ///< where the mesh is cut across, rising
-  double low = 0, high = 1;      ///< ends of the whole outline along
+  double low = 0;                ///< lower end of the whole outline along
+  double high = 1;               ///< upper end of the whole outline along
 };
 
 /// As fine as its parameters say: the edge with all its teeth. Without rows.

@@ -10,9 +10,9 @@ namespace meristem {
 
 /// Angles in radians, lengths in metres. The shoot begins at the origin and heads along y; z is its upper side.
 struct NeedleShoot {
-  int count = 24;  ///< bundles along the shoot
-  double length = 0.02;
-  double width = 0.0012;
+  int count = 24;                  ///< bundles along the shoot
+  double length = 0.02;            ///< length of a needle
+  double width = 0.0012;           ///< width of a needle at its middle
   double along = 0.08;             ///< length of shoot that the needles stand on; 0: all at one point
   double base_angle = 1.2;         ///< between shoot and needle where the shoot begins
   double tip_angle = 0.7;          ///< between shoot and needle where the shoot ends

@@ -24,13 +24,14 @@ namespace meristem {
 
 /// How the instances of one mesh of a moving scene move.
 struct MeshMotion {
+  /// What changes from key to key.
   enum class Kind {
     still,  ///< not at all
     rigid,  ///< each instance by its frames, in a node of its own
     shape,  ///< by the vertices of all instances
     shown,  ///< not at all, and they are there from the key `shown_at` up to the next
   };
-  Kind kind = Kind::still;
+  Kind kind = Kind::still;  ///< what changes
   /// By key: the mesh, with the triangles of the scene's; empty: always that.
   std::vector<std::shared_ptr<const Mesh>> meshes;
   /// By key: one frame per instance, without size where it is not there; empty: always those of the scene.
@@ -46,7 +47,7 @@ inline bool is_there(const Frame& frame) { return std::abs(glm::determinant(fram
 
 /// The scene is what stands at the last key, and what has gone by then without size.
 struct MovingScene {
-  MeshScene scene;
+  MeshScene scene;                  ///< state at the last key
   std::vector<double> times;        ///< of the keys, seconds, rising; two at least
   std::vector<MeshMotion> motions;  ///< one per mesh of the scene
 };

@@ -12,6 +12,7 @@
 
 namespace meristem {
 
+/// The silhouette of a body, and how finely it is turned.
 struct SolidOfRevolution {
   /// Points (radius, height) in metres from base to tip: the body lies to the left of the way, between it and the axis.
   /// Heights may fall, and the way turn back inside, as that of a cup does.
@@ -24,8 +25,10 @@ struct SolidOfRevolution {
   double sweep = 2 * kPi;  ///< radians above 0; below a whole turn the body is a wedge between two flat sides
 };
 
+/// A fault of a silhouette.
 struct SilhouetteFault {
-  std::string message, expected;
+  std::string message;               ///< what is wrong
+  std::string expected;              ///< what was expected, or empty
   std::optional<std::size_t> point;  ///< at fault, where it is one
 };
 

@@ -15,15 +15,17 @@ namespace meristem {
 /// Points in metres, in the order in which the section runs through them: an open row of at least 2, a ring of at least
 /// 3 that closes from the last to the first (which is not repeated), or 1 point, in which the surface ends in a tip.
 struct LoftSection {
-  std::vector<Vec3> points;
-  bool is_closed = true;
-  bool is_round = false;  ///< no corner of it is sharp, however few there are
+  std::vector<Vec3> points;  ///< metres
+  bool is_closed = true;     ///< true: a ring; false: an open row
+  bool is_round = false;     ///< no corner of it is sharp, however few there are
 
-  bool is_point() const { return points.size() == 1; }
+  bool is_point() const { return points.size() == 1; }  ///< true for a single point
 };
 
+/// A fault of a section.
 struct LoftFault {
-  std::string message, expected;
+  std::string message;               ///< what is wrong
+  std::string expected;              ///< what was expected, or empty
   std::optional<std::size_t> point;  ///< at fault, where it is one
 };
 
@@ -32,12 +34,15 @@ struct LoftFault {
 /// can.
 std::optional<LoftFault> find_fault(const LoftSection& section);
 
+/// Which ends of a loft have a cap.
 struct LoftCaps {
-  bool first = true, last = true;  ///< whether a ring at that end is closed by a flat face
+  bool first = true;  ///< closes a ring at the first section by a flat face
+  bool last = true;   ///< closes a ring at the last section by a flat face
 };
 
+/// The mesh of a loft.
 struct Loft {
-  Mesh mesh;
+  Mesh mesh;  ///< with normals and texture coordinates
   /// Where the triangles of each section begin, and their number. A section has the triangles between it and the
   /// section before, and those of the caps that lie on it.
   std::vector<std::uint32_t> first_triangle;

@@ -17,8 +17,8 @@ namespace meristem {
 
 /// What make_tubes will make, known before memory is spent.
 struct TubeSize {
-  std::uint64_t vertices = 0;
-  std::uint64_t triangles = 0;
+  std::uint64_t vertices = 0;   ///< vertices of the mesh
+  std::uint64_t triangles = 0;  ///< triangles of the mesh
 
   /// Heap bytes of the mesh.
   std::uint64_t bytes() const { return vertices * (2 * sizeof(Vec3) + sizeof(Vec2)) + triangles * 12; }

@@ -42,26 +42,27 @@ namespace meristem {
 /// Moves, turns and scales: first the scale, then the rotations (radians; roll about y, then pitch about x, then yaw
 /// about z), then the translation.
 struct Transform {
-  Vec3 translate{0};
-  Vec3 rotate{0};
-  Vec3 scale{1};
+  Vec3 translate{0};  ///< metres
+  Vec3 rotate{0};     ///< radians about x, y and z
+  Vec3 scale{1};      ///< factors along x, y and z
 
+  /// Returns the transform as a frame.
   Frame frame() const;
 };
 
 /// What all components have.
 struct ComponentBase {
-  std::optional<Vec3> colour;       ///< colour of the material; unset: the component type's own
-  std::vector<Vec3> colours;        ///< instead of `colour`: each instance has one of them, or one between two
-  std::optional<double> colour_at;  ///< where in `colours`, 0 the first and 1 the last; unset: anywhere
-  std::optional<double> variety;    ///< by how much instances differ in lightness and tone
-  TextureParameters texture;
-  std::optional<double> roughness;
-  std::optional<double> translucency;
-  Transform place;                ///< moves this component's geometry only
-  Transform frame;                ///< moves its coordinate system with all that stands on it
-  double phototropism = 0;        ///< share of the turn toward the light; negative: away from it
-  double gravitropism = 0;        ///< share of the turn straight down; negative: straight up
+  std::optional<Vec3> colour;          ///< colour of the material; unset: the component type's own
+  std::vector<Vec3> colours;           ///< instead of `colour`: each instance has one of them, or one between two
+  std::optional<double> colour_at;     ///< where in `colours`, 0 the first and 1 the last; unset: anywhere
+  std::optional<double> variety;       ///< by how much instances differ in lightness and tone
+  TextureParameters texture;           ///< texture of the geometry; may be empty
+  std::optional<double> roughness;     ///< 0 mirror-like to 1 matt; unset: the component type's own
+  std::optional<double> translucency;  ///< share of light that passes through; unset: the component type's own
+  Transform place;                     ///< moves this component's geometry only
+  Transform frame;                     ///< moves its coordinate system with all that stands on it
+  double phototropism = 0;             ///< share of the turn toward the light; negative: away from it
+  double gravitropism = 0;             ///< share of the turn straight down; negative: straight up
   int recursion = 1;              ///< instances that a link back makes of this component in a row, the first included
   std::optional<Selection> omit;  ///< instances without geometry
   std::optional<Selection> only;  ///< all others are without
@@ -88,19 +89,19 @@ struct Prototype;
 
 /// What a growing component may ask for.
 struct GrowContext {
-  const Scene& scene;
+  const Scene& scene;            ///< light, obstacles and fields
   const Directions& directions;  ///< at the site of the instance
-  const Limits& limits;
+  const Limits& limits;          ///< limits of the document
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< the stand that the component will grow in
-  Progress& progress;
-  bool keeps_fallen = false;  ///< what it sheds is wanted too: its growth will be shown over time
-  TraceWish wish{};           ///< what is to be recorded of its growth
+  Progress& progress;            ///< for stages and for a cancel
+  bool keeps_fallen = false;     ///< what it sheds is wanted too: its growth will be shown over time
+  TraceWish wish{};              ///< parts of its growth to record
 };
 
 /// What a component places by itself.
 struct PlacedComponent {
-  std::string id;
+  std::string id;         ///< id of the component
   bool is_needed = true;  ///< false where the document may have no such component
   std::string hint;       ///< what else its author may have meant, for messages: "or longer names ..."; may be empty
 };
@@ -112,11 +113,12 @@ struct GivenNames {
   std::vector<std::pair<std::string, std::string>> refused{};
 };
 
+/// A component type: its facts, its parameters and its functions, with the struct of parameters hidden behind `void`.
 struct ComponentType : ComponentTraits {
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
 
-  std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
-  std::function<const ComponentBase&(const void* parameters)> base;
+  std::function<std::shared_ptr<void>()> make_parameters;            ///< a struct with the defaults
+  std::function<const ComponentBase&(const void* parameters)> base;  ///< the ComponentBase of a struct of parameters
   /// How its stems are clothed; empty for components without such a parameter.
   std::function<const Surface&(const void* parameters)> surface;
   /// What the uvs of its geometry show; empty where that is nothing in particular.
@@ -139,10 +141,10 @@ struct ComponentType : ComponentTraits {
 
 /// One component of a document: a type with its parameters.
 struct Prototype {
-  std::string id;
-  const ComponentType* type = nullptr;
-  std::shared_ptr<void> parameters;  ///< what does not vary
-  std::vector<Varying> varyings;
+  std::string id;                       ///< id in the document
+  const ComponentType* type = nullptr;  ///< not null
+  std::shared_ptr<void> parameters;     ///< what does not vary
+  std::vector<Varying> varyings;        ///< parameters that differ from instance to instance
   /// Hash of all that the document says of it; nullopt if that is not known, and then its results are not cached.
   std::optional<std::uint64_t> fingerprint{};
   std::optional<std::uint64_t> growth_fingerprint{};  ///< of everything that the component's growth depends on
@@ -154,7 +156,9 @@ struct Prototype {
 
   /// The id that its instances draw their random numbers by.
   const std::string& drawn_as() const { return shown.empty() ? id : shown; }
-  const ComponentBase& base() const { return type->base(parameters.get()); }
+  const ComponentBase& base() const {
+    return type->base(parameters.get());
+  }  ///< the parameters that all components have
 };
 
 /// The names of those rows of a component that grows which growth does not ask for: where only they change, what has
@@ -173,8 +177,8 @@ void check_rules(const ComponentType& type, const std::string& id, const void* i
 /// All that defines a component type with parameter struct P, which derives from ComponentBase.
 template <class P>
 struct ComponentDefinition {
-  ComponentTraits traits;
-  Table<P> parameters;
+  ComponentTraits traits;  ///< facts about the type
+  Table<P> parameters;     ///< rows of the parameters
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
@@ -193,6 +197,7 @@ struct ComponentDefinition {
   MinimumCounts (*minimum_counts)(const P& parameters, const KnownMembers& known) = nullptr;
 };
 
+/// Makes a component type of a definition. Adds the rows that all components have to its table.
 template <class P>
 ComponentType define_component(ComponentDefinition<P> definition) {
   static_assert(std::is_base_of_v<ComponentBase, P>);
@@ -270,10 +275,12 @@ class Registry {
  public:
   /// `types` have distinct names.
   explicit Registry(std::vector<ComponentType> types) : types_(std::move(types)) {}
+  /// Returns the type of this name, or null.
   const ComponentType* find(std::string_view name) const;
+  /// Returns the type of the camera, the root of every graph.
   const ComponentType& camera() const;
-  std::span<const ComponentType> types() const { return types_; }
-  std::vector<std::string> names() const;
+  std::span<const ComponentType> types() const { return types_; }  ///< in the order given
+  std::vector<std::string> names() const;                          ///< names of the types, in the same order
 
  private:
   std::vector<ComponentType> types_;

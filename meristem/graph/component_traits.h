@@ -21,7 +21,7 @@ enum class Tropism {
 
 /// A look of its own for some of a component's geometry.
 struct BladeLook {
-  Material material;
+  Material material;                  ///< material of the geometry
   bool has_document_colours = false;  ///< with the colours that the document gives the component, and their variety
 };
 
@@ -35,10 +35,11 @@ struct Showing {
   std::vector<std::string> before_growth;
 };
 
+/// Facts about a component type. The defaults suit a component that makes organs.
 struct ComponentTraits {
-  std::string name;
-  std::string doc;  ///< one sentence
-  Material material;
+  std::string name;              ///< as documents write it
+  std::string doc;               ///< one sentence
+  Material material;             ///< material of the geometry, unless the document gives another
   double variety = 0;            ///< variety of colours where the document gives none
   BladeLook blades;              ///< look of what the component emits as blades
   bool has_geometry = true;      ///< false: it has no geometry of its own and no parameters of looks
@@ -53,11 +54,11 @@ struct ComponentTraits {
       false;              ///< by default children stand along the twigs of its stems alone; what grows has twigs anyway
   bool has_ribs = false;  ///< branch links without placement keys stand at the branch sites, others along the stems
   BranchStance stance = BranchStance::on_bark;  ///< how a branch link sets it on a stem
-  Tropism tropism = Tropism::heading;
+  Tropism tropism = Tropism::heading;           ///< which direction light and gravity turn
   /// Parameters that growth does not ask for, besides the looks that all components have: where only they change, what
   /// has grown stays.
   std::vector<std::string> after_growth;
-  Showing shows;
+  Showing shows;  ///< component that it shows; usually none
 };
 
 }  // namespace meristem

@@ -17,17 +17,19 @@ namespace meristem {
 
 /// The placement keys of a crown link.
 struct CrownPlacement {
+  /// The direction in which children head.
   enum class Orient {
     outward,  ///< children head away from the crown's surface
     random,   ///< anywhere
   };
-  double density = 30;  ///< sites per cubic metre
-  Orient orient = Orient::outward;
-  double turn = 0;              ///< outward children turn aside by up to this, radians
-  double droop = 0;             ///< share of the turn that brings the heading straight down
-  std::optional<double> depth;  ///< metres below the crown's surface to which children stand; unset: all through it
+  double density = 30;              ///< sites per cubic metre
+  Orient orient = Orient::outward;  ///< outward or random
+  double turn = 0;                  ///< outward children turn aside by up to this, radians
+  double droop = 0;                 ///< share of the turn that brings the heading straight down
+  std::optional<double> depth;      ///< metres below the crown's surface to which children stand; unset: all through it
 };
 
+/// Returns the rows of CrownPlacement.
 const ParameterTable& crown_placement_table();
 
 /// The sites in the crown body that `surface` gives `skeleton`, which must have one. They see where they are from the

@@ -37,12 +37,12 @@ std::uint64_t shape_key(std::initializer_list<double> numbers);
 
 /// A stem with what its children need to know.
 struct EmittedStem {
-  Skeleton skeleton;
-  Surface surface;
+  Skeleton skeleton;                           ///< the grown skeleton, world space
+  Surface surface;                             ///< surface options
   std::shared_ptr<const Placement> branching;  ///< where its branches stand, as far as links do not say; may be null
-  Site site;  ///< site of the instance that made the stem, with a key of the stem's own
-  bool visible = true;
-  Vec3 tint{1};
+  Site site;                      ///< site of the instance that made the stem, with a key of the stem's own
+  bool visible = true;            ///< false: only its children are seen
+  Vec3 tint{1};                   ///< linear factors on the material's colour
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
   float moved_scale = 1;          ///< how many times larger it is there
   /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
@@ -50,12 +50,15 @@ struct EmittedStem {
   std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
   std::shared_ptr<const GrowingStem> growing{};  ///< it stands as at a step of its growth, and so is `trimmed`; or null
 
-  std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
-  const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
+  std::uint64_t id() const { return site.key.bits(); }  ///< Site::stem of sites on it
+  const std::shared_ptr<const Deformation>& deformation() const {
+    return deformation_at(site);
+  }  ///< deformation of the stem, or null
   /// What Site::individual says of sites on the root of this number, and on this node.
   std::uint64_t individual_of_root(std::uint32_t root) const {
     return root == 0 ? site.individual : site.key.child("root").child(root).bits();
   }
+  /// Returns Site::individual of sites on this node.
   std::uint64_t individual_at(NodeIndex node) const {
     return root_of_node.empty() ? site.individual : individual_of_root(root_of_node[node]);
   }
@@ -64,66 +67,67 @@ struct EmittedStem {
 /// The points of a section, in its own frame.
 struct SectionOutline {
   std::uint64_t key = 0;  ///< outlines of one component with equal keys are equal
-  LoftSection section;
-  float extent = 0;  ///< from the origin to the farthest point, metres
+  LoftSection section;    ///< points of the section
+  float extent = 0;       ///< from the origin to the farthest point, metres
 };
 
 /// A section of a surface that is put together when all have been emitted.
 struct EmittedSection {
-  std::shared_ptr<const SectionOutline> outline;
-  Frame frame;               ///< frame of the outline, in world space
-  bool is_capped = true;     ///< a ring is closed by a flat face where its surface ends
-  std::uint64_t id = 0;      ///< never 0
-  std::uint64_t parent = 0;  ///< id of the section that it continues, or 0
-  Vec3 tint{1};
-  float birth = 0;
-  std::uint64_t individual = 0;  ///< as in Site
-  std::shared_ptr<const Deformation> deformation{};
+  std::shared_ptr<const SectionOutline> outline;     ///< not null
+  Frame frame;                                       ///< frame of the outline, in world space
+  bool is_capped = true;                             ///< a ring is closed by a flat face where its surface ends
+  std::uint64_t id = 0;                              ///< never 0
+  std::uint64_t parent = 0;                          ///< id of the section that it continues, or 0
+  Vec3 tint{1};                                      ///< linear factors on the material's colour
+  float birth = 0;                                   ///< growth step at which it appeared
+  std::uint64_t individual = 0;                      ///< as in Site
+  std::shared_ptr<const Deformation> deformation{};  ///< deformation of the section, or null
 };
 
 /// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
 /// not on what else there is.
 struct Emitted {
+  /// A mesh that organs of the block share.
   struct EmittedPrototype {
-    std::uint64_t key = 0;
-    std::shared_ptr<const Mesh> mesh;
-    bool is_blade = false;
+    std::uint64_t key = 0;             ///< key that the component gave
+    std::shared_ptr<const Mesh> mesh;  ///< not null
+    bool is_blade = false;             ///< true: has the material of blades
   };
   /// A plant that begins with one of the instances, with its id.
   struct Founded {
-    std::uint64_t id = 0;
-    Vec3 foot{0};
-    std::shared_ptr<const Deformation> deformation{};
-    std::uint32_t row = kNoRow;
+    std::uint64_t id = 0;                              ///< id of the plant
+    Vec3 foot{0};                                      ///< position of its base, metres
+    std::shared_ptr<const Deformation> deformation{};  ///< deformation of its base, or null
+    std::uint32_t row = kNoRow;                        ///< row of the table that placed it
   };
   /// From that organ of the block on, up to the next of these.
   struct DeformedFrom {
-    std::size_t organ = 0;
+    std::size_t organ = 0;                           ///< index of the organ in the block
     std::shared_ptr<const Deformation> deformation;  ///< null: none
   };
-  std::vector<EmittedPrototype> prototypes;
+  std::vector<EmittedPrototype> prototypes;  ///< meshes that organs share
   std::vector<Organ> organs;  ///< the prototypes and individuals that organs name are numbered within this block
-  std::vector<DeformedFrom> deformed;  ///< empty where no organ is
-  std::vector<Founded> founded;
-  std::vector<std::uint64_t> individuals;  ///< ids of those that the organs belong to
-  std::vector<EmittedSection> sections;
-  std::vector<EmittedStem> stems;
-  std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
-  std::vector<Site> branch_sites;
+  std::vector<DeformedFrom> deformed;                       ///< empty where no organ is
+  std::vector<Founded> founded;                             ///< plants that begin with instances of the block
+  std::vector<std::uint64_t> individuals;                   ///< ids of those that the organs belong to
+  std::vector<EmittedSection> sections;                     ///< sections of surfaces
+  std::vector<EmittedStem> stems;                           ///< stems, in the order in which they were emitted
+  std::vector<Site> child_sites;                            ///< with the key and depth of the instance that offers them
+  std::vector<Site> branch_sites;                           ///< sites for the children of branch links
   std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
   /// A whole plant that is grown of a document of its own.
   struct PlacedPlant {
-    Frame frame;
-    std::shared_ptr<const PlantSource> source;
-    PlantRequest request;
-    float birth = 0;
-    bool is_visible = true;
-    std::shared_ptr<const Deformation> deformation{};
-    std::uint32_t row = kNoRow;
-    std::uint64_t name = 0;  ///< as in Planting::Place
+    Frame frame;                                       ///< from the plant's world to the world
+    std::shared_ptr<const PlantSource> source;         ///< not null
+    PlantRequest request;                              ///< values and seed
+    float birth = 0;                                   ///< growth step at which it appeared
+    bool is_visible = true;                            ///< false: not seen
+    std::shared_ptr<const Deformation> deformation{};  ///< deformation of the plant, or null
+    std::uint32_t row = kNoRow;                        ///< row of the table that placed it
+    std::uint64_t name = 0;                            ///< as in Planting::Place
   };
-  std::vector<PlacedPlant> plants;
-  int growth_steps = 0;  ///< the most that one of the instances has taken
+  std::vector<PlacedPlant> plants;  ///< whole plants
+  int growth_steps = 0;             ///< the most that one of the instances has taken
 };
 
 /// The key for the positions of children on a stem with this key.
@@ -230,17 +234,20 @@ class Emitter : private Emitted {
   /// are the instance's parameters and site and nothing else.
   void surround(Surroundings said);
 
+  /// The scene that the plant grows in.
   const Scene& scene() const;
   /// What the components above say of the space that the instance stands in.
   const Surroundings& surroundings() const;
   /// The directions toward the light and down, at any position of the instance's surroundings; components ask them
   /// where they bend.
   const Directions& directions() const;
+  /// The limits of the document.
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
   /// Whether what stands at this byte offset from the beginning of the component's struct, a number or a list, differs
   /// from instance to instance.
   bool varies(std::size_t offset) const;
+  /// The progress of the expansion, for a cancel.
   Progress& progress() const;
   /// What the clock of the instance shows, seconds.
   double time() const;
@@ -256,7 +263,9 @@ class Emitter : private Emitted {
 
   /// Calls `expand` for one instance, unless it is omitted; `index` counts within the block.
   void instance(const ComponentBase& base, const Site& site, std::size_t index, FunctionRef<void(const Site&)> expand);
+  /// Sets the skeletons of the block's instances, which take_grown() returns in turn.
   void set_grown(std::vector<Skeleton> skeletons) { grown_ = std::move(skeletons); }
+  /// Sets the growth that watched_growth() returns.
   void set_watched(std::shared_ptr<const GrowthTrace> watched) { watched_ = std::move(watched); }
 
   /// All that was emitted, once an emitter.

@@ -23,8 +23,8 @@ Plant expand(const Graph& graph, const Scene& scene, double time, Progress& prog
 
 /// What an expansion may keep and show besides.
 struct ExpandOptions {
-  Cache* cache = nullptr;
-  GrowthView view;
+  Cache* cache = nullptr;          ///< results of earlier expansions; null: everything is made anew
+  GrowthView view;                 ///< the step of growth that is shown
   GrowthTraces* traces = nullptr;  ///< gets what `view` wishes to be recorded; null: nobody asks
 };
 

@@ -21,36 +21,38 @@ namespace meristem {
 
 /// What a graph's links mean together.
 struct Structure {
+  /// Links that lead back to an ancestor, and the components on the way.
   struct Recursion {
     ComponentIndex head = 0;              ///< the ancestor that links from below lead back to
     std::vector<ComponentIndex> members;  ///< the way from the head down on which it was found; the last links back
     std::size_t level = 0;                ///< 0 for the outermost; recursions with one head have one level
   };
-  ComponentIndex root = 0;
+  ComponentIndex root = 0;                       ///< the camera
   std::vector<std::vector<LinkIndex>> outgoing;  ///< by component, in the document's order
   std::vector<std::uint32_t> recursion_of_link;  ///< by link: the recursion that a link back closes, or kNoIndex
   std::vector<std::uint32_t> recursion_of;       ///< by component: the innermost recursion it lies in, or kNoIndex
-  std::vector<Recursion> recursions;
+  std::vector<Recursion> recursions;             ///< recursions, in the order in which they were found
 };
 
 /// A variable that is drawn once for each instance of a component and used by all that stands on the instance.
 struct InstanceVariable {
-  std::string name;
-  ComponentIndex owner = kNoIndex;
-  Varying value;                  ///< over the owner's sites
-  std::uint32_t slot = 0;         ///< index into Graph::site_names
-  std::uint64_t fingerprint = 0;  ///< hash of all that the document says of it
+  std::string name;                 ///< name in expressions
+  ComponentIndex owner = kNoIndex;  ///< component whose instances draw it
+  Varying value;                    ///< over the owner's sites
+  std::uint32_t slot = 0;           ///< index into Graph::site_names
+  std::uint64_t fingerprint = 0;    ///< hash of its text in the document
 };
 
+/// Components and links of a document, ready to be expanded.
 struct Graph {
-  std::vector<Prototype> components;
-  std::vector<Link> links;
+  std::vector<Prototype> components;    ///< links refer to components by index
+  std::vector<Link> links;              ///< in the document's order
   std::vector<std::string> site_names;  ///< what sites are given by name: columns of tables, and variables of instances
   std::vector<InstanceVariable> instance_variables;  ///< each after those that it uses
   Structure structure;                               ///< structure of the links as analyse_structure last found them
   std::optional<Animation> animation;                ///< unset: nothing but expressions of t changes with time
-  std::uint64_t seed = 0;
-  Limits limits;
+  std::uint64_t seed = 0;                            ///< root of all random numbers
+  Limits limits;                                     ///< limits of the document
 };
 
 /// What messages call a link: "links[2]", or the component that made it where the document has no such link.

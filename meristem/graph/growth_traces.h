@@ -17,7 +17,7 @@ struct GrowthView {
   /// steps of an L-system are those of its derivation. So they stand as they would with no more iterations, whatever
   /// the clock says. The growth is recorded, so that a cache gives all steps of one growth. Unset: after the last one.
   std::optional<int> step;
-  TraceWish wish;
+  TraceWish wish;  ///< parts of the growth to record
   /// Plants that only plan stand as after what they plan. A view that merely wishes for the outcome to be recorded
   /// shows them before it; with a cache both views come of one growth. Without meaning where there is a step.
   bool outcome = false;
@@ -35,9 +35,9 @@ inline bool is_looked_at(const GrowthView& view, const std::string& component) {
 
 /// The growth of one instance of a component.
 struct TracedGrowth {
-  std::string component;       ///< id
-  std::uint32_t instance = 0;  ///< number among the component's instances
-  std::shared_ptr<const GrowthTrace> trace;
+  std::string component;                     ///< id
+  std::uint32_t instance = 0;                ///< number among the component's instances
+  std::shared_ptr<const GrowthTrace> trace;  ///< the record; not null
 };
 
 struct GrowthTraces;
@@ -46,7 +46,7 @@ struct GrowthTraces;
 struct PlacedTraces {
   std::string component;      ///< id of the component that places it
   std::vector<Frame> frames;  ///< from its world to the world, one for each place; without what deforms it there
-  std::shared_ptr<const GrowthTraces> traces;
+  std::shared_ptr<const GrowthTraces> traces;  ///< records of the plant's own growths
 };
 
 /// How many steps the plants of one component take.
@@ -61,7 +61,7 @@ struct ComponentSteps {
 struct GrowthMarks {
   std::string component;       ///< id; within placed plants with the ids that lead there: "oak.tree"
   std::uint32_t instance = 0;  ///< number among the growths of that component
-  StepMarks marks;
+  StepMarks marks;             ///< the marks
 };
 
 /// What was recorded of a graph's plants.
@@ -85,8 +85,8 @@ struct GrowthTraces {
   StepMarks marks(int of_step, TraceWish wish, const Progress& progress) const;
   /// The same growth by growth: the own ones in their order, then those of placed plants place by place.
   std::vector<GrowthMarks> marks_of_growths(int of_step, TraceWish wish, const Progress& progress) const;
-  bool has_growths() const;  ///< whether anything was recorded of any plant
-  std::uint64_t bytes() const;
+  bool has_growths() const;     ///< whether anything was recorded of any plant
+  std::uint64_t bytes() const;  ///< memory of all records
 };
 
 }  // namespace meristem

@@ -9,12 +9,14 @@ namespace meristem {
 /// How what is read from a file comes to stand in a document: its up axis is turned up, then it is scaled, turned and
 /// moved, all of it in 64 bits.
 struct ImportPose {
+  /// The axis of the file that points up.
   enum class Up { y, z };
-  Up up = Up::y;
-  double scale = 1;
-  DVec3 rotate{0};  ///< radians, as of Transform
-  DVec3 translate{0};
+  Up up = Up::y;       ///< up axis of the file
+  double scale = 1;    ///< metres per unit of the file
+  DVec3 rotate{0};     ///< radians, as of Transform
+  DVec3 translate{0};  ///< metres, after scale and rotation
 
+  /// Returns the pose as a frame, from the file's coordinates to the document's.
   DFrame frame() const;
 };
 

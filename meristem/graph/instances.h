@@ -19,8 +19,9 @@ namespace meristem {
 
 /// The i-tree of a graph. It has the camera's one instance as its root.
 struct InstanceTree {
+  /// One instance, and the instance that it stands on.
   struct Instance {
-    ComponentIndex component = 0;
+    ComponentIndex component = 0;     ///< index into Graph::components
     std::uint32_t parent = kNoIndex;  ///< index into instances; kNoIndex for the root
     LinkIndex link = kNoIndex;        ///< from its parent to it
     std::uint32_t i = 0;              ///< number among its siblings by that link
@@ -41,7 +42,7 @@ std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scen
 /// A clock that an instance has begun for what hangs on it.
 struct BegunClock {
   ComponentIndex component = 0;  ///< of the instance
-  Clock clock;
+  Clock clock;                   ///< the clock
 };
 
 /// The clocks that the components of a graph have begun up to a time, those of each component by their starts and each
@@ -52,14 +53,15 @@ std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, dou
 
 /// A part of a plant whose instance is asked for, as expand() orders what it gives.
 struct InstanceWish {
+  /// The kind of thing that a number counts.
   enum class Of {
     organ,     ///< number `number` among the organs of the component
     stem,      ///< number `number` among its visible stems: StemPart::instance
     instance,  ///< number `number` among its instances, whatever they make
   };
-  std::string component;
-  Of of = Of::organ;
-  std::uint64_t number = 0;
+  std::string component;     ///< id of the component
+  Of of = Of::organ;         ///< organ, stem or instance
+  std::uint64_t number = 0;  ///< from 0
 };
 
 /// An instance with what it is given.

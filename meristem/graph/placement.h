@@ -46,6 +46,7 @@ struct Placement {
   double end = 1;              ///< share of each axis where the sites end
 };
 
+/// Returns the rows of Placement.
 const ParameterTable& placement_table();
 /// The rule between its rows, for components that have them as their own.
 void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader);
@@ -61,6 +62,7 @@ enum class BranchStance {
   along_axis,  ///< on the axis and heading along it, unless the link gives an angle: its own form leads away
 };
 
+/// The surroundings of a placement.
 struct PlacementContext {
   Directions directions;  ///< directions of light and gravity
   BranchStance stance =
@@ -70,8 +72,9 @@ struct PlacementContext {
   Site parent;                      ///< site of the instance that made the stem; gives the sites their keys and depths
   std::optional<RandomKey> places;  ///< key for the sites' positions, unset: the parent's; equal keys give equal sites
 
+  /// Returns the key from which the sites draw their positions.
   RandomKey key_of_places() const { return places.value_or(parent.key); }
-  const Limits* limits = nullptr;
+  const Limits* limits = nullptr;        ///< limits of the document; must not be null
   const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: there are none
   double time = 0;                       ///< the document's, for expressions
   bool everywhere = false;               ///< all parts of the skeleton bear children, whatever the placement says

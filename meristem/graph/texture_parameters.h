@@ -14,24 +14,24 @@ namespace meristem {
 
 /// Pictures of the user's.
 struct PictureParameters {
-  Asset<Image> colour;
-  Asset<Image> normals;
-  bool masked = false;  ///< the colour's alpha cuts holes
-  /// Pictures per unit of u and of v on organs and surfaces, and how many pictures the texture is moved by. Stems have
-  /// their uv_scale instead.
-  double repeat_u = 1, repeat_v = 1;
-  double shift_u = 0, shift_v = 0;
+  Asset<Image> colour;   ///< picture of the colours
+  Asset<Image> normals;  ///< picture of the normals; may be missing
+  bool masked = false;   ///< the colour's alpha cuts holes
+  double repeat_u = 1;   ///< pictures per unit of u on organs and surfaces; stems have their uv_scale instead
+  double repeat_v = 1;   ///< pictures per unit of v on organs and surfaces; stems have their uv_scale instead
+  double shift_u = 0;    ///< shift of the texture along u, in pictures
+  double shift_v = 0;    ///< shift of the texture along v, in pictures
 };
 
 /// At most one of the four kinds is given.
 struct TextureParameters {
-  std::optional<BarkRecipe> bark;
-  std::optional<LeafRecipe> leaf;
-  std::optional<PetalRecipe> petal;
-  std::optional<PictureParameters> picture;
-  int pixels = 512;  ///< a side, of those that are made
+  std::optional<BarkRecipe> bark;            ///< painted bark
+  std::optional<LeafRecipe> leaf;            ///< painted leaf
+  std::optional<PetalRecipe> petal;          ///< painted petal
+  std::optional<PictureParameters> picture;  ///< pictures from files
+  int pixels = 512;                          ///< a side, of those that are made
 
-  bool is_empty() const { return !bark && !leaf && !petal && !picture; }
+  bool is_empty() const { return !bark && !leaf && !petal && !picture; }  ///< true if no texture is given
 };
 
 const ParameterTable& texture_table();  ///< the rows of TextureParameters

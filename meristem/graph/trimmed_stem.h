@@ -15,14 +15,14 @@ namespace meristem {
 
 /// A position on the segment of a skeleton that ends in `node`, at the share `along` of it.
 struct StemPosition {
-  NodeIndex node = 0;
-  float along = 1;
+  NodeIndex node = 0;  ///< the node that ends the segment
+  float along = 1;     ///< share of the segment, 0 to 1
 };
 
 /// A stem that stands as it stood at a step of its growth.
 struct GrowingStem {
-  GrowthSpans spans;  ///< of the whole stem
-  double step = 0;
+  GrowthSpans spans;                  ///< of the whole stem
+  double step = 0;                    ///< step at which it stands
   double steps_per_second = 1;        ///< of the stem's clock
   double unfold = 0;                  ///< steps in which what stands on it comes to its full size
   double pipe_exponent = 2;           ///< of the thickness of its wood
@@ -39,9 +39,9 @@ class TrimmedStem {
   /// `trimmed` is what `mode` has left of `whole`.
   TrimmedStem(Skeleton whole, TrimmedSkeleton trimmed, TrimMode mode);
 
-  TrimMode mode() const { return mode_; }
-  const Skeleton& whole() const { return whole_; }
-  const Skeleton& left() const { return trimmed_.skeleton; }
+  TrimMode mode() const { return mode_; }                     ///< effect of the body on the stem
+  const Skeleton& whole() const { return whole_; }            ///< skeleton before trimming
+  const Skeleton& left() const { return trimmed_.skeleton; }  ///< skeleton that is left
 
   /// Where a position of the whole stem stands on what is left, or nothing where it is gone.
   std::optional<StemPosition> left_of(StemPosition position) const;
@@ -54,7 +54,7 @@ class TrimmedStem {
   /// by now, as large as it has come to be, and with its birth.
   void settle(const GrowingStem& growing, StemPosition from, StemPosition to, Site& site) const;
 
-  std::uint64_t bytes() const;
+  std::uint64_t bytes() const;  ///< heap memory
 
  private:
   std::optional<StemPosition> share_left_of(StemPosition position) const;

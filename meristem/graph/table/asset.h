@@ -10,12 +10,12 @@ namespace meristem {
 /// Copies share the content.
 template <class T>
 struct Asset {
-  std::string path;
+  std::string path;                  ///< as written in the document
   std::shared_ptr<const T> content;  ///< null where no file is named, or it could not be read
 
-  explicit operator bool() const { return content != nullptr; }
-  const T& operator*() const { return *content; }
-  const T* operator->() const { return content.get(); }
+  explicit operator bool() const { return content != nullptr; }  ///< true if something was read
+  const T& operator*() const { return *content; }                ///< the content, which must exist
+  const T* operator->() const { return content.get(); }          ///< access to members of the content, which must exist
 };
 
 }  // namespace meristem

@@ -8,9 +8,10 @@ namespace meristem {
 
 /// A number of parts that may have a fraction: of 3.4 there are four, of which the last has come to be by 0.4.
 struct Count {
-  double value = 0;
+  double value = 0;  ///< may have a fraction
 
   Count() = default;
+  /// A count of `number`, which may have a fraction.
   Count(double number) : value(number) {}  // NOLINT(google-explicit-constructor): counts are numbers
 
   /// How many there are, with the one that is coming to be.

@@ -9,8 +9,8 @@ namespace meristem {
 struct Facing {
   bool operator==(const Facing&) const = default;
 
-  bool is_from_surface = false;
-  Vec3 direction = kUp;  ///< unit vector; where it is not from the surface
+  bool is_from_surface = false;  ///< true: out of the surface that it stands at
+  Vec3 direction = kUp;          ///< unit vector; where it is not from the surface
 };
 
 }  // namespace meristem

@@ -23,7 +23,7 @@ struct FileAccess {
 
 /// A file that a document names.
 struct NamedFile {
-  std::string path;
+  std::string path;                     ///< full path
   std::optional<std::uint64_t> hash{};  ///< hash of the file's content, where a store knows it
 };
 

@@ -14,16 +14,17 @@ namespace meristem {
 
 /// The kinds of a list's elements, in the order of the variant's alternatives.
 struct Kinds {
+  /// One kind of element.
   struct Kind {
-    std::string name;  ///< as documents write it
-    const ParameterTable& (*table)() = nullptr;
+    std::string name;                            ///< as documents write it
+    const ParameterTable& (*table)() = nullptr;  ///< rows of the kind; not null
   };
 
-  std::string element;  ///< what messages call one of any kind: "an operation"
-  std::string doc;      ///< one sentence on the elements
-  std::string key;      ///< the member that says the kind
-  std::string key_doc;
-  std::vector<Kind> kinds;
+  std::string element;      ///< what messages call one of any kind: "an operation"
+  std::string doc;          ///< one sentence on the elements
+  std::string key;          ///< the member that says the kind
+  std::string key_doc;      ///< one sentence on this member
+  std::vector<Kind> kinds;  ///< at least one
 };
 
 /// The rows of all kinds as one table, after the one that says the kind: for the schema, for lists of parameters, and

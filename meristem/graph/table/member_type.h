@@ -36,15 +36,17 @@ using TextAsset = T (*)(const std::string& text, const std::string& file_path, P
 /// What an optional holds, or the type itself.
 template <class M>
 struct ValueOfMember {
-  using Type = M;
+  using Type = M;  ///< the type without `optional`
 };
 template <class M>
 struct ValueOfMember<std::optional<M>> {
   using Type = M;
 };
+/// The type of a member's value: what an optional holds, or the type itself.
 template <class M>
 using ValueOf = typename ValueOfMember<M>::Type;
 
+/// Reads a document's value into a member of the row's struct. Reports faults to the reader, at the path.
 void read_value(const Parameter&, bool& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::string& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
@@ -60,6 +62,7 @@ void read_value(const Parameter&, std::vector<int>& member, const Value&, const 
 void read_value(const Parameter&, Selection& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Formula& member, const Value&, const DocumentPath&, ParameterReader&);
 
+/// Returns a member as a document would write it; null if it is unset.
 Value show_value(const Parameter&, bool member);
 Value show_value(const Parameter&, const std::string& member);
 Value show_value(const Parameter&, const PerChild& member);
@@ -142,27 +145,34 @@ Value show_value(const Parameter&, const Asset<T>& member) {
   return member ? Value(member.path) : Value();
 }
 
+/// Like read_value(), for a member behind a pointer.
 template <class M>
 void read_member(const Parameter& row, void* member, const Value& value, const DocumentPath& path,
                  ParameterReader& reader) {
   read_value(row, *static_cast<M*>(member), value, path, reader);
 }
+/// Like show_value(), for a member behind a pointer.
 template <class M>
 Value show_member(const Parameter& row, const void* member) {
   return show_value(row, *static_cast<const M*>(member));
 }
+/// Copies a member of type M.
 template <class M>
 void copy_member(void* to, const void* from) {
   *static_cast<M*>(to) = *static_cast<const M*>(from);
 }
+/// The functions for members of type M.
 template <class M>
 inline constexpr MemberType kMemberType{read_member<M>, show_member<M>, copy_member<M>};
 
 /// How the structs that a member holds are made and found: it is one, an optional one, a list or a map of them.
 template <class T>
 struct Held {
+  /// Makes new structs in the member, as many as `value` has.
   static void make(T&, const Value&) {}
+  /// Returns how many structs the member holds.
   static std::size_t count(const T&) { return 1; }
+  /// Returns the struct with this index.
   static void* element(T& member, std::size_t) { return &member; }
 };
 template <class T>
@@ -179,13 +189,15 @@ struct Held<std::vector<T>> {
 };
 template <class... T>
 struct Held<std::vector<std::variant<T...>>> {
-  using List = std::vector<std::variant<T...>>;
+  using List = std::vector<std::variant<T...>>;  ///< the type of the member
   static void make(List& member, const Value& value) { member.assign(value.list()->size(), {}); }
   static std::size_t count(const List& member) { return member.size(); }
   static void* element(List& member, std::size_t index) {
     return std::visit([](auto& one) { return static_cast<void*>(&one); }, member[index]);
   }
+  /// Returns the index of an element's kind among the alternatives.
   static std::size_t kind(const List& member, std::size_t index) { return member[index].index(); }
+  /// Replaces an element by a new one of another kind.
   static void make_kind(List& member, std::size_t index, std::size_t kind) {
     const auto make = [&]<std::size_t... K>(std::index_sequence<K...>) {
       ((K == kind ? static_cast<void>(member[index].template emplace<K>()) : static_cast<void>(0)), ...);
@@ -195,20 +207,23 @@ struct Held<std::vector<std::variant<T...>>> {
 };
 template <class T>
 struct Held<std::vector<std::pair<std::string, T>>> {
-  using Map = std::vector<std::pair<std::string, T>>;
+  using Map = std::vector<std::pair<std::string, T>>;  ///< the type of the member
   static void make(Map& member, const Value& value) {
     member.clear();
     for (const Value::Member& given : *value.object()) member.emplace_back(given.first, T{});
   }
   static std::size_t count(const Map& member) { return member.size(); }
   static void* element(Map& member, std::size_t index) { return &member[index].second; }
+  /// Returns the name of an element.
   static std::string_view name(const Map& member, std::size_t index) { return member[index].first; }
 };
 
 /// Reads a member that holds structs of any type.
 void read_held(const Parameter&, void* member, const Value&, const DocumentPath&, ParameterReader&);
+/// Returns the structs that a member holds as a document would write them.
 Value show_held(const Parameter&, const void* member);
 
+/// Returns the functions for a member of type M that holds structs.
 template <class M>
 constexpr MemberType holder_type() {
   MemberType type{read_held, show_held, copy_member<M>};
@@ -230,6 +245,7 @@ constexpr MemberType holder_type() {
   }
   return type;
 }
+/// The functions for members of type M that hold structs.
 template <class M>
 inline constexpr MemberType kHolderType = holder_type<M>();
 

@@ -24,6 +24,7 @@ class ParameterTable;
 enum class Unit { none, metre, degree, per_metre, per_cubic_metre, second, hour, day, step };
 std::string_view unit_name(Unit unit);  ///< "m", "°", ...; empty for none
 
+/// The kind of a row's member, and its form in documents.
 enum class ParameterKind {
   number,   ///< double, float or optional<double>
   integer,  ///< int, uint64_t or optional<int>
@@ -78,15 +79,15 @@ std::string_view kind_name(ParameterKind kind);  ///< as it is spelt here: "numb
 
 /// From `low` to `high`, in document units; an end that is NaN is left to usual_range (usual_range.h).
 struct UsualSpan {
-  double low = std::numeric_limits<double>::quiet_NaN();
-  double high = std::numeric_limits<double>::quiet_NaN();
+  double low = std::numeric_limits<double>::quiet_NaN();   ///< NaN: follows from the rest of the row
+  double high = std::numeric_limits<double>::quiet_NaN();  ///< NaN: follows from the rest of the row
 };
 
-/// What a number may be. In a component every number may differ from instance to instance unless it is `fixed`.
+/// The range of a number. In a component every number may differ from instance to instance unless it is `fixed`.
 struct NumberRange {
-  Unit unit = Unit::none;
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
+  Unit unit = Unit::none;                                 ///< unit in documents
+  double min = -std::numeric_limits<double>::infinity();  ///< least allowed value, in document units
+  double max = std::numeric_limits<double>::infinity();   ///< greatest allowed value, in document units
   UsualSpan usual{};       ///< where people move it, which sliders show; what is not given follows from the rest
   bool above_min = false;  ///< `min` itself is excluded
   bool fixed = false;      ///< one value for the whole component
@@ -105,41 +106,47 @@ enum class KeyClock {
 
 struct Parameter;
 
-/// What can be done with members of one type, whatever struct they are in. Made by table.h.
+/// The functions for members of one type, in any struct. Made by table.h.
 struct MemberType {
+  /// Reads a document's value into the member. Reports faults to the reader.
   void (*read)(const Parameter& row, void* member, const Value& value, const DocumentPath& path,
                ParameterReader& reader);
+  /// Returns the member as a document would write it; null if it is unset.
   Value (*show)(const Parameter& row, const void* member);
+  /// Copies the member.
   void (*copy)(void* to, const void* from);
   /// Puts new structs for what `value` says into the member, where it holds structs with tables of their own, as
   /// objects, lists and maps do; null for other members.
   void (*make)(void* member, const Value& value) = nullptr;
+  /// Returns how many structs the member holds; null for members that hold none.
   std::size_t (*count)(const void* member) = nullptr;
+  /// Returns the struct with this index; null for members that hold none.
   void* (*element)(void* member, std::size_t index) = nullptr;
   std::string_view (*name)(const void* member, std::size_t index) = nullptr;  ///< name of a map's element
   /// Which kind an element of a list with several kinds is, and how it becomes a new element of another kind.
   std::size_t (*kind)(const void* member, std::size_t index) = nullptr;
+  /// Replaces an element by a new one of another kind; null for members with one kind.
   void (*make_kind)(void* member, std::size_t index, std::size_t kind) = nullptr;
 };
 
 /// One row of a table.
 struct Parameter {
-  std::string name;
-  std::string doc;  ///< one sentence, with what happens when the value is raised where that is not plain
-  ParameterKind kind = ParameterKind::number;
-  NumberRange form;                        ///< range of numbers, integers and the elements of vectors
-  std::vector<std::string> choices;        ///< the values of a choice
-  std::size_t count = 0;                   ///< number of integers
-  PointsForm together = PointsForm::line;  ///< what points or positions are together
-  InSpace in_space = InSpace::none;        ///< what it says of space
+  std::string name;  ///< key in documents
+  std::string doc;   ///< one sentence, with what happens when the value is raised where that is not plain
+  ParameterKind kind = ParameterKind::number;  ///< what the member is
+  NumberRange form;                            ///< range of numbers, integers and the elements of vectors
+  std::vector<std::string> choices;            ///< the values of a choice
+  std::size_t count = 0;                       ///< number of integers
+  PointsForm together = PointsForm::line;      ///< what points or positions are together
+  InSpace in_space = InSpace::none;            ///< what it says of space
   /// The table of an object, or of the elements of a list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
   const Kinds& (*kinds)() =
       nullptr;  ///< the kinds of a list's elements where there are several; `nested` has the rows of all
-  std::vector<std::string> names;  ///< variables of a condition or formula
-  void (*load_file)() = nullptr;   ///< a LoadAsset, which reads a file from its path
-  void (*make_asset)() = nullptr;  ///< a TextAsset, which reads lines or the text of a file
-  bool required = false;
+  std::vector<std::string> names;        ///< variables of a condition or formula
+  void (*load_file)() = nullptr;         ///< a LoadAsset, which reads a file from its path
+  void (*make_asset)() = nullptr;        ///< a TextAsset, which reads lines or the text of a file
+  bool required = false;                 ///< true: a document must give it
   std::size_t offset = 0;                ///< bytes from the struct's beginning to the member
   const MemberType* type = nullptr;      ///< the member's type
   std::shared_ptr<const void> original;  ///< a struct with the defaults
@@ -167,32 +174,32 @@ struct Parameter {
 /// The rows of one struct. Made with Table<P> in table.h.
 class ParameterTable {
  public:
-  std::string name;  ///< what messages and the schema call the struct
-  std::string doc;
-  std::vector<Parameter> parameters;
+  std::string name;                              ///< what messages and the schema call the struct
+  std::string doc;                               ///< one sentence
+  std::vector<Parameter> parameters;             ///< rows in their order
   std::vector<std::string> elsewhere;            ///< further keys, which the caller reads itself ("type")
   std::string shorthand;                         ///< the parameter that a bare value sets, or empty
   std::vector<std::vector<std::string>> one_of;  ///< groups of parameters; exactly one of each group must be given
   /// A parameter that stands only beside another, or never beside it.
   struct Company {
-    std::string parameter;
-    std::string other;
-    bool is_wanted = true;
+    std::string parameter;  ///< name of the parameter
+    std::string other;      ///< name of the other parameter
+    bool is_wanted = true;  ///< true: stands only beside the other; false: never
   };
-  std::vector<Company> company;
+  std::vector<Company> company;  ///< rules on which parameters stand together
   /// Parameters that mean something only where something else does: the choice that they belong to, the object that
   /// they serve. Where they are given without, they are faults, whatever their values.
   struct Meaning {
     /// A parameter that is given, or that has one of these values, given or not.
     struct Giver {
-      std::string parameter;
-      std::vector<Value> values{};
+      std::string parameter;        ///< name of the parameter
+      std::vector<Value> values{};  ///< values that give a meaning; empty: any value
     };
     std::vector<std::string> parameters;  ///< parameters, also of nested tables, as in "resource.pass_back"
     std::vector<Giver> givers;            ///< any of them will do
     std::string reason{};                 ///< what is so instead, where nothing gives them a meaning
   };
-  std::vector<Meaning> meanings;
+  std::vector<Meaning> meanings;  ///< rules on where parameters mean something
   /// Rules between parameters; called when all of them could be read.
   std::function<void(const void* object, const DocumentPath& path, ParameterReader& reader)> check;
   /// Works out what follows from several parameters; called after the rules, once they hold.
@@ -213,8 +220,9 @@ class ParameterTable {
   /// Rows of these names go; a meaning without givers tells the reason.
   void leave_out(std::vector<std::string> rows, std::string reason);
 
+  /// Returns the row of this name, or null.
   const Parameter* find(std::string_view parameter) const;
-  std::vector<std::string> names() const;
+  std::vector<std::string> names() const;  ///< names of the rows, in their order
   /// Why it has no such parameter where others of its kind have one; null where that is not known.
   const std::string* reason_without(std::string_view parameter) const;
   /// Whether a row below, at any depth, has this table again.
@@ -226,9 +234,11 @@ class ParameterTable {
 /// The rows of a table that a value gave, each once, in the value's order. The table outlives it.
 class GivenRows {
  public:
+  /// Adds a row, which must outlive this object.
   void add(const Parameter& row) { rows_.push_back(&row); }
-  bool is_empty() const { return rows_.empty(); }
-  std::size_t count() const { return rows_.size(); }
+  bool is_empty() const { return rows_.empty(); }     ///< true if no row was given
+  std::size_t count() const { return rows_.size(); }  ///< number of given rows
+  /// Returns true if the row of this name was given.
   bool contains(std::string_view row) const;
   /// Copies what these rows are of from one struct of the table's into another.
   void copy(const void* from, void* to) const;

@@ -21,16 +21,16 @@ struct PlantVariant;
 /// With what a plant is grown.
 struct PlantRequest {
   std::vector<std::pair<std::string, double>> values{};  ///< variables by name and parameters by path, in this order
-  std::uint64_t seed = 0;
-  double time = 0;  ///< seconds
+  std::uint64_t seed = 0;                                ///< seed of the plant
+  double time = 0;                                       ///< seconds
 
   bool operator==(const PlantRequest&) const = default;
 };
 
 /// A plant of another document as a view shows it, and what was recorded of its growth.
 struct ShownPlant {
-  std::shared_ptr<const PlantVariant> plant;
-  std::shared_ptr<const GrowthTraces> traces;
+  std::shared_ptr<const PlantVariant> plant;   ///< not null
+  std::shared_ptr<const GrowthTraces> traces;  ///< null if nothing was recorded
 };
 
 /// One plant of another document.
@@ -49,9 +49,10 @@ class PlantSource {
  public:
   /// What may be set in it.
   struct Handle {
-    bool is_known = false;
-    std::string nearest{};    ///< the nearest name of one, where it is not known
-    double min = 0, max = 0;  ///< the variable's own range, as far as the document gives one; else infinite
+    bool is_known = false;  ///< true if the document has such a handle
+    std::string nearest{};  ///< the nearest name of one, where it is not known
+    double min = 0;         ///< lower end of the variable's own range; -infinity if the document gives none
+    double max = 0;         ///< upper end of the variable's own range; infinity if the document gives none
   };
 
   virtual ~PlantSource() = default;
@@ -65,9 +66,10 @@ class PlantSource {
 /// Opens documents for one that names them.
 class PlantSources {
  public:
+  /// An opened document.
   struct Opened {
-    std::shared_ptr<const PlantSource> source;
-    std::vector<std::string> files;  ///< all that were read
+    std::shared_ptr<const PlantSource> source;  ///< not null
+    std::vector<std::string> files;             ///< all that were read
   };
 
   virtual ~PlantSources() = default;

@@ -23,12 +23,13 @@ class ReadStore {
 
   /// What has been done since its beginning.
   struct Counts {
-    std::uint64_t files_read = 0;
-    std::uint64_t made = 0;
-    std::uint64_t reused = 0;
+    std::uint64_t files_read = 0;  ///< files whose content was read
+    std::uint64_t made = 0;        ///< results that had to be made
+    std::uint64_t reused = 0;      ///< results that were kept from earlier reads
   };
-  const Counts& counts() const { return counts_; }
+  const Counts& counts() const { return counts_; }  ///< counts since the beginning
 
+  /// Begins a read.
   void begin_read() { ++read_; }
   /// Ends a read without faults.
   void end_read();
@@ -41,6 +42,7 @@ class ReadStore {
   std::shared_ptr<const T> find(std::uint64_t key) {
     return std::static_pointer_cast<const T>(find_any(key_of<T>(key)));
   }
+  /// Keeps a result under a key.
   template <class T>
   void keep(std::uint64_t key, std::shared_ptr<const T> made) {
     keep_any(key_of<T>(key), std::move(made));

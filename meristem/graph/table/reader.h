@@ -31,15 +31,16 @@ inline constexpr std::size_t kMaxNamesCompared = 2'000'000;
 
 /// Where a number goes.
 struct NumberSlot {
-  void* member = nullptr;
-  StoreNumber store = nullptr;
-  double present = 0;  ///< the default, in document units: what an expression without a range sees as v
+  void* member = nullptr;       ///< member of the struct
+  StoreNumber store = nullptr;  ///< writes the number to the member
+  double present = 0;           ///< the default, in document units: what an expression without a range sees as v
 };
 
 /// Reads values into structs by their tables, collects every fault with its path, and sets aside the numbers that
 /// differ from instance to instance.
 class ParameterReader {
  public:
+  /// Takes a text and the path of its file, and adds warnings by line and column.
   using ReadText =
       FunctionRef<void(const std::string& text, const std::string& file_path, std::vector<Diagnostic>& warnings)>;
 
@@ -74,6 +75,7 @@ class ParameterReader {
   std::vector<Varying> read_varying(const ParameterTable& table, void* object, const Value& value,
                                     const DocumentPath& path);
 
+  /// Reports a fault of a value. `text_offset` is the byte within a text value, or -1 for the whole value.
   void fault(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
   /// A fault at a member's name instead of its value.
@@ -83,20 +85,25 @@ class ParameterReader {
                      const DocumentPath* other = nullptr);
   /// Document paths of such parameters so far, and of the parameter beside which they mean nothing, if there is one.
   struct Meaningless {
-    std::string file_path, other;
+    std::string file_path;  ///< path of the parameter
+    std::string other;      ///< path of the other parameter, or empty
   };
-  const std::vector<Meaningless>& meaningless() const { return meaningless_; }
+  const std::vector<Meaningless>& meaningless() const {
+    return meaningless_;
+  }  ///< such parameters, in the order of reading
   /// The candidate nearest to `name`, until the number of faults exceeds what is shown. Empty as well once all searches
   /// together have looked at kMaxNamesCompared candidates, so that many faults among many names cost little time.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
+  /// Adds a warning at a value.
   void warn(const DocumentPath& path, std::string message);
   /// The fault of `wanted` of `what` where the limit called `limit_name` allows fewer.
   void fault_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                    std::string_view limit_name);
-  const Limits& limits() const { return limits_; }
-  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  const Limits& limits() const { return limits_; }                             ///< limits of the document
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }  ///< faults and warnings so far
+  /// Returns the faults and warnings, and leaves none.
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
-  std::size_t fault_count() const { return faults_; }
+  std::size_t fault_count() const { return faults_; }  ///< number of all faults, not only of diagnostics()
 
   // What tables are made of; each reports what it cannot take.
 
@@ -114,7 +121,9 @@ class ParameterReader {
   /// An expression over `variables` and the document's variables.
   std::optional<Expression> expression(const Value& value, const DocumentPath& path,
                                        std::span<const std::string> variables);
+  /// Returns the text of a value; null after a fault.
   const std::string* text(const Parameter& parameter, const Value& value, const DocumentPath& path);
+  /// Returns the index of a choice; nothing after a fault.
   std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const DocumentPath& path);
   /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `path`.
   void file(const Parameter& parameter, const Value& value, const DocumentPath& path,
@@ -127,7 +136,7 @@ class ParameterReader {
   void text_file(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// The document's variables.
   const std::vector<ExpressionNames::Constant>& constants() const { return constants_.all(); }
-  const ConstantTable& constant_table() const { return constants_; }
+  const ConstantTable& constant_table() const { return constants_; }  ///< the same with a table of their names
   /// The text of a file that another one names, sought from the folder of that one. Throws an InputError.
   std::string included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes);
   /// All files that were named so far.
@@ -192,6 +201,7 @@ class ParameterReader {
   GivenRows object(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
   /// The element with this index of the list or map at `member`.
   void element(const Parameter& row, void* member, std::size_t index, const Value& value, const DocumentPath& path);
+  /// Reports a value that is not of the row's kind.
   void wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path);
 
  private:

@@ -13,7 +13,7 @@ namespace meristem {
 
 /// An expression over names that its parameter states, as the document wrote it.
 struct Formula {
-  std::string text;
+  std::string text;       ///< as the document wrote it
   Expression expression;  ///< compiled
 
   bool operator==(const Formula& other) const { return text == other.text; }
@@ -24,11 +24,12 @@ using Condition = Formula;
 
 /// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.
 struct Selection {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
-  std::vector<Condition> conditions;
-  std::size_t names = 0;  ///< variables that conditions may use
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;  ///< first and last number, both included
+  std::vector<Condition> conditions;                            ///< conditions, each of which selects
+  std::size_t names = 0;                                        ///< variables that conditions may use
 
-  bool is_empty() const { return ranges.empty() && conditions.empty(); }
+  bool is_empty() const { return ranges.empty() && conditions.empty(); }  ///< true if it selects nothing
+  /// Returns true if the instance at a site is selected.
   bool contains(const Site& site, double time) const;
 };
 

@@ -27,6 +27,7 @@ struct SiteValues {
   std::uint64_t names = 0;      ///< hash of the names
   std::vector<double> numbers;  ///< in the order of Graph::site_names; NaN where nothing has been given
 
+  /// Hash of names and numbers.
   std::uint64_t hash() const;
 };
 
@@ -65,7 +66,7 @@ struct Site {
   std::uint64_t individual = 0;     ///< id of the plant that the site is part of; 0: of none
   std::uint32_t row = kNoRow;       ///< of the table that has placed the site or what it hangs on, from 0
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
-  Clock clock;
+  Clock clock;                                              ///< how time runs for the instance
   double appeared = 0;  ///< when it came to be, by its clock, seconds; plus infinity where it has not yet
   float part = 1;       ///< n - 1 + part siblings have come to be, of a count that has a fraction
   std::shared_ptr<const SiteValues> values{};          ///< null where nothing has been given

@@ -35,6 +35,7 @@ namespace meristem {
 template <class P>
 class Table {
  public:
+  /// A table without rows. `name` is used in messages ("a leaf"), `doc` is one sentence.
   Table(std::string name, std::string doc) : original_(std::make_shared<const P>()) {
     table_.name = std::move(name);
     table_.doc = std::move(doc);
@@ -75,10 +76,12 @@ class Table {
     row(ParameterKind::number, name, member, doc).form = form;
     return std::move(*this);
   }
+  /// True or false.
   Table&& boolean(std::string_view name, bool P::*member, std::string_view doc) && {
     row(ParameterKind::boolean, name, member, doc);
     return std::move(*this);
   }
+  /// A text on one line.
   Table&& text(std::string_view name, std::string P::*member, std::string_view doc) && {
     row(ParameterKind::text, name, member, doc);
     return std::move(*this);

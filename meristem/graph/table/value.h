@@ -13,9 +13,9 @@ namespace meristem {
 /// Its builders bound the nesting, so recursion over it is safe.
 class Value {
  public:
-  using List = std::vector<Value>;
-  using Member = std::pair<std::string, Value>;
-  using Object = std::vector<Member>;
+  using List = std::vector<Value>;               ///< elements in their order
+  using Member = std::pair<std::string, Value>;  ///< name and value
+  using Object = std::vector<Member>;            ///< members in their order
 
   Value() = default;  ///< null
   // NOLINTBEGIN(google-explicit-constructor): a value is written as what it holds
@@ -28,11 +28,16 @@ class Value {
   Value(Object object) : data_(std::move(object)) {}
   // NOLINTEND(google-explicit-constructor)
 
-  bool is_null() const { return std::holds_alternative<std::monostate>(data_); }
+  bool is_null() const { return std::holds_alternative<std::monostate>(data_); }  ///< true if nothing was written
+  /// Returns the content if it is true or false, else null.
   const bool* boolean() const { return std::get_if<bool>(&data_); }
+  /// Returns the content if it is a number, else null.
   const double* number() const { return std::get_if<double>(&data_); }
+  /// Returns the content if it is a text, else null.
   const std::string* text() const { return std::get_if<std::string>(&data_); }
+  /// Returns the content if it is a list, else null.
   const List* list() const { return std::get_if<List>(&data_); }
+  /// Returns the content if it is an object, else null.
   const Object* object() const { return std::get_if<Object>(&data_); }
   List* list() { return std::get_if<List>(&data_); }
   Object* object() { return std::get_if<Object>(&data_); }
@@ -54,6 +59,7 @@ class Value {
 class DocumentPath {
  public:
   DocumentPath() = default;
+  /// The path of a member of `parent`, which must outlive this object.
   DocumentPath(const DocumentPath& parent, std::string_view member) : parent_(&parent), member_(member) {}
   DocumentPath(const DocumentPath& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
 

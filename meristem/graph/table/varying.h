@@ -22,8 +22,8 @@ using StoreNumber = void (*)(void* member, double value);
 
 /// A range over siblings that changes with time.
 struct KeyedRange {
-  Track first;
-  Track last;
+  Track first;  ///< first end of the range over time
+  Track last;   ///< last end of the range over time
 };
 
 /// A parameter that differs from instance to instance or changes with time: a range over the siblings, keys of one, or
@@ -35,26 +35,27 @@ struct KeyedRange {
 /// applied to that v. Results are clamped to the parameter's range; results that are not finite are an InputError at
 /// `path`.
 struct Varying {
-  std::string path;             ///< in the document, for errors: "components.leaf.curl"
-  std::uint64_t name_hash = 0;  ///< hash of the path within the component: the random stream's purpose
-  double first = 0;             ///< in document units
-  double last = 0;
+  std::string path;                          ///< in the document, for errors: "components.leaf.curl"
+  std::uint64_t name_hash = 0;               ///< hash of the path within the component: the random stream's purpose
+  double first = 0;                          ///< in document units
+  double last = 0;                           ///< in document units
   std::shared_ptr<const Sample> sample;      ///< in place of the range: v is drawn from it; null: none
   std::shared_ptr<const KeyedRange> keys{};  ///< in place of the range: both ends over the time of the site's clock
-  std::optional<Expression> expression;
+  std::optional<Expression> expression;      ///< applied to v; unset: v is the value
   std::size_t names = 0;    ///< variables that the expression may use: the variables of sites, and what sites are given
-  double min = 0, max = 0;  ///< allowed range, in document units
+  double min = 0;           ///< least allowed value, in document units
+  double max = 0;           ///< greatest allowed value, in document units
   bool is_rounded = false;  ///< a count by a range or an expression: whole
   double scale = 1;         ///< from document units to the struct's
   /// An element of a list or map, which lies elsewhere in memory in each instance.
   struct Element {
-    std::size_t offset = 0;  ///< bytes to the list, from the beginning of the struct or of the element before
-    const MemberType* type = nullptr;
-    std::size_t index = 0;
+    std::size_t offset = 0;            ///< bytes to the list, from the beginning of the struct or of the element before
+    const MemberType* type = nullptr;  ///< type of the list or map
+    std::size_t index = 0;             ///< index of the element
   };
   std::vector<Element> way;  ///< from the struct to the element that holds the member; empty where that is the struct
   std::size_t offset = 0;    ///< bytes to the member, from the beginning of what holds it
-  StoreNumber store = nullptr;
+  StoreNumber store = nullptr;  ///< writes the number to the member
 };
 
 /// A number that differs among the children that one instance makes, or is one for all of them.
@@ -63,6 +64,7 @@ struct PerChild {
   std::optional<Varying> varying;  ///< over the children: its i and n are theirs
 
   PerChild() = default;
+  /// One number for all children.
   PerChild(double value) : plain(value) {}  // NOLINT(google-explicit-constructor): a plain number is the usual case
 
   /// Whether they are known to give equal numbers: plain ones alone are.
@@ -72,6 +74,8 @@ struct PerChild {
 /// The values of many parameters for a block of sites, evaluated together.
 class VaryingValues {
  public:
+  /// Evaluates `varyings` at all `sites` at a time of the document, seconds. Throws InputError for results that are not
+  /// finite.
   VaryingValues(std::span<const Varying> varyings, std::span<const Site> sites, double time);
   /// Stores the values for the k-th site into the struct at `object`.
   void apply(std::size_t site, void* object) const;

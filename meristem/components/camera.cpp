@@ -5,7 +5,7 @@ namespace meristem {
 
 namespace {
 
-/// The rows of View, at the top level of the component.
+/// The parameters of View, at the top level of the component.
 const ParameterTable& view_table() {
   static const ParameterTable table =
       Table<View>("a camera", "The view of pictures and the root of the graph.")

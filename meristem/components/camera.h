@@ -6,15 +6,15 @@
 
 namespace meristem {
 
-/// The root of every graph: the view, and the frame in which the plants stand.
+/// The root of every graph: the view, and the frame that contains the plants.
 struct CameraParameters : ComponentBase {
   View view;  ///< camera and frame of pictures
 };
 
-/// The type of that name.
+/// Returns the component type `camera`.
 ComponentType camera_component();
 
-/// The view of a graph whose structure is sound.
+/// Returns the view of a graph whose structure is valid.
 const View& camera_view(const Graph& graph);
 
 }  // namespace meristem

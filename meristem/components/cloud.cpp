@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Shows attraction points as dots, before growth or after it.
 #include "meristem/components/cloud.h"
 
 #include <algorithm>
@@ -17,14 +18,14 @@ namespace {
 constexpr int kDotSegments = 8;
 constexpr Vec3 kDotColour{0.06F, 0.16F, 0.55F};
 
-// The births of points, which tell them apart once they are placed.
+// Values of `birth` that tell kept and removed points apart.
 constexpr float kKept = 0;
 constexpr float kRemoved = 1;
 
 RootsInCrowns roots_of(const Cloud& cloud) { return {cloud.crown, cloud.points, cloud.roots, cloud.one_crown}; }
 
-/// Points that stay as they are: each is a root of its own. Points are placed where plants grow, one component after
-/// another, so that they report and can be cancelled as growth can.
+/// Points that do not change; each is a root. They are a Grower, so that they are placed during growth, component by
+/// component, with progress reports and cancelling.
 class PlacedPoints : public Grower {
  public:
   PlacedPoints(const std::vector<Vec3>& points, const std::vector<bool>& is_kept) {
@@ -42,7 +43,7 @@ class PlacedPoints : public Grower {
   Skeleton skeleton_;  // in the component's frame
 };
 
-/// Which points neither obstacles nor the limit on light remove.
+/// Returns false for each point that obstacles or the limit on light remove.
 std::vector<bool> kept_points(const std::vector<Vec3>& places, const LightLimit& limit, const GrowContext& context) {
   const std::vector<std::uint8_t> is_inside = inside_of(context.scene.obstacles, places, context.progress);
   std::vector<bool> is_kept(places.size());
@@ -72,7 +73,7 @@ std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowCon
   return std::make_unique<PlacedPoints>(points, kept_points(places, limit, context));
 }
 
-/// The points as they are before growth, in the component's frame.
+/// Returns the points before growth, in the component's frame.
 std::vector<TracedPlace> points_before_growth(Emitter& out) {
   const Skeleton points = out.take_grown();
   std::vector<TracedPlace> places;
@@ -82,7 +83,7 @@ std::vector<TracedPlace> points_before_growth(Emitter& out) {
   return places;
 }
 
-/// The tree's own points as growth has left them, in the frame that they have about the tree.
+/// Returns the tree's own points after growth, in the tree's frame.
 std::vector<TracedPlace> points_after_growth(const Cloud& cloud, Emitter& out) {
   const GrowthTrace* const growth = out.watched_growth();
   if (growth == nullptr) {

@@ -11,19 +11,19 @@
 
 namespace meristem {
 
-/// The attraction points of a crown as dots, to see what a crown or a distribution is before a tree grows into it, and
-/// what the scene leaves of it. Where it shows those of a tree, the tree's description is read as its own.
+/// The attraction points of a crown as dots, to show a crown, a distribution, and the points that the scene removes. If
+/// `of` names a tree, the component uses the tree's parameters.
 struct Cloud : ComponentBase {
-  std::string of;  ///< id of the tree; empty: points of its own
+  std::string of;  ///< id of the tree; empty: the component has its own points
   std::optional<CrownParameters> crown;
   PointsParameters points;
-  std::vector<Vec3> roots{Vec3(0)};    ///< as of the tree
-  bool one_crown = false;              ///< as of the tree
-  LightLimit limit;                    ///< on light, as trees have it
-  double size = 0.03;                  ///< metres across a dot
-  bool after_growth = false;           ///< the points that growth has left, where `of` names a tree
-  std::optional<Vec3> used_colour;     ///< of the dots that the tree has used up by then; unset: they are not shown
-  std::optional<Vec3> removed_colour;  ///< of the dots that obstacles or the limit remove; unset: they are not shown
+  std::vector<Vec3> roots{Vec3(0)};    ///< as in the tree
+  bool one_crown = false;              ///< as in the tree
+  LightLimit limit;                    ///< limit on light, as in trees
+  double size = 0.03;                  ///< diameter of a dot, metres
+  bool after_growth = false;           ///< true: shows the points that the growth of `of` has left
+  std::optional<Vec3> used_colour;     ///< colour of the dots that the tree has used up; unset: not shown
+  std::optional<Vec3> removed_colour;  ///< colour of the dots that obstacles or the limit remove; unset: not shown
 };
 
 ComponentType cloud_component();

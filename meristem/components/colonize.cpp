@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The component of colonizing trees: makes seedlings and growth from its parameters, and emits the grown stems.
 #include "meristem/components/colonize.h"
 
 #include <utility>
@@ -20,7 +21,7 @@ namespace {
 
 RootsInCrowns roots_of(const Colonize& tree) { return {tree.crown, tree.points, tree.roots, tree.one_crown}; }
 
-/// With all lengths to `scale`.
+/// Returns the growth parameters with all lengths multiplied by `scale`.
 ColonizeParameters growth_of(const Colonize& tree, double scale) {
   ColonizeParameters growth = tree.growth;
   growth.step *= scale;

@@ -12,28 +12,28 @@
 
 namespace meristem {
 
-/// How it answers to light, its moves in steps.
+/// The response to light; movements are in steps.
 struct LightResponseParameters {
   double shift = 0;               ///< movement of the whole cloud in each step, in steps
-  std::optional<double> shift_m;  ///< metres, instead of `shift`
+  std::optional<double> shift_m;  ///< metres; replaces `shift`
   double drift = 0;               ///< movement of a point in the shade in each step, in steps
-  LightResponse response;         ///< without both
+  LightResponse response;         ///< all other parameters of the response
 };
 
-/// A tree that grows into the attraction points of its crown, or several of them.
+/// One or several trees that grow into the attraction points of their crowns.
 struct Colonize : GrowingComponent {
   std::optional<CrownParameters> crown;  ///< form of the crown; unset: the points come from a file
   PointsParameters points;               ///< number, distribution or file of the points
-  std::vector<Vec3> roots{Vec3(0)};      ///< where the trees stand, in the component's frame
-  bool one_crown = false;                ///< one crown over the component's origin instead of one per root
-  ColonizeParameters growth;             ///< without its light
+  std::vector<Vec3> roots{Vec3(0)};      ///< positions of the trees, in the component's frame
+  bool one_crown = false;                ///< true: one crown above the component's origin; false: one crown per root
+  ColonizeParameters growth;             ///< growth parameters except the light response
   LightResponseParameters light;         ///< response to light
-  std::optional<Condition> shed;         ///< branches that are gone when growth is done
+  std::optional<Condition> shed;         ///< branches that are removed after growth
   Surface surface;                       ///< surface of the stems
-  TrimMode trim = TrimMode::cut;         ///< what a body around its stems does to them
+  TrimMode trim = TrimMode::cut;         ///< effect of a body around its stems
 };
 
-/// The type of that name.
+/// Returns the component type `colonize`.
 ComponentType colonize_component();
 
 }  // namespace meristem

@@ -28,7 +28,7 @@ GraphBuilder tree(const Value::Object& parameters) {
   return builder.component("view", "camera").component("tree", "colonize", parameters).link("view", "tree");
 }
 
-// The only fault of reading and growing.
+// Returns the only error of reading and growing.
 Diagnostic fault(const Value::Object& parameters) {
   const auto faults = faults_of([&] { tree(parameters).grow(); });
   EXPECT_EQ(faults.size(), 1U);
@@ -201,7 +201,7 @@ TEST(ColonizeComponent, RootsMakeAGroveWithACrownOverEach) {
   const Skeleton& grove = plant.stems[0].skeleton;
   EXPECT_TRUE(check_skeleton(grove));
   EXPECT_EQ(root_count(grove), 2U);
-  // Each crown is some 1.2 m wide.
+  // Each crown is about 1.2 m wide.
   EXPECT_LT(bounds(grove).low.x, -0.3F);
   EXPECT_GT(bounds(grove).high.x, 2.3F);
 }

@@ -13,7 +13,7 @@ namespace meristem {
 
 namespace {
 
-/// The points of an instance at a site, each relative to its root.
+/// Returns the points of the instance at a site, each relative to its root.
 template <class Filled>
 std::vector<Vec3> points_at(const Prototype& prototype, const Site& site, double time, const GrowContext& context) {
   Filled filled = *static_cast<const Filled*>(prototype.parameters.get());

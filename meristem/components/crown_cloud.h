@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The attraction points of a component, as the outlines of its crown are drawn: about the root.
+// The attraction points of a component around the root, in the coordinates in which the outlines of its crown are
+// drawn.
 #pragma once
 
 #include <optional>
@@ -15,11 +16,11 @@
 
 namespace meristem {
 
-/// The attraction points that the first instance of a component begins with: those of all its roots, each relative to
-/// the root over which its crown stands, metres, y up, before the component's frame, before obstacles and shade remove
-/// some, and before light moves them. They are the very points that the instance grows into, or shows. Nothing where no
-/// component of that id fills a crown with points, or it has no instance. With the cache of an expansion of the same
-/// arguments, nothing is grown anew; the points are placed again. Throws what expand() throws.
+/// Returns the initial attraction points of the first instance of a component, for all of its roots. Each point is
+/// relative to the root under its crown, in metres, y up, without the component's frame. These are exactly the points
+/// that the instance grows into or shows, before obstacles, shade or light remove or move them. Returns nothing if no
+/// component with that id fills a crown with points, or if it has no instance. With the cache of an expansion with
+/// equal arguments, nothing grows again; only the points are placed again. Throws what expand() throws.
 std::optional<std::vector<Vec3>> crown_cloud(const Graph& graph, const Scene& scene, const std::string& id, double time,
                                              Progress& progress, Cache* cache = nullptr, const GrowthView& view = {});
 

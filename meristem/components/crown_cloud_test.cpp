@@ -57,7 +57,7 @@ TEST(CrownCloud, HasThePointsThatATreeGrowsInto) {
   for (std::size_t k = 0; k < sorted.size(); ++k) EXPECT_EQ(sorted[k], before[k].position);
 }
 
-// The frame of the component and the places of its roots move the crown, and not the points within it.
+// The component's frame and the positions of its roots move the crown, but not the points within it.
 TEST(CrownCloud, TellsPointsAboutTheirRoots) {
   const Value::List roots{Value::List{4, 0, 0}, Value::List{-3, 1, 5}};
   const Value::Object away{{"translate", Value::List{3, 0, 0}}, {"scale", Value::List{2, 2, 2}}};

@@ -8,11 +8,12 @@
 
 namespace meristem {
 
-/// The operations that the training of a self-organizing tree stands for, as a document writes them; null for other
-/// components and without a training.
+/// Returns the operations of a self-organizing tree's training in the form of a document. Null for other components and
+/// without a training.
 Value expanded_training(const Prototype& component);
 
-/// The iteration after whose growth the last operations of a self-organizing tree act; nothing for other components.
+/// Returns the last iteration of a self-organizing tree, after which its last operations act. Returns nothing for other
+/// components.
 std::optional<int> last_iteration(const Prototype& component);
 
 }  // namespace meristem

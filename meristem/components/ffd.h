@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// A free-form deformation by functions of space.
+/// A free-form deformation by functions of the position.
 struct Ffd : ComponentBase {
   SpaceFunctions functions;
   Deforming deforming;

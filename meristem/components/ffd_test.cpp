@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an ffd does to all that hangs on it, whatever made it.
+// The effect of an ffd on its descendants, for all kinds of components.
 #include "meristem/components/ffd.h"
 
 #include <cmath>
@@ -24,7 +24,7 @@ Value::Object on(const char* part, Value::Object parameters = kBend) {
   return parameters;
 }
 
-/// A stem of four metres with branches and leaves, below an ffd with these parameters, if there are any.
+/// A stem of four metres with branches and leaves. If `ffd` has parameters, the stem is below an ffd.
 GraphBuilder tree_under(const Value::Object& ffd, const Value::Object& surface = {}) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera").component("wind", "ffd", ffd);
@@ -43,7 +43,7 @@ MeshScene clothed(const Plant& plant) {
   return make_mesh_scene(plant, {}, progress);
 }
 
-/// All vertices of a scene in the world; of stems alone where organs may have come into another order.
+/// Returns all vertices of a scene in world space. Without leaves if the order of organs may differ.
 std::vector<Vec3> vertices_of(const MeshScene& scene, bool with_leaves = true) {
   std::vector<Vec3> vertices;
   for (const MeshInstances& instances : scene.meshes) {
@@ -90,7 +90,7 @@ TEST(Ffd, OnAxesBendsStemsAndTurnsLeaves) {
 }
 
 TEST(Ffd, OnGeometryTakesEveryVertexWhereItSays) {
-  // Without nodes to spare, both have the same rings.
+  // With `error` 0, both stems have equal rings.
   const Value::Object surface{{"error", 0}};
   const MeshScene plain = clothed(tree_under({}, surface).grow());
   std::vector<Vec3> expected;
@@ -152,7 +152,7 @@ TEST(Ffd, DeformsSurfacesThroughSections) {
   std::vector<Vec3> expected;
   for (const Vec3 vertex : before) expected.push_back(bent(vertex));
   EXPECT_LT(largest_distance(vertices_of(clothed(grown(on("geometry")))), expected), 1e-2F);
-  // On axes the sections keep their form: each ring is as wide as before.
+  // On axes, the cross-sections keep their shape: each ring is as wide as before.
   EXPECT_GT(largest_distance(vertices_of(clothed(grown(on("axes")))), before), 0.1F);
 }
 
@@ -163,7 +163,7 @@ TEST(Ffd, StandsInItsOwnFrame) {
   builder.component("box", "simple", {{"frame", Value::Object{{"translate", Value::List{0, 2, 0}}}}});
   const std::vector<Organ> organs = organs_of(builder.link("view", "wind").link("wind", "box").grow(), "box");
   ASSERT_EQ(organs.size(), 1U);
-  EXPECT_NEAR(organs[0].frame.origin.x, 0.4F, 1e-3F);  // the box is moved as an affine map would
+  EXPECT_NEAR(organs[0].frame.origin.x, 0.4F, 1e-3F);  // an affine map moves the box
   EXPECT_NEAR(std::abs(organs[0].frame.origin.z), 2, 1e-5F);
   EXPECT_NEAR(organs[0].frame.origin.y, 1, 1e-5F);
 }
@@ -202,7 +202,7 @@ TEST(Ffd, OffLetsWhatHangsThereStandRigidly) {
   EXPECT_LT(glm::distance(found.frame.origin, bent(was.frame.origin)), 1e-5F);
   for (int axis = 0; axis < 3; ++axis)
     EXPECT_NEAR(glm::length(found.frame.axes[axis]), glm::length(was.frame.axes[axis]), 1e-5F);
-  EXPECT_GT(found.frame.heading().x, 0.3F * glm::length(found.frame.heading()));  // it leans with the trunk's tip
+  EXPECT_GT(found.frame.heading().x, 0.3F * glm::length(found.frame.heading()));  // it leans with the tip of the trunk
 }
 
 TEST(Ffd, StandsAbovePlantsThatGrow) {
@@ -219,7 +219,7 @@ TEST(Ffd, StandsAbovePlantsThatGrow) {
   for (std::size_t k = 0; k < was.node_count(); ++k) {
     EXPECT_LT(glm::distance(plant.stems[0].skeleton.position[k], bent(was.position[k])), 1e-4F);
   }
-  // The tree is still the plant that stands there.
+  // The tree remains the individual at this place.
   ASSERT_EQ(plant.individuals.size(), 1U);
   EXPECT_EQ(plant.individuals[0].component, "oak");
 }

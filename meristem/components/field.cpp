@@ -7,7 +7,7 @@ namespace meristem {
 
 namespace {
 
-/// Which numbers of a plant's random stream mean what.
+/// Indices of a plant's random numbers.
 enum Draw : std::uint64_t { along, across, turn, gap };
 
 void expand(const Field& field, const Site& site, Emitter& out) {

@@ -46,7 +46,7 @@ TEST(Field, StaggeredRowsLieBetweenTheirNeighboursPlants) {
 
 TEST(Field, GapsLeaveTheirShareOfPlacesEmpty) {
   const auto plants = plants_of({{"rows", 100}, {"plants", 100}, {"gaps", 0.1}});
-  // Four standard deviations of 10,000 draws.
+  // Four standard deviations of 10,000 random numbers.
   EXPECT_NEAR(static_cast<double>(plants.size()), 9000, 4 * 30);
 }
 

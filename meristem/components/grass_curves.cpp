@@ -17,7 +17,8 @@ bool suits(const CurveName& curve, std::optional<int> rank, std::optional<int> l
   return (!rank || !curve.rank || *rank == *curve.rank) && (!leaf || !curve.leaf || *leaf == *curve.leaf);
 }
 
-/// The curve of a leaf, the last one where there are several ages; else the first of the rank, else the first of all.
+/// Returns the curve of a leaf, the one with the largest age if there are several. Otherwise returns the first curve of
+/// the rank, or else the first curve.
 const MeasuredCurve* curve_for(const std::vector<MeasuredCurve>& curves, std::optional<int> rank,
                                std::optional<int> leaf) {
   const MeasuredCurve* found = nullptr;

@@ -24,7 +24,7 @@ TEST(GrassCurves, AreThoseOfTheDocument) {
       curves_of({{"midrib_points", Value::List{Value::List{1, 1}, Value::List{2, 5}, Value::List{5, 6}}}});
   ASSERT_TRUE(curves);
   EXPECT_FALSE(curves->has_midrib_file);
-  // From the collar on.
+  // Relative to the collar.
   EXPECT_EQ(curves->midrib_points, (std::vector<Vec2>{{0, 0}, {1, 4}, {4, 5}}));
   EXPECT_EQ(curves->midrib.front(), Vec2(0));
   EXPECT_NEAR(curves->midrib.back().x, 4, 0.1);

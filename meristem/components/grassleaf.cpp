@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field has a million leaves. Unless leaves are exact, those numbers of their shape that vary from leaf to leaf are
-// rounded, so that many leaves share a mesh; a number that all leaves have in common stays exact. The mesh is made for
-// a length of 1 and scaled: the ratio of width to length is rounded to an eighth of an octave (and the mesh stretched
-// by at most 4.4 %), angles to 5°, the age to 32 steps of full growth, forces to a quarter of the leaf's weight. Lives
-// are drawn from a number of variants.
+// Grass leaves with shared meshes, because a field has a million leaves. Unless leaves are exact, shape parameters that
+// vary between leaves are rounded, so that many leaves share a mesh. Parameters that are equal for all leaves stay
+// exact. The mesh is made for a length of 1 and scaled. The ratio of width to length is rounded to an eighth of an
+// octave, so the mesh is stretched by at most 4.4 %. Angles are rounded to 5°, the age to 32 steps of full growth, and
+// forces to a quarter of the leaf's weight. Growth histories are drawn from a number of variants.
 #include "meristem/components/grassleaf.h"
 
 #include <algorithm>
@@ -26,26 +26,26 @@ namespace meristem {
 
 namespace {
 
-constexpr double kAgeSteps = 32;        // of full growth
-constexpr double kProportionSteps = 8;  // an octave
-constexpr double kRadiusSteps = 2;      // an octave
-constexpr double kForceStep = 0.25;     // of the leaf's weight
-constexpr double kWaveStep = 0.05;      // of their depth
+constexpr double kAgeSteps = 32;        // steps of full growth
+constexpr double kProportionSteps = 8;  // per octave
+constexpr double kRadiusSteps = 2;      // per octave
+constexpr double kForceStep = 0.25;     // share of the leaf's weight
+constexpr double kWaveStep = 0.05;      // share of the depth
 constexpr double kWaveNumberStep = 0.5;
-constexpr double kFactorStep = 0.05;  // of an inclination
+constexpr double kFactorStep = 0.05;  // share of an inclination
 constexpr double kTurnStep = kPi / 180;
-constexpr double kTurnPlaceStep = 0.01;  // of the midrib
-constexpr double kErrorSteps = 4;        // an octave
+constexpr double kTurnPlaceStep = 0.01;  // share of the midrib
+constexpr double kErrorSteps = 4;        // per octave
 constexpr double kAirDensity = 1.2;      // kg/m3
 constexpr double kAgeTolerance = 1e-9;
-constexpr double kUsualLength = 0.3;    // metres, where neither document nor file says it
-constexpr double kUsualSheath = 0.005;  // metres, of its radius away from stems
+constexpr double kUsualLength = 0.3;    // metres; used if neither document nor file gives a length
+constexpr double kUsualSheath = 0.005;  // metres; radius of the sheath away from stems
 constexpr double kSheathOverStem = 1.12;
 constexpr double kMostRate = 1000;
-constexpr double kUsualAspect = 0.06;   // width over length where a leaf's own is not known
-constexpr double kOwnInclination = -1;  // stands for an inclination that is the midrib's own
+constexpr double kUsualAspect = 0.06;   // width over length if the leaf's own is unknown
+constexpr double kOwnInclination = -1;  // special value: the midrib's own inclination
 
-/// Where a leaf's curves come from.
+/// The indices of a leaf's curves.
 struct Choice {
   std::uint32_t midrib = 0, widths = 0;
 };
@@ -56,7 +56,7 @@ struct Choice {
                               .path = fmt::format("components.{}.{}", out.component(), parameter)});
 }
 
-/// "one of 1, 2, 3".
+/// Returns "one of 1, 2, 3".
 std::string ranks_text(const StockIndex& index) {
   constexpr std::size_t kMostShown = 20;
   const std::span<const int> shown = std::span(index.ranks()).first(std::min(index.ranks().size(), kMostShown));
@@ -92,7 +92,7 @@ Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
   return choice;
 }
 
-/// Metres, full grown.
+/// Returns the length of the full-grown leaf in metres.
 double full_length(const Grassleaf& grass, const Choice& choice) {
   if (grass.length) return *grass.length;
   const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
@@ -106,15 +106,15 @@ double full_width(const Grassleaf& grass, const Choice& choice, double length) {
   return widths.are_widths_shares() ? kUsualAspect * length : grass.source.unit * widths.width;
 }
 
-/// Metres in the leaf's own frame, of the sheath's rim.
+/// Returns the radius of the sheath's rim in metres, in the leaf's own frame.
 double sheath_radius(const GrassSheath& sheath, const Site& site) {
   if (sheath.radius) return *sheath.radius;
   const double scale = glm::length(site.frame.axes[2]);
   return site.radius > 0 && scale > 0 ? kSheathOverStem * site.radius / scale : kUsualSheath;
 }
 
-/// What of a leaf's shape varies from instance to instance, rounded, for a length of 1. All of them numbers, so that
-/// their bytes tell shapes apart.
+/// Shape parameters that vary between instances, rounded, for a leaf of length 1. All members are doubles, so that
+/// their bytes identify a shape.
 struct ShapeNumbers {
   double midrib, widths, variant;
   double width;
@@ -129,7 +129,7 @@ struct ShapeNumbers {
 };
 static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double));
 
-/// Rounds numbers of a leaf, or leaves them.
+/// Rounds the parameters of a leaf, unless leaves are exact.
 class Rounding {
  public:
   Rounding(const Grassleaf& grass, const Emitter& out) : grass_(grass), out_(out) {}
@@ -138,7 +138,7 @@ class Rounding {
   double octaves(double value, double steps) const {
     return grass_.exact || value <= 0 ? value : to_octaves(value, steps);
   }
-  /// A number of the leaf itself, which is rounded only where it is one for one leaf and another one for another.
+  /// Returns a parameter of the leaf, rounded only if it varies between leaves.
   double own(const double& number, double steps) const { return varies(number) ? step(number, steps) : number + 0.0; }
   double own_octaves(const double& number, double steps) const {
     return varies(number) ? octaves(number, steps) : number;
@@ -153,7 +153,8 @@ class Rounding {
   const Emitter& out_;
 };
 
-/// The turns of the leaf, rounded; where numbers that vary put a turn's end before its beginning, it is a kink.
+/// Returns the rounded turns of the leaf. If varying numbers put the end of a turn before its begin, the turn becomes a
+/// kink.
 std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   if (!grass.stages.bend) return {};
   const Rounding round(grass, out);
@@ -167,14 +168,14 @@ std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   return turns;
 }
 
-/// Hash of everything that shapes a leaf.
+/// Returns a hash of everything that determines the shape.
 std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns) {
   std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof numbers);
   for (const LocalTurn& turn : turns) bytes.append(reinterpret_cast<const char*>(&turn), sizeof turn);
   return hash64(bytes);
 }
 
-/// A vector of the world in the plane of a leaf: away from the stem, and along it.
+/// Projects a world vector to the plane of a leaf: away from the stem, and along it.
 glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
   return {-glm::dot(vector, glm::normalize(frame.axes[2])), glm::dot(vector, glm::normalize(frame.axes[1]))};
 }
@@ -184,7 +185,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
   const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().light(site.frame.origin).vector();
-  // The pressure of wind on a plate over the weight of the blade.
+  // The wind pressure on a plate, relative to the weight of the blade.
   const double speed = glm::length(forces.wind);
   const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
   const auto set = [&](Vec3 vector, double& x, double& y) {
@@ -212,7 +213,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
     const bool is_shared = vary.variants > 0 && !grass.exact;
     const double drawn = std::floor(own.uniform(0) * vary.variants);
     const RandomKey life = is_shared ? out.component_key().child(static_cast<std::uint64_t>(drawn)) : own;
-    // The key's bits, as far as a double holds them.
+    // The bits of the key that a double can hold.
     numbers.variant = 1 + static_cast<double>(life.bits() >> 12U);
   }
   numbers.width = round.octaves(width / length, kProportionSteps);
@@ -221,7 +222,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   const double step = grass.full_age / kAgeSteps;
   const bool is_rounded = !grass.exact && grass.stages.age && round.varies(grass.age);
   numbers.age = is_rounded ? round.step(age, step) : age;
-  // Rounded, a young leaf is still there, and none gets older than its midribs.
+  // Rounding must neither remove a young leaf nor make a leaf older than its midribs.
   if (is_rounded && age > 0) numbers.age = std::max(numbers.age, step);
   numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
   numbers.inclination = kOwnInclination;
@@ -261,7 +262,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   return numbers;
 }
 
-/// What a formula gives; throws where that is no number to reckon with.
+/// Returns the value of a formula. Throws if it is not finite or too large.
 double value_of(const std::optional<Formula>& formula, std::span<const double> names, RandomKey key, const Emitter& out,
                 const char* parameter) {
   const double value = formula->expression.evaluate(names, key);
@@ -271,7 +272,7 @@ double value_of(const std::optional<Formula>& formula, std::span<const double> n
   return value;
 }
 
-/// The rates of one leaf's life. Each random call of an expression draws once per leaf.
+/// The growth rates of one leaf. Each random call of an expression draws one number per leaf.
 class LifeRates {
  public:
   LifeRates(const GrassVariety& vary, RandomKey key, const Emitter& out) : vary_(vary), key_(key), out_(out) {}
@@ -291,7 +292,7 @@ class LifeRates {
   const Emitter& out_;
 };
 
-/// The leaf up to the stage of bending, as wide as it is for a length of 1.
+/// Returns the leaf before bending, with a length of 1.
 GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
   const StockedMidrib& midrib = grass.stock->midribs[static_cast<std::size_t>(numbers.midrib)];
   GrassLeaf full = midrib.form;
@@ -324,7 +325,7 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
 }
 
 GrassLeaf reduced_leaf(const ShapeNumbers& numbers, GrassLeaf leaf, const GrassBlade& blade) {
-  // Before it is reduced, the leaf has as many pieces as are asked for, and as waves need.
+  // Before reduction, the leaf needs enough pieces for the final number and for its waves.
   const auto pieces = static_cast<std::size_t>(numbers.polygons);
   const auto needed = std::max(pieces, static_cast<std::size_t>(2 * kPiecesAWave * blade.waves.number));
   if (needed + 1 > leaf.point_count()) leaf = resampled(leaf, needed);
@@ -352,14 +353,14 @@ GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers, const E
   blade.waves = {numbers.waves, numbers.waves_depth, numbers.waves_left, numbers.waves_right};
   blade.clasp = numbers.clasp;
   blade.clasp_radius = numbers.clasp_radius;
-  // Waves that so few pieces cannot show are left out.
+  // Omit waves that so few pieces cannot show.
   const bool is_coarse = grass.stages.reduce && numbers.error == 0 && numbers.polygons < kPiecesAWave * numbers.waves;
   if (is_coarse) blade.waves.number = blade.waves.depth = 0;
   if (grass.stages.blade) blade.displace = displacement(grass, out);
   return blade;
 }
 
-/// Runs all stages for one shape. Empty where nothing of the leaf can be seen.
+/// Runs all stages for one shape. Returns an empty mesh if the leaf is invisible.
 Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
   const GrassLeaf grown = grown_leaf(grass, numbers, out);
   if (!(grown.length > 0 && grown.width > 0)) return {};
@@ -382,7 +383,7 @@ void emit_sheath(const Grassleaf& grass, const Site& site, Emitter& out) {
       [] { return make_ligule(); }, Vec3(1));
 }
 
-/// Metres from the stem's axis to the collar.
+/// Returns the distance from the stem's axis to the collar in metres.
 double distance_from_axis(const Grassleaf& grass, const Site& site) {
   if (grass.sheath.length > 0 && grass.stages.blade) return sheath_radius(grass.sheath, site);
   if (site.stem == kOnNoStem) return 0;
@@ -418,7 +419,7 @@ TextureShape texture_shape(const Grassleaf& grass) {
   for (std::size_t k = r.size(); k-- > 0;) {
     if (r[k] > 0) add(k, -1);
   }
-  // Numbers that differ from leaf to leaf are 0 here.
+  // Numbers that vary between leaves are 0 here.
   const double length = grass.length.value_or(0);
   const double width = grass.width.value_or(0);
   shape.aspect = length > 0 && width > 0 ? width / length : kUsualAspect;

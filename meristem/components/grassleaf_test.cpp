@@ -20,7 +20,7 @@ namespace meristem::grassleaf_test {
 using Object = Value::Object;
 using List = Value::List;
 
-/// An upright midrib that is not smoothed, over a flat blade as wide all along.
+/// An upright midrib without smoothing, and a flat blade of constant width.
 Object strip(Object more = {}) {
   Object leaf{{"length", 1.0},
               {"width", 0.1},
@@ -52,7 +52,7 @@ double area_of(const Plant& plant, const Organ& organ) {
   return sum;
 }
 
-/// The end of the midrib: where v is 1 and u is nearest to a half.
+/// Returns the end of the midrib: the vertex with v = 1 and u nearest to one half.
 Vec3 tip_of(const Plant& plant, const Organ& organ) {
   const Mesh& mesh = *plant.prototypes[organ.prototype].mesh;
   std::size_t best = 0;
@@ -97,7 +97,7 @@ TEST(Grassleaf, AFactorMultipliesTheInclination) {
 TEST(Grassleaf, AnEvenStripKeepsItsAreaHoweverItIsTwisted) {
   const double area = area_of(field_of(1, strip()), field_of(1, strip()).organs[0]);
   const Plant twisted = field_of(1, strip({{"twist", 180}, {"polygons", 48}, {"exact", true}}));
-  // A helicoid is larger than the strip that it is made of, by (twist * width)^2 / 24 of it here: 0.4 %.
+  // The area of a helicoid is larger than the strip's area by about (twist * width)^2 / 24 here: 0.4 %.
   EXPECT_NEAR(area_of(twisted, twisted.organs[0]) / area, 1 + std::pow(kPi * 0.1, 2) / 24, 3e-3);
 }
 
@@ -115,7 +115,7 @@ TEST(Grassleaf, IsNotThereBeforeItsBirth) {
 }
 
 TEST(Grassleaf, MidribsByAgeAreInterpolatedInTheirDirections) {
-  // Upright at age 2, level at age 4.
+  // Upright at age 2, horizontal at age 4.
   const List midribs{
       Value(Object{{"age", 2}, {"points", List{Value(List{0, 0}), Value(List{0, 1}), Value(List{0, 2})}}}),
       Value(Object{{"age", 4}, {"points", List{Value(List{0, 0}), Value(List{1, 0}), Value(List{2, 0})}}})};
@@ -137,7 +137,7 @@ TEST(Grassleaf, AgesBeyondItsMidribsAreAFault) {
 TEST(Grassleaf, ManyLeavesShareFewShapes) {
   const Object varied = strip({{"age", "rand(0.1, 1)"}, {"length", "rand(0.2, 0.4)"}});
   const Plant plant = field_of(2000, varied);
-  // 30 ages and an octave of proportions.
+  // 30 ages, and one octave of proportions.
   EXPECT_LE(plant.prototypes.size(), 30U * 9U);
   for (const Organ& organ : plant.organs) {
     EXPECT_GE(glm::length(organ.frame.heading()), 0.2F - 1e-6F);
@@ -153,7 +153,7 @@ TEST(Grassleaf, ExactLeavesAreAsTheyAreAsked) {
 }
 
 TEST(Grassleaf, ANumberThatIsTheSameForAllLeavesIsNotRounded) {
-  // So far the surface's points lie from where they are without it.
+  // Returns the mean distance between the surfaces with and without the parameters.
   const auto moved_by = [](Object more, Object plain = {}) {
     more.emplace_back("polygons", 24);
     plain.emplace_back("polygons", 24);
@@ -278,7 +278,7 @@ TEST(Grassleaf, StagesCanBePassedOver) {
                                            {"fit", Object{{"smoothing", 0.05}}},
                                            {"polygons", 48},
                                            {"stages", Object{{"fit", is_fitted}}}}));
-    return plant.prototypes[0].mesh->normals[3 * 12].y;  // of a point on the first leg, which is upright
+    return plant.prototypes[0].mesh->normals[3 * 12].y;  // at a point on the first leg, which is upright
   };
   EXPECT_NEAR(kinked(false), 0, 1e-3);
   EXPECT_GT(std::abs(kinked(true)), 0.02);
@@ -357,7 +357,7 @@ TEST(Grassleaf, ItsSheathFitsTheStemWhateverTheScale) {
     scaled.link("view", "stem").link("stem", "leaf", LinkKind::branch, size);
     const Plant plant = scaled.grow();
     const auto leaves = organs_of(plant, "leaf");
-    // Heading along the stem, though links say nothing of an angle, and about it.
+    // The heading is along the stem, although links give no angle, and the leaf is rotated about the stem.
     std::size_t sheaths = 0;
     for (const Organ& organ : leaves) {
       if (plant.materials[plant.prototypes[organ.prototype].material].name != "leaf_blades") continue;
@@ -371,7 +371,7 @@ TEST(Grassleaf, ItsSheathFitsTheStemWhateverTheScale) {
 }
 
 TEST(Grassleaf, WindMovesTipsWhereItBlowsTo) {
-  // Leaves that face eight ways, about the vertical.
+  // Leaves that face eight directions, around the vertical.
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera")
       .component("star", "hydra", {{"number", 8}, {"angle", 0}})
@@ -417,7 +417,7 @@ TEST(Grassleaf, ASheathGoesAboutTheStemBelowItsBlade) {
   EXPECT_NEAR(box.low.y, -0.2, 1e-6);
   EXPECT_NEAR(box.high.y, 0, 1e-6);
   EXPECT_NEAR(box.high.x, 0.02, 5e-4);
-  // The blade begins on the sheath.
+  // The blade begins at the rim of the sheath.
   EXPECT_NEAR(plant.organs[1].frame.origin.z, -0.02, 1e-6);
 }
 
@@ -453,7 +453,7 @@ TEST(Grassleaf, HangsOnAnyComponent) {
   }
 }
 
-/// A file with these lines in a folder that lasts as long as the test.
+/// A fixture that writes files to a temporary folder.
 class GrassleafFiles : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) {
@@ -477,7 +477,7 @@ TEST_F(GrassleafFiles, LeavesOfARankAreDrawnFromAllMeasuredOnes) {
   std::multiset<int> heights;
   const Plant plant = field_of(400, leaf);
   for (const Organ& organ : plant.organs) heights.insert(static_cast<int>(std::round(100 * tip_of(plant, organ).y)));
-  // 2 and 4 centimetres as measured, each with even chance.
+  // 2 and 4 centimetres as measured, with equal probability.
   EXPECT_EQ(heights.count(2) + heights.count(4), 400U);
   EXPECT_NEAR(static_cast<double>(heights.count(2)), 200, 40);
 }
@@ -490,7 +490,7 @@ TEST_F(GrassleafFiles, WidthsAreSharesWhereTheirLargestIsAboutOneAndElseAsMeasur
     for (const Vec3 point : plant.prototypes[0].mesh->positions) box.add(plant.organs[0].frame.point(point));
     return box.size().x;
   };
-  // Shares of the length and of the width; metres of both; shares of the length and metres of width.
+  // Shares of the length and of the width; both in metres; shares of the length with the width in metres.
   EXPECT_NEAR(width_of("s,r\n0,1\n0.5,1\n1,1\n"), 0.06, 1e-4);
   EXPECT_NEAR(width_of("s,r\n0,0.09\n0.4,0.09\n0.8,0.09\n"), 0.09, 1e-4);
   EXPECT_NEAR(width_of("s,r\n0,0.09\n0.5,0.09\n0.95,0.09\n"), 0.09, 1e-4);
@@ -521,7 +521,7 @@ TEST_F(GrassleafFiles, FaultsInFilesHaveTheirRowAndReason) {
   const std::string missing = text_of("midrib", "rank,X,y\n1,0,0\n");
   EXPECT_TRUE(has(missing, "components.leaf.midrib") && has(missing, "no column 'x'") && has(missing, "'X'"))
       << missing;
-  // One that too few others stand beside to be left out.
+  // A repeated point that is not removed as an outlier.
   const std::string repeated = text_of("midrib", "x,y\n0,0\n1,1\n1,1\n");
   EXPECT_TRUE(has(repeated, "bad.csv:4") && has(repeated, "the one in the row before")) << repeated;
   const std::string negative = text_of("widths", "s,r\n0,1\n0.5,-1\n1,0\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve is that of a stem. The section 'ring' is this stem itself; an outline is lofted through the stem's nodes;
-// primitives stand on the ribs. All sections but rings have an invisible stem, for links that set children along it.
+// A cross-section or primitive along the curve of a stem. The section 'ring' is the stem itself. An outline is lofted
+// through the stem's nodes. Primitives are placed on the ribs. All sections except rings have an invisible stem, so
+// that links can place children along it.
 #include "meristem/components/horn.h"
 
 #include <algorithm>
@@ -18,21 +19,21 @@ namespace meristem {
 
 namespace {
 
-constexpr double kThinnest = 1e-6;     // of the length: thinner sections are points
-constexpr double kRadiiAnOctave = 64;  // steps in which radii differ, of outlines that share their meshes
+constexpr double kThinnest = 1e-6;     // relative to the length: thinner sections are points
+constexpr double kRadiiAnOctave = 64;  // steps per octave for rounding the radii of outlines that share meshes
 constexpr std::size_t kMostRibs = 100'000;
 
 /// A cross-section on the curve.
 struct Rib {
-  Frame frame;  ///< in world space, turned by the twist
+  Frame frame;  ///< in world space, rotated by the twist
   float u = 0;
   float radius = 0;    ///< in the horn's own frame, metres
-  float part = 1;      ///< how far it has come to be
+  float part = 1;      ///< scale of a rib that is still appearing; 1: complete
   NodeIndex node = 0;  ///< on the segment of the stem that ends in this node
-  float along = 1;     ///< at this share of it
+  float along = 1;     ///< position on this segment, from 0 to 1
 };
 
-/// With a unit heading, the upper side as near as can be, and one scale.
+/// Returns a frame with perpendicular axes of equal length and nearly the original upper side.
 Frame even_frame(const Frame& frame) {
   const float scale = glm::length(frame.heading());
   const Vec3 heading = normalized_or(frame.heading(), kUp);
@@ -65,16 +66,16 @@ Rib rib_at(const Horn& horn, const StemPath& path, double u) {
           .along = share};
 }
 
-/// What the surroundings have left of the curve.
+/// The part of the curve that is left by the surroundings.
 struct CurveLeft {
-  float share = 1;    ///< of its length
-  bool fits = false;  ///< its radii are those of the whole curve, over the length that is left
+  float share = 1;    ///< share of the length
+  bool fits = false;  ///< true: the radii of the whole curve are compressed to the remaining length
 
-  /// Where on the whole curve it is as thick as at `u`.
+  /// Returns the position on the whole curve with the radius at `u`.
   double thick_as(double u) const { return fits && share > 0 ? u / share : u; }
 };
 
-/// The ribs that are left to bear primitives.
+/// Returns the remaining ribs for primitives.
 std::vector<Rib> ribs_left(const Horn& horn, const StemPath& path, const std::vector<Rib>& ribs, CurveLeft left) {
   std::vector<Rib> stay;
   for (const Rib& rib : ribs) {
@@ -91,7 +92,7 @@ std::vector<Rib> ribs_left(const Horn& horn, const StemPath& path, const std::ve
   return stay;
 }
 
-/// While the last rib comes to be at the tip, those before it draw together.
+/// While the last rib appears at the tip, the earlier ribs move together.
 std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
   std::vector<Rib> ribs;
   const double spaces = horn.ribs.value - 1;
@@ -124,8 +125,8 @@ Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemP
   return make_loft(sections).mesh;
 }
 
-/// The curve of a horn that is 1 long, in the horn's own frame. What the world does to it, where it is `length` long,
-/// differs along the curve.
+/// Returns the curve of a horn of length 1 in the horn's own frame. Gravity, light and obstacles act on it as on a horn
+/// of length `length` at its site.
 StemPath unit_path(const StemParameters& unit, float length, const Site& site, StemTropisms tropisms) {
   Site own;
   own.key = site.key;
@@ -140,7 +141,7 @@ StemPath unit_path(const StemParameters& unit, float length, const Site& site, S
   return path;
 }
 
-/// The key of how the world bends the curve of a horn that stands at a site.
+/// Returns a key for the effect of the world on the curve of a horn at a site.
 std::uint64_t world_key(const Site& site, const StemTropisms& tropisms, const Surroundings& surroundings) {
   if (!tropisms.act()) return 0;
   const Mat3 axes = even_frame(site.frame).axes / glm::length(site.frame.heading());
@@ -166,7 +167,7 @@ void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropis
   out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms), left); });
 }
 
-/// As wide and as high as the curve is thick there, and in its middle.
+/// Emits a primitive at each rib: as wide and high as the curve there, and centred on it.
 void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>& ribs, Emitter& out) {
   const auto shape = static_cast<UnitShape>(static_cast<int>(horn.section) - static_cast<int>(Horn::Section::box));
   const Mat3 back = glm::inverse(site.frame.axes);

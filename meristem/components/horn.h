@@ -7,18 +7,18 @@
 
 namespace meristem {
 
-/// A cross-section or a primitive carried along a curve. What hangs on it by branch links stands on its ribs, unless
-/// the links say where.
+/// A cross-section or a primitive along a curve. Children of branch links are placed on its ribs, unless the links
+/// define other positions.
 struct Horn : ComponentBase {
   enum class Section { ring, outline, box, sphere, cylinder, cone, torus };
   StemParameters stem;
-  double twist = 0;  ///< radians: turn of the section about the curve from base to tip
+  double twist = 0;  ///< rotation of the section about the curve from base to tip, radians
   Section section = Section::ring;
-  std::vector<Vec2> outline;      ///< x and z, shares of the radius
-  Count ribs = 12;                ///< sites evenly along the curve, both ends included; the last may be coming to be
-  int around = 24;                ///< corners around primitives
-  Surface surface;                ///< of a ring's stem
-  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
+  std::vector<Vec2> outline;  ///< x and z, shares of the radius
+  Count ribs = 12;  ///< number of evenly spaced sites on the curve, including both ends; the last one may be appearing
+  int around = 24;  ///< corners around primitives; larger: rounder
+  Surface surface;  ///< surface of the stem of a ring
+  TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
 };
 
 ComponentType horn_component();

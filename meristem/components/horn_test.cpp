@@ -31,7 +31,7 @@ Value even_taper(double tip) {
   return Value::Object{{"curve", Value::List{Value::List{0, 1}, Value::List{1, tip}}}, {"kind", "linear"}};
 }
 
-// Frames of boxes on the ribs.
+// Returns the frames of boxes on the ribs.
 std::vector<Frame> rib_frames(const Value::Object& parameters, const Value::Object& placement = {}) {
   auto builder = one(parameters);
   builder.component("box", "simple", {{"size", Value::List{0.01, 0.01, 0.01}}});
@@ -71,15 +71,15 @@ TEST(Horn, PlacementKeysPlaceChildrenAlongItInstead) {
   }
 }
 
-// A curl whose side turns on runs along a helix: all its ribs are as far from one axis.
+// A curl whose direction rotates gives a helix: all ribs have equal distance from one axis.
 TEST(Horn, ASpiralIsAHelix) {
   const auto frames = rib_frames({{"length", 10}, {"segments", 400}, {"ribs", 60}, {"curl", 1500}, {"spiral", 2000}});
   ASSERT_EQ(frames.size(), 60U);
-  // The turn from rib to rib is the same everywhere; its axis is the helix's direction.
+  // The rotation from rib to rib is constant; its axis is the direction of the helix.
   const Mat3 turn = frames[31].axes * glm::transpose(frames[30].axes);
   const Vec3 axis = glm::normalize(Vec3(turn[1][2] - turn[2][1], turn[2][0] - turn[0][2], turn[0][1] - turn[1][0]));
   const auto flat = [&](Vec3 position) { return position - glm::dot(position, axis) * axis; };
-  // The centre is where the perpendicular bisectors of three points meet.
+  // The centre is the intersection of the perpendicular bisectors of three points.
   const Vec3 a = flat(frames[10].origin), b = flat(frames[13].origin), c = flat(frames[17].origin);
   const Vec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
   const Vec3 centre = a + (glm::dot(ac, ac) * glm::cross(normal, ab) + glm::dot(ab, ab) * glm::cross(ac, normal)) /
@@ -130,7 +130,7 @@ TEST(Horn, AnOutlineThatTapersToNothingIsAPyramidHoweverItIsTwisted) {
   const Plant plant = one(pointed).grow();
   const Mesh& mesh = *plant.prototypes.at(0).mesh;
   EXPECT_TRUE(check_mesh(mesh));
-  EXPECT_NEAR(signed_volume(mesh) * 27, 1, 0.02);  // radii are rounded, so that many may share a mesh
+  EXPECT_NEAR(signed_volume(mesh) * 27, 1, 0.02);  // radii are rounded, so that meshes can be shared
   auto twisted = form;
   twisted.insert(twisted.end(), {{"twist", 400}, {"curl", 200}, {"taper", even_taper(0)}});
   twisted[4].second = 120;
@@ -153,7 +153,7 @@ TEST(Horn, OutlinesShareTheirMeshWhereNothingDiffers) {
   EXPECT_EQ(prototypes({{"gravitropism", 0.3}}), 10U);
 }
 
-// The mesh ends where the children of child links stand, whatever bends the curve.
+// The mesh ends at the site of child links, for every bend of the curve.
 TEST(Horn, TheOutlineEndsAtTheTip) {
   for (const Value::Object& bend :
        {Value::Object{{"curl", 70}, {"spiral", 100}},

@@ -8,7 +8,7 @@ namespace meristem {
 /// Sites for children in a star.
 struct Hydra : ComponentBase {
   Around around;
-  PerChild radius = 0.0;  ///< metres from the middle to where a child stands, along its heading
+  PerChild radius = 0.0;  ///< metres from the centre to a child, along the child's heading
 };
 
 ComponentType hydra_component();

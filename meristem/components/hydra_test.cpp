@@ -24,7 +24,7 @@ TEST(Hydra, SpreadsItsChildrenEvenlyAboutItsHeading) {
     const Vec3 heading = glm::normalize(organs[k].frame.heading());
     EXPECT_NEAR(heading.y, 0.5F, 1e-5F);
     EXPECT_LT(glm::distance(organs[k].frame.origin, 0.5F * heading), 1e-5F);
-    EXPECT_GT(organs[k].frame.upper().y, 0);  // upper faces look to the star's heading
+    EXPECT_GT(organs[k].frame.upper().y, 0);  // upper faces look in the star's heading
     const Vec3 next = glm::normalize(organs[(k + 1) % 5].frame.heading());
     EXPECT_NEAR(glm::dot(heading - Vec3(0, 0.5F, 0), next - Vec3(0, 0.5F, 0)), 0.75F * std::cos(radians(72)), 1e-5F);
     sum += heading;
@@ -51,7 +51,7 @@ TEST(Hydra, NumbersDifferPerChild) {
     EXPECT_NEAR(degrees(std::acos(heading.y)), 20.0 * static_cast<double>(k), 0.05);
     EXPECT_NEAR(glm::length(organs[k].frame.heading()) / scale, static_cast<float>(k + 1), 1e-5F);
     EXPECT_NEAR(glm::length(organs[k].frame.origin), 0.5F, 1e-6F);
-    EXPECT_NEAR(heading.x, 0, 1e-5F);  // the roll undoes the even turn
+    EXPECT_NEAR(heading.x, 0, 1e-5F);  // the roll cancels the even rotation
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Deforms descendants by a Bézier volume whose control points are given or moved by functions.
 #include "meristem/components/hyperpatch.h"
 
 #include <fmt/format.h>
@@ -9,8 +10,8 @@ namespace meristem {
 
 namespace {
 
-constexpr float kAtRest =
-    1e-6F;  // of the box's size: control points written in decimals may miss their rest by so much
+/// Tolerance of control points at rest for the rounding of decimals, relative to the box's size.
+constexpr float kAtRest = 1e-6F;
 
 const ParameterTable& control_point_table() {
   static const ParameterTable table =
@@ -42,7 +43,7 @@ void check(const Hyperpatch& patch, const DocumentPath& path, ParameterReader& r
                            degree[0] + 1, degree[1] + 1, degree[2] + 1));
 }
 
-/// The control points, where they stand at rest to the last bit if they are as near as decimals can be.
+/// Returns the control points. Points that differ from rest only by the rounding of decimals are set exactly to rest.
 std::vector<DVec3> control_points(const Hyperpatch& patch, const std::vector<DVec3>& rest) {
   std::vector<DVec3> points = rest;
   const Vec3 near = kAtRest * patch.box->size();
@@ -53,7 +54,7 @@ std::vector<DVec3> control_points(const Hyperpatch& patch, const std::vector<DVe
   return points;
 }
 
-/// The patch's volume; null where nothing moves its control points.
+/// Returns the volume of the patch, or null if its control points do not move.
 std::shared_ptr<const BezierVolume> volume_of(const Hyperpatch& patch, const Site& site, const Emitter& out) {
   if (patch.points.empty() && patch.functions.is_empty()) return nullptr;
   if (!has_room(*patch.box)) {

@@ -16,7 +16,7 @@ struct ControlPoint {
 struct Hyperpatch : ComponentBase {
   std::optional<Box> box;            ///< metres, in the component's frame; required
   std::vector<int> degree{3, 3, 3};  ///< along x, y and z
-  std::vector<ControlPoint> points;  ///< in the order of BezierVolume; empty: where `functions` take them from rest
+  std::vector<ControlPoint> points;  ///< in the order of BezierVolume; empty: `functions` move them from rest
   SpaceFunctions functions;
   Deforming deforming;
 };

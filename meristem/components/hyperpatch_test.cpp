@@ -13,7 +13,7 @@ namespace meristem::hyperpatch_test {
 const Value::List kBox{Value::List{-1, 0, -1}, Value::List{1, 3, 1}};
 const Value::List kLinear{1, 1, 1};
 
-/// Control points of a patch of degree 1 over the box, the upper four moved.
+/// Control points of a patch of degree 1 over the box, with the upper four moved.
 Value::List corners(double lift, const Value& side = 0.0) {
   Value::List points;
   for (const double y : {0.0, 3.0 + lift}) {
@@ -73,7 +73,7 @@ TEST(Hyperpatch, PointsMayBeExpressions) {
 }
 
 TEST(Hyperpatch, FunctionsMoveControlPointsFromRest) {
-  // A square function is of degree 2, yet only its values at the control points count.
+  // The function is quadratic, but only its values at the control points matter.
   const Plant plant = stack_under(patch({{"degree", kLinear}, {"dx", "x + 0.1*y^2"}, {"on", "axes"}})).grow();
   const std::vector<Vec3>& positions = plant.stems[0].skeleton.position;
   for (const Vec3 position : positions) EXPECT_NEAR(position.x, 0.3F * position.y, 0.05F);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A crown has tens of thousands of leaves that all differ a little. Each leaf gets its exact length and width by
-// scaling a shared blade whose proportion and angles are rounded, so that geometry stays small: widths over lengths to
-// an eighth of an octave (the blade is then stretched by at most 4.4 %), angles to 5°, stalks to a twentieth of the
-// length and half an octave of radius. Angles and stalks that all leaves have in common are exact.
+// Leaves with shared blades, because a crown has tens of thousands of slightly different leaves. Each leaf gets its
+// exact length and width by scaling a shared blade with rounded proportion and angles. The ratio of width to length is
+// rounded to an eighth of an octave, so the blade is stretched by at most 4.4 %. Angles are rounded to 5°, and stalks
+// to a twentieth of the length and half an octave of radius. Angles and stalks that are equal for all leaves are exact.
 #include "meristem/components/leaf.h"
 
 #include <utility>
@@ -18,15 +18,15 @@ namespace meristem {
 namespace {
 
 constexpr double kStalkStep = 0.05;
-constexpr double kLeafProportionSteps = 8;  // an octave
-constexpr double kStalkRadiusSteps = 2;     // an octave
+constexpr double kLeafProportionSteps = 8;  // per octave
+constexpr double kStalkRadiusSteps = 2;     // per octave
 constexpr std::size_t kMostCorners = 500;
 
-/// What of a leaf's shape varies from instance to instance, rounded; for a length of 1.
+/// Shape parameters that vary between instances, rounded, for a leaf of length 1.
 struct SharedNumbers {
   double width, petiole;
   double curl, curl_across, fold;
-  double petiole_radius = 1;  // without a stalk it must not tell shapes apart
+  double petiole_radius = 1;  // constant without a stalk, so that it does not distinguish shapes
 
   SharedNumbers(const Leaf& leaf, const Emitter& out)
       : width(to_octaves(leaf.blade.width / leaf.blade.length, kLeafProportionSteps)),
@@ -46,7 +46,7 @@ struct SharedNumbers {
   }
 };
 
-/// The shared blade, of length 1.
+/// Returns the shared blade, of length 1.
 LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
   LeafBlade blade = exact;
   blade.length = 1;
@@ -60,7 +60,7 @@ LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
 }
 
 void expand(const Leaf& leaf, const Site&, Emitter& out) {
-  // Most leaves find a blade that is there already, and make none.
+  // Most leaves reuse an existing blade.
   const SharedNumbers shared(leaf, out);
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);

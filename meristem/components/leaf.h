@@ -6,8 +6,7 @@
 
 namespace meristem {
 
-/// A leaf. Instances share shapes: proportions and angles that vary are rounded for the shape (below), lengths and
-/// widths are exact.
+/// A leaf. Instances share shapes: varying proportions and angles are rounded, but lengths and widths are exact.
 struct Leaf : ComponentBase {
   LeafBlade blade;
 };

@@ -14,7 +14,7 @@
 
 namespace meristem::leaf_test {
 
-// `copies` leaves in a row: each link to the leaf makes one.
+// `copies` leaves in a row; each link makes one leaf.
 GraphBuilder leaves(int copies, const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera").component("leaf", "leaf", parameters);
@@ -63,10 +63,10 @@ TEST(LeafComponent, TenThousandVariedLeavesShareFewShapes) {
   const Plant plant = builder.grow();
   const std::vector<Organ> organs = organs_of(plant, "leaf");
   EXPECT_EQ(organs.size(), 10'000U);
-  // Proportions from 1/4 to 1 in eighths of an octave and curls from 0 to 30 degrees in steps of 5.
+  // Proportions from 1/4 to 1 in eighths of an octave, and curls from 0 to 30 degrees in steps of 5.
   EXPECT_LE(prototypes_of(plant, "leaf").size(), 17U * 7);
   EXPECT_GE(prototypes_of(plant, "leaf").size(), 30U);
-  // Lengths stay exact: each leaf's heading is as long as its blade.
+  // Lengths stay exact: the length of a leaf's heading is the length of its blade.
   float least = 1, most = 0;
   for (const Organ& organ : organs) {
     least = std::min(least, glm::length(organ.frame.heading()));
@@ -97,7 +97,7 @@ TEST(LeafComponent, AStalkThatAllHaveIsExact) {
   };
   EXPECT_NEAR(box(0.07, 0.031, 0.001).size().y, 0.07 + 0.031, 1e-5);
   EXPECT_NEAR(box(0.07, 0.002, 0.0007).size().y, 0.07 + 0.002, 1e-5);
-  // Where lengths vary, the stalk is a whole number of twentieths.
+  // If lengths vary, the stalk is a whole number of twentieths.
   EXPECT_NEAR(box("0.07 + i", 0.031, 0.001).size().y, 0.07 * 1.45, 1e-5);
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Derives the word of a grammar, draws it with a turtle, and emits stems, polygons and sites. Polygons of equal shape
+// share a mesh.
 #include "meristem/components/lsystem.h"
 
 #include <algorithm>
@@ -21,16 +23,16 @@ namespace meristem {
 namespace {
 
 constexpr double kDefaultAngle = 22.5;  // degrees
-constexpr float kShapeSteps = 8192;     // of a polygon's extent, to which its corners are rounded to be shared
+constexpr float kShapeSteps = 8192;     // steps per extent of a polygon, to which its corners are rounded for sharing
 constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 
-/// The word as it is drawn.
+/// Returns the word for drawing.
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
   const double last = steps_of(plant);
   double steps = out.grown_to(last);
   if (out.grows_in_time()) {
-    // The word of a timed grammar is another one at each time; what others draw at their end is cut by time.
+    // A timed grammar has another word at each time. Other grammars draw the final word, which is then cut by time.
     if (grammar.is_timed) out.stands_as_grown();
     if (!grammar.is_timed) steps = last;
   }
@@ -38,10 +40,10 @@ Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
                       out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
 }
 
-/// A polygon's corners along the axes of its frame, as shares of its extent and rounded, so that polygons of one shape
-/// are one.
+/// A polygon's corners in its own frame, as rounded shares of its extent, so that equal polygons share a mesh.
 struct PolygonShape {
-  Vec3 base{0};  ///< from where they count: where the turtle began it, or its first corner where that is nearer to it
+  /// Origin of the corners: the turtle's start of the polygon, or the first corner if the start is far away.
+  Vec3 base{0};
   std::vector<Vec3> corners;
   float extent = 0;
   std::uint64_t key = 0;
@@ -62,7 +64,7 @@ PolygonShape shape_of(const Drawing& drawing, const TurtlePolygon& polygon) {
   }
   if (shape.extent == 0) return shape;
   for (Vec3& corner : shape.corners) {
-    // Adding zero makes negative zeros positive.
+    // Adding zero turns negative zeros into positive ones.
     corner = glm::floor(corner * (kShapeSteps / shape.extent) + 0.5F) / kShapeSteps + 0.0F;
   }
   shape.key = hash64(
@@ -70,7 +72,7 @@ PolygonShape shape_of(const Drawing& drawing, const TurtlePolygon& polygon) {
   return shape;
 }
 
-/// Linear factors on the blades' green.
+/// Returns linear factors on the green of the blades.
 Vec3 tint_of(const Lsystem& plant, std::uint32_t colour) {
   if (plant.palette.empty()) return Vec3(1);
   const std::size_t last = plant.palette.size() - 1;
@@ -97,19 +99,19 @@ void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawin
   }
 }
 
-/// Metres that a step of `finish` is long.
+/// Returns the length of a step of `finish` in metres.
 double step_of(const Lsystem& plant, const Site& site) {
   return std::abs(plant.turtle.length) * static_cast<double>(glm::length(site.frame.heading()));
 }
 
-/// Finishes the skeleton; polygons and marks move with the nodes that they stand on.
+/// Finishes the skeleton. Polygons and sites move with the nodes that bear them.
 void finish_drawing(const Lsystem& plant, const Site& site, Drawing& drawing, Emitter& out) {
   Finish wanted = *plant.finish;
   const double step = step_of(plant, site);
   if (step == 0) wanted.decimate = wanted.subdivide = 0;
   if (drawing.skeleton.node_count() == 0) return;
 
-  // Nodes with something on them stay.
+  // Keep the nodes that bear polygons or sites.
   TrackedNodes tracked;
   tracked.stays.resize(drawing.skeleton.node_count(), 0);
   const auto mark = [&](NodeIndex node) {
@@ -172,7 +174,7 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
 }
 
 void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
-  if (!plant.grammar && !plant.file) return;  // told by the table
+  if (!plant.grammar && !plant.file) return;  // the table has already reported this
   const Grammar& grammar = plant.source().grammar;
   if (grammar.is_timed && plant.steps) {
     reader.fault(DocumentPath(path, "steps"), "the rules of the grammar have lives, so it counts no steps", "'time'");

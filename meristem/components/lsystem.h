@@ -13,45 +13,45 @@
 
 namespace meristem {
 
-/// What turns by steps of its own in the polar reading.
+/// The default turns of the polar reading.
 struct PolarAngles {
   double elevation = 22.5;  ///< degrees
   double azimuth = 22.5;
 };
 
-/// How a stem gets thinner from segment to segment where words set no widths.
+/// How a stem gets thinner from segment to segment if words set no widths.
 struct WidthDecay {
-  double trunk = 0.95;    ///< outside all brackets
-  double branch = 0.825;  ///< within them
+  double trunk = 0.95;    ///< outside brackets
+  double branch = 0.825;  ///< inside brackets
 };
 
-/// A plant by the rules of a grammar, drawn by a turtle.
+/// A plant that a turtle draws from the word of a grammar.
 struct Lsystem : ComponentBase {
-  Asset<PlantGrammar> grammar;  ///< from a text in the document,
-  Asset<PlantGrammar> file;     ///< or from a file
-  std::optional<int> steps;     ///< unset: the grammar's
-  std::optional<double> time;   ///< of a timed grammar, in the unit of its lives; unset: the grammar's
-  std::optional<double> angle;  ///< degrees; unset: the grammar's
+  Asset<PlantGrammar> grammar;  ///< from a text in the document
+  Asset<PlantGrammar> file;     ///< from a file
+  std::optional<int> steps;     ///< unset: from the grammar
+  std::optional<double> time;   ///< of a timed grammar, in the unit of its lives; unset: from the grammar
+  std::optional<double> angle;  ///< degrees; unset: from the grammar
   std::optional<PolarAngles> angles;
   WidthDecay width_decay;
   TurtleParameters turtle;       ///< without angles, decays and directions
-  std::vector<Vec3> palette;     ///< of polygons, by the number of their colour; empty: the green of leaves
-  std::optional<Finish> finish;  ///< of the skeleton, in steps of the turtle's length
+  std::vector<Vec3> palette;     ///< colours of polygons, by colour number; empty: the green of leaves
+  std::optional<Finish> finish;  ///< post-processing of the skeleton, in steps of the turtle's length
   Surface surface;
-  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
+  TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
 
   const PlantGrammar& source() const { return grammar ? *grammar : *file; }
 };
 
 ComponentType lsystem_component();
 
-/// How many steps its word is derived, or at which time it stands.
+/// Returns the number of derivation steps, or the time of the word.
 double steps_of(const Lsystem& plant);
-/// How the turtle draws an instance of it where the space around it has these directions.
+/// Returns the turtle parameters of an instance in surroundings with these directions.
 TurtleParameters turtle_of(const Lsystem& plant, const Directions& directions);
-/// The key of an instance's draws.
+/// Returns the key of an instance's random numbers.
 inline RandomKey word_key(const Site& site) { return site.key.child("word"); }
-/// Faults of the grammar while it derives, at the path in the document where the grammar of the component `id` stands.
+/// Throws the errors of a derivation at the document path of the grammar of the component `id`.
 [[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& id);
 
 }  // namespace meristem

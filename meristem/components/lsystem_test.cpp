@@ -136,7 +136,7 @@ TEST(Lsystem, FinishKeepsRadiiOrdersAndMarkedEnds) {
 }
 
 TEST(Lsystem, FinishMovesPolygonsWithTheirNodes) {
-  // A right angle, at whose corner a polygon stands: relaxed, the corner is half way to the root.
+  // A right angle with a polygon at its corner. Relaxing moves the corner half way to the root.
   const auto polygon_of = [](bool relax) {
     const Plant plant = plant_of({{"grammar", "F-(90){.f.+(90)f.}[F]FF"},
                                   {"steps", 0},

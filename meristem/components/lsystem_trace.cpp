@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Expands the graph with a watching component type to find all instances, and then derives and draws the requested one.
 #include "meristem/components/lsystem_trace.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace meristem {
 
 namespace {
 
-/// An instance as its expansion meets it.
+/// An instance, recorded during the expansion.
 struct MetInstance {
   Lsystem plant;
   Site site;
   Directions directions;
 };
 
-/// Takes note of all instances, whatever thread expands which.
+/// Collects all instances. Thread-safe.
 class MetInstances {
  public:
   void meet(const Lsystem& plant, const Site& site, const Directions& directions) {
@@ -29,7 +30,7 @@ class MetInstances {
     all_.push_back({plant, site, directions});
   }
 
-  /// All of them in an order that depends on no thread.
+  /// Returns all instances in an order that does not depend on threads.
   std::vector<MetInstance> take() {
     std::ranges::sort(all_, {}, rank);
     return std::move(all_);
@@ -44,7 +45,7 @@ class MetInstances {
   std::vector<MetInstance> all_;
 };
 
-/// The number of the instance that is wished for, among some.
+/// Returns the number of the requested instance.
 std::size_t number_of(const std::vector<MetInstance>& all, const LsystemTraceWish& wish) {
   if (wish.key) {
     const auto found = std::ranges::find(all, *wish.key, [](const MetInstance& met) { return met.site.key.bits(); });
@@ -53,7 +54,7 @@ std::size_t number_of(const std::vector<MetInstance>& all, const LsystemTraceWis
   return std::min(wish.number, all.size() - 1);
 }
 
-/// The component type with an expansion that tells `met` of each instance, and draws nothing.
+/// Returns the component type with an expansion that records each instance in `met` and draws nothing.
 ComponentType watched(const ComponentType& type, MetInstances& met) {
   ComponentType made = type;
   made.expand = [&met](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {

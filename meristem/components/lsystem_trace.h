@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a grammar became a plant: the word of one step, and where the turtle drew each of its modules.
+// Traces how a grammar became a plant: the word of one step, and the positions at which the turtle drew its modules.
 #pragma once
 
 #include <cstdint>
@@ -15,39 +15,39 @@
 
 namespace meristem {
 
-/// Where a module of a word was drawn.
+/// The position of a drawn module.
 struct DrawnModule {
-  std::uint32_t module = 0;  ///< index in the word that was drawn
-  Vec3 from{0};              ///< metres, in world space: where a segment or a polygon begins
-  Vec3 to{0};  ///< where the segment ends, or the middle of the polygon's corners; a placed component's is `from`
+  std::uint32_t module = 0;  ///< index in the drawn word
+  Vec3 from{0};              ///< begin of a segment or polygon; metres, in world space
+  Vec3 to{0};  ///< end of a segment, or centre of a polygon's corners; equals `from` for a placed component
 
   bool operator==(const DrawnModule&) const = default;
 };
 
-/// What is asked about.
+/// The requested instance and step.
 struct LsystemTraceWish {
-  std::optional<int> steps{};          ///< in place of the instance's own
-  std::optional<std::uint64_t> key{};  ///< the bits of the key of the instance's site; unset, or of none: see `number`
-  std::size_t number = 0;              ///< of the instance among all, where no key says it; beyond the last: the last
+  std::optional<int> steps{};          ///< number of steps; unset: the instance's own
+  std::optional<std::uint64_t> key{};  ///< bits of the key of the instance's site; unset or unknown: `number` is used
+  std::size_t number = 0;              ///< number of the instance; too large: the last one
 };
 
 /// One instance of an lsystem component after a number of steps.
 struct LsystemTrace {
-  Site site;                        ///< of the instance
-  std::size_t number = 0;           ///< of the instance among all of the component
-  std::size_t count = 0;            ///< instances of the component
-  std::string text;                 ///< of the grammar, as it was read
-  int steps = 0;                    ///< that the instance itself would take
-  Alphabet alphabet;                ///< of both words
-  Word derived;                     ///< word after the steps that were asked about
-  Word drawn;                       ///< the same with interpretation rules applied: what the turtle draws
-  bool is_interpreted = false;      ///< whether there are such rules
-  std::vector<DrawnModule> places;  ///< by rising module; in undeformed space, before `finish` moves anything
+  Site site;                        ///< site of the instance
+  std::size_t number = 0;           ///< number among all instances of the component
+  std::size_t count = 0;            ///< number of instances of the component
+  std::string text;                 ///< text of the grammar, as it was read
+  int steps = 0;                    ///< number of steps of the instance itself
+  Alphabet alphabet;                ///< alphabet of both words
+  Word derived;                     ///< word after the requested steps
+  Word drawn;                       ///< the derived word after interpretation, as the turtle draws it
+  bool is_interpreted = false;      ///< true if the grammar has interpretation rules
+  std::vector<DrawnModule> places;  ///< by rising module; in undeformed space, before `finish`
 };
 
-/// Traces an instance of the component with this id. Instances are counted from those with the fewest recursions behind
-/// them, and by their numbers among their siblings. The draws are those that the plant grows by. Nothing where the
-/// component has no instance, or is no lsystem. Throws what expand, derive and draw throw.
+/// Traces an instance of the component with this id. Instances are ordered by their number of recursions, then by their
+/// numbers among siblings. Random numbers equal those of the plant's growth. Returns nothing if the component has no
+/// instance or is no lsystem. Throws what expand(), derive() and draw() throw.
 std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
                                           const LsystemTraceWish& wish, double time, Progress& progress);
 

@@ -25,7 +25,7 @@ std::optional<LsystemTrace> trace_of(const GraphBuilder& builder, std::optional<
   return trace_lsystem(builder.sound_graph(), Scene(), id, {.steps = steps}, 0, progress);
 }
 
-// Segments of the only stem, each as its two ends, in no order.
+// Returns the segments of the only stem as pairs of ends, in unspecified order.
 std::vector<std::array<float, 6>> segments_of(const Plant& plant) {
   std::vector<std::array<float, 6>> segments;
   const Skeleton& skeleton = plant.stems.at(0).skeleton;
@@ -53,7 +53,7 @@ TEST(LsystemTrace, HasTheWordOfEachStep) {
 }
 
 TEST(LsystemTrace, DrawsWhatThePlantIsMadeOf) {
-  // By chance, and moved by the component's frame.
+  // With random rules, and moved by the component's frame.
   const GraphBuilder builder = traced_plant({{"grammar", "F\n#rules\nF : 1 -> F[+F]F\nF : 1 -> F[-F]FF"},
                                              {"steps", 4},
                                              {"frame", Value::Object{{"translate", Value::List{1, 2, 3}}}}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pine has tens of thousands of shoots. Their needles are a few shared meshes: a shoot is scaled to its needles'
-// length and along to its own, both exactly, after widths and lengths over the needles' length were rounded to a
-// quarter and an eighth of an octave, and angles to 5° where they vary from shoot to shoot.
+// Needles with shared meshes, because a pine has tens of thousands of shoots. A shoot is scaled exactly to the length
+// of its needles and to its own length. Before that, widths are rounded to a quarter of an octave of the needles'
+// length and lengths to an eighth. Angles that vary between shoots are rounded to 5°.
 #include "meristem/components/needles.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kWidthSteps = 4;  // an octave
-constexpr double kAlongSteps = 8;  // an octave
-constexpr double kAxisSteps = 2;   // an octave
+constexpr double kWidthSteps = 4;  // per octave
+constexpr double kAlongSteps = 8;  // per octave
+constexpr double kAxisSteps = 2;   // per octave
 
-/// The shared shoot, with needles of length 1.
+/// Returns the shared shoot, with needles of length 1.
 NeedleShoot shared_shoot(const Needles& needles, const Emitter& out) {
   const NeedleShoot& exact = needles.shoot;
   NeedleShoot shoot = exact;

@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// The needles of a shoot or a tuft. Instances share shapes: proportions, and angles that vary, are rounded, and each
+/// The needles of a shoot or a tuft. Instances share shapes: proportions and varying angles are rounded, and each
 /// instance is one of a few variants.
 struct Needles : ComponentBase {
   NeedleShoot shoot;

@@ -26,7 +26,8 @@ TEST(NeedlesComponent, ManyShootsAreOfFewVariantsAndEachOccurs) {
 
 TEST(NeedlesComponent, VariedLengthsShareShapes) {
   const Plant plant = shoots(200, {{"length", "rand(0.03, 0.06)"}, {"along", "rand(0.06, 0.08)"}, {"variants", 1}});
-  // Shoots over needles from 1 to 8/3, in eighths of an octave; widths over lengths over one octave, in quarters.
+  // Ratios of shoot to needle from 1 to 8/3 in eighths of an octave; ratios of width to length over one octave, in
+  // quarters.
   EXPECT_LE(plant.prototypes.size(), 60U);
   for (const Organ& organ : plant.organs) {
     const float stretch = glm::length(organ.frame.heading()) / glm::length(organ.frame.right());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The component of self-organizing trees: makes its growth from its parameters, and emits leaves and supports.
 #include "meristem/components/organize.h"
 
 #include <algorithm>
@@ -22,11 +23,11 @@ namespace meristem {
 namespace {
 
 constexpr double kMostVoxelsAMetamer = 100;
-constexpr double kMostVoxels = 16;  // over which a bud looks; memory in a round goes with its cube
-constexpr double kEdge = 0.05;      // share of the threshold; nearer to it, a bud is on a knife edge
-constexpr int kRodSides = 8;        // of poles and wires
+constexpr double kMostVoxels = 16;  // limit of a bud's range in voxels; memory of a round grows with its cube
+constexpr double kEdge = 0.05;      // share of the threshold; within it, small changes decide whether a bud grows
+constexpr int kRodSides = 8;        // sides of poles and wires
 
-/// With all lengths to `scale`; `axes` are those of the site.
+/// Returns the growth parameters with all lengths multiplied by `scale`. `axes` are the axes of the site's frame.
 OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axes) {
   OrganizeParameters growth = tree.growth;
   growth.length *= scale;
@@ -46,10 +47,10 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
   return growth;
 }
 
-/// Where a tree stands, in the component's frame.
+/// The position of a tree in the component's frame.
 struct RootPlace {
   Vec3 root{0};
-  const Skeleton* wood = nullptr;  // that stands there already, in the same frame; null: none
+  const Skeleton* wood = nullptr;  // existing wood in this frame; null: none
 };
 
 std::vector<RootPlace> places_of(const Organize& tree) {
@@ -62,7 +63,7 @@ std::vector<RootPlace> places_of(const Organize& tree) {
   return places;
 }
 
-/// A tree that stands already as seeds take it: its root at the origin, along the axes of the world.
+/// Returns an existing tree as a seed needs it: with its root at the origin and in world axes.
 std::shared_ptr<const Skeleton> standing_in(const Frame& frame, Skeleton wood, double scale) {
   const Vec3 root = wood.position[0];
   for (NodeIndex node = 0; node < wood.node_count(); ++node) {
@@ -93,7 +94,7 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
                         context.limits, context.component);
 }
 
-/// The share of its size that a leaf still has before it falls: it withers as it has unfolded.
+/// Returns the share of its size that a leaf has before it falls: it withers at the pace at which it unfolds.
 float share_withered(double left, const Emitter& out) {
   if (!out.grows_in_time()) return 1;
   const double unfold = out.animation().unfold * *out.animation().steps_per_second;
@@ -101,7 +102,8 @@ float share_withered(double left, const Emitter& out) {
   return static_cast<float>(u * u * (3 - 2 * u));
 }
 
-/// A site for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
+/// Offers a site for a leaf beside each lateral bud of young metamers. A tree that has stopped growing has no such
+/// sites.
 void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, Emitter& out) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;
@@ -125,7 +127,7 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, E
   }
 }
 
-/// A rod from one point to another, in the component's frame.
+/// Emits a rod from one point to another, in the component's frame.
 void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
   Frame frame = frame_along(from, normalized_or(to - from, kUp), Vec3(0, 0, 1));
   const auto thick = static_cast<float>(radius);
@@ -135,7 +137,7 @@ void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
   out.blade(frame, shape_key({kRodSides}), [] { return make_cylinder(1, 1, kRodSides); });
 }
 
-/// The poles and wires of each tree, and once those of the scene that its trees are tied to.
+/// Emits the poles and wires of each tree, and each used support of the scene once.
 void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
   const Mat3 from_world = glm::inverse(frame.axes);
   const auto show_named = [&](const SupportParameters& support) {
@@ -174,7 +176,7 @@ void expand(const Organize& tree, const Site& site, Emitter& out) {
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
 
-/// Warns where a little more or less of a number makes another tree, or none.
+/// Warns if small changes of a number would make a very different tree, or if nothing can grow.
 void check_balance(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   const OrganizeParameters& growth = tree.growth;
   const BudLightModel& light = tree.light.model;
@@ -198,7 +200,8 @@ void check_balance(const Organize& tree, const DocumentPath& path, ParameterRead
           of_bud, growth.lateral_threshold, 100 * kEdge));
 }
 
-/// Warns of operations that never act. Where the age of the tree follows a variable, such as the time, they may.
+/// Warns of operations that never act. Does not warn if the number of iterations depends on a variable such as the
+/// time.
 void check_schedules(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
   const DocumentPath operations(path, "operations");
@@ -215,7 +218,7 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
   }
 }
 
-/// Operations for a tree that there is not.
+/// Reports operations on trees that do not exist.
 void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   const std::size_t trees = places_of(tree).size();
   const DocumentPath operations(path, "operations");

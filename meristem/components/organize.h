@@ -16,19 +16,19 @@
 
 namespace meristem {
 
-/// Trees that organize themselves, metamer by metamer, in the competition of their buds for light and room.
+/// Self-organizing trees that grow metamer by metamer, by the competition of their buds for light and space.
 struct Organize : GrowingComponent {
-  OrganizeParameters growth;               ///< without its operations
-  std::optional<SkeletonSource> skeleton;  ///< what stands already; unset: seeds alone
+  OrganizeParameters growth;               ///< without operations
+  std::optional<SkeletonSource> skeleton;  ///< existing wood; unset: only seeds
   OrganizeLight light;
   std::optional<Training> training;
   std::vector<AnyOperation> operations;
-  std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame
+  std::vector<Vec3> roots{Vec3(0)};  ///< positions of the trees, in the component's frame
   int leaf_age = 1;
   double leaf_angle = radians(50);
   Surface surface;
-  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
-  /// The trees of `skeleton`, in the component's frame, with all radii above 0.
+  TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
+  /// The trees of `skeleton` in the component's frame, with all radii above 0.
   std::shared_ptr<const std::vector<Skeleton>> standing{};
 };
 

@@ -22,7 +22,7 @@ GraphBuilder tree(const Value::Object& parameters) {
   return builder.component("view", "camera").component("tree", "organize", parameters).link("view", "tree");
 }
 
-/// The tree with something in place of its leaves.
+/// The tree with boxes instead of leaves.
 GraphBuilder leafy(const Value::Object& parameters, const Value::Object& placement = {}) {
   return tree(parameters)
       .component("leaf", "simple", {{"size", Value::List{1, 1, 1}}})
@@ -31,14 +31,14 @@ GraphBuilder leafy(const Value::Object& parameters, const Value::Object& placeme
 
 Skeleton skeleton_of(const Value::Object& parameters) { return tree(parameters).grow().stems.at(0).skeleton; }
 
-/// The only fault of reading and growing.
+/// Returns the only error of reading and growing.
 Diagnostic fault(const Value::Object& parameters) {
   const auto faults = faults_of([&] { tree(parameters).grow(); });
   EXPECT_EQ(faults.size(), 1U);
   return faults.empty() ? Diagnostic{} : faults[0];
 }
 
-/// What reading warns of, one per line.
+/// Returns the warnings of reading, one per line.
 std::string warnings(const Value::Object& parameters) {
   const ComponentType type = organize_component();
   const auto read = type.make_parameters();
@@ -146,7 +146,7 @@ TEST(OrganizeComponent, EachOfItsParametersChangesHowItGrows) {
        }) {
     EXPECT_NE(grown(change), plain) << change[0].first;
   }
-  EXPECT_EQ(grown({{"every", 4}}), plain);  // alone
+  EXPECT_EQ(grown({{"every", 4}}), plain);  // a single tree
 }
 
 TEST(OrganizeComponent, GrowsFromItsSiteTheWayThatItHeads) {
@@ -180,7 +180,7 @@ TEST(OrganizeComponent, LeavesStandAtTheLateralBudsOfYoungMetamers) {
       const Frame& leaf = leaves[k++].frame;
       const Vec3 axis = glm::normalize(stem.position[node] - stem.position[stem.parent[node]]);
       const Vec3 side = bud_side(axis, stem.extra.find("bud_angle")->second[node]);
-      // On the bark, toward the bud, and at its angle to the shoot, with the upper face to the shoot.
+      // The leaf is on the bark at the bud, at the leaf angle to the shoot, with its upper face toward the shoot.
       EXPECT_LT(glm::distance(leaf.origin, stem.position[node] + stem.radius[node] * side), 1e-5F);
       EXPECT_NEAR(glm::dot(leaf.heading(), axis), 0.5, 1e-4);
       EXPECT_NEAR(glm::dot(leaf.heading(), side), std::sqrt(0.75), 1e-4);
@@ -200,7 +200,7 @@ TEST(OrganizeComponent, ATreeThatWasCutBackHasNoLeavesOnOldWood) {
 }
 
 TEST(OrganizeComponent, LeavesGoTheWayThatTheirBudsGrow) {
-  // A lateral shoot leaves its metamer on the side where its leaf was.
+  // A lateral shoot grows from its metamer on the side where its leaf was.
   const Value::Object parameters{{"iterations", 8},
                                  {"leaf_age", 100},
                                  {"leaf_angle", 90},
@@ -273,10 +273,10 @@ TEST(OrganizeComponent, WarnsOfTheKnifeEdge) {
   EXPECT_NE(at(1.75), "");
   EXPECT_EQ(at(1.95), "");
   EXPECT_EQ(at(1.6), "");
-  // It is where the light of a bud makes as much as a lateral one needs.
+  // The critical value is where a bud's light makes exactly the resource that a lateral bud needs.
   EXPECT_NE(warnings({{"resource", Value::Object{{"alpha", 3.6}}}, {"light", Value::Object{{"full", 0.5}}}}), "");
   EXPECT_NE(warnings({{"lateral_threshold", 2}}), "");
-  // The priority model has none.
+  // The priority model has no critical value.
   EXPECT_EQ(warnings({{"resource", Value::Object{{"alpha", 1.8}, {"model", "priority"}}}}), "");
 }
 
@@ -370,7 +370,7 @@ TEST(OrganizeComponent, ShootsOfTheShadowModelStayInTheirRoom) {
   bounded.emplace_back("light", Value::Object{{"room", room}});
   EXPECT_GT(bounds(skeleton_of(free)).high.y, 1.6F);
   const Box found = bounds(skeleton_of(bounded));
-  EXPECT_LE(found.high.y, 1.52F);  // with the thickness of its twigs
+  EXPECT_LE(found.high.y, 1.52F);  // includes the thickness of its twigs
   EXPECT_GT(found.high.y, 1.3F);
   EXPECT_LE(std::max(found.high.x, found.high.z), 0.62F);
 }
@@ -386,7 +386,7 @@ TEST(OrganizeComponent, TrainedRowsHaveTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(OrganizeComponent, GrowthOfATrainedTreeIsTheBeginningOfLongerGrowth) {
-  // What has grown and not been cut since stands where it stood.
+  // Everything that was not cut later keeps its position.
   const Value::Object cut{{"do", "cut"}, {"at", 14}, {"shoots", "rank == 1"}, {"above", 4}};
   const auto grown = [&](int iterations) {
     return skeleton_of({{"iterations", iterations}, {"operations", Value::List{Value(cut)}}});
@@ -396,7 +396,7 @@ TEST(OrganizeComponent, GrowthOfATrainedTreeIsTheBeginningOfLongerGrowth) {
   EXPECT_LT(grown(14).node_count(), skeleton_of({{"iterations", 14}}).node_count());
 }
 
-/// The stems of a tree with this training.
+/// Returns the stems of a tree with this training.
 Skeleton trained(const Value& training, int iterations = 15) {
   return skeleton_of({{"training", training},
                       {"iterations", iterations},
@@ -404,14 +404,14 @@ Skeleton trained(const Value& training, int iterations = 15) {
                       {"length", 0.1}});
 }
 
-/// A shoot of rank 1, without what branches from it.
+/// A shoot of rank 1, without its branches.
 struct Arm {
   Vec3 begin{}, tip{};
-  float off = 0;  // metres, largest distance from the plane of x and y
+  float off = 0;  // metres; largest distance from the xy plane
   int metamers = 0;
 };
 
-/// The arms in the order in which they began.
+/// Returns the arms in the order in which they began.
 std::vector<Arm> arms_of(const Skeleton& tree) {
   const std::vector<float>& rank = tree.extra.find("rank")->second;
   std::vector<Arm> arms;
@@ -471,7 +471,7 @@ TEST(OrganizeComponent, AFanAtAWallHasTwoWholeArmsALayer) {
     return std::ranges::count_if(arms, [](const Arm& arm) { return arm.metamers == 12; });
   };
   for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_EQ(whole(0.1, seed), 10) << seed;
-  // With the usual shade, one arm of some trees starves, as of this one.
+  // With the default shade, some trees lose an arm, as this one does.
   EXPECT_EQ(whole(0.2, 3), 9);
 }
 
@@ -565,14 +565,14 @@ TEST(OrganizeComponent, OperationsAndLeavesAskForMarks) {
   const double share = std::count(dead.begin(), dead.end(), 1.0F) / static_cast<double>(dead.size());
   EXPECT_GT(share, 0);
   EXPECT_LT(share, 1);
-  // What is cut for being dead is no longer there.
+  // Shoots cut because they were dead are gone.
   Value::List cut = operations;
   cut.push_back(Value::Object{{"do", "cut"}, {"at", 12}, {"shoots", "dead"}, {"above", 0}});
   const Skeleton left = skeleton_of({{"iterations", 12}, {"operations", cut}});
   const auto& still = left.extra.find("mark_dead")->second;
   EXPECT_EQ(std::count(still.begin(), still.end(), 1.0F), 0);
   EXPECT_LT(left.node_count(), marked.node_count());
-  // Links know whether a shoot is marked at all.
+  // Conditions of links can test whether a shoot has any mark.
   const auto leaves = [&](const char* where) {
     const Value::Object parameters{{"iterations", 12}, {"leaf_age", 12}, {"operations", operations}};
     return organs_of(leafy(parameters, {{"where", where}}).grow(), "leaf").size();
@@ -593,7 +593,7 @@ TEST(OrganizeComponent, ConditionsThatAreNoNumbersFindNothing) {
     Value::Object when = operation({{"when", condition}, {"above", 3}});
     when.emplace_back("iterations", 6);
     EXPECT_EQ(skeleton_of(when).node_count(), skeleton_of({{"iterations", 6}}).node_count()) << condition;
-    // Nor do links find a part of a stem.
+    // Conditions of links select no part of a stem either.
     EXPECT_TRUE(organs_of(leafy({{"iterations", 6}}, {{"where", condition}}).grow(), "leaf").empty()) << condition;
   }
 }
@@ -607,7 +607,7 @@ TEST(OrganizeComponent, LinksAskForRankAgeAndInclination) {
     return static_cast<double>(organs_of(leafy(parameters, {{"where", where}}).grow(), "leaf").size());
   };
   const double all = leaves("1");
-  // Metamers are equally long, so those for which it holds bear as large a share of all leaves as they are of all.
+  // Metamers have equal lengths, so the share of leaves equals the share of metamers for which the condition holds.
   const auto expect = [&](const char* where, auto holds) {
     double count = 0;
     for (NodeIndex node = 1; node < tree.node_count(); ++node) count += holds(node) ? 1 : 0;
@@ -674,7 +674,7 @@ TEST(OrganizeComponent, GrowthThatExplodesStopsAtTheLimit) {
 
 class OrganizeOnWood : public testing::Test {
  protected:
-  /// The parameters of a tree that goes on from a table.
+  /// Returns the parameters of a tree that continues from a table.
   Value::Object on(const std::string& table, Value::Object more = {}, Value::Object source = {}) const {
     std::ofstream(folder_ / "wood.csv") << table;
     source.emplace_back("file", (folder_ / "wood.csv").string());

@@ -21,14 +21,14 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
   const std::uint32_t number = out.expect_parts(ball.number);
   std::vector<double> size = out.per_child(ball.size, number);
   double whole = 0;
-  // The last one takes the area that its size has come to.
+  // The last child takes the area of its current size.
   const double part = ball.number.last();
   for (const double s : size) whole += s * s;
   if (number > 0) whole -= size.back() * size.back() * (1 - part * part);
   if (!(whole > 0)) return;
 
   const double top = math::cos(ball.theta1);
-  const double height = top - math::cos(ball.theta2);  // of the zone, for a sphere of radius 1
+  const double height = top - math::cos(ball.theta2);  // height of the zone on a sphere of radius 1
   if (!(height > 0)) {
     throw InputError(Diagnostic{
         .message = kNoZone, .expected = kZone, .path = fmt::format("components.{}.theta1", out.component())});
@@ -42,7 +42,7 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
     const double own = size[k] * size[k] * (k + 1 == number ? part * part : 1);
     const double polar = math::acos(top - (before + 0.5 * own) / whole * height);
     before += own;
-    // Turns are counted in whole ones first, so that they are as exact for the last child as for the first.
+    // Remove whole turns first, so that the angle is as exact for the last child as for the first.
     const double turns = std::fmod(k * (golden / (2 * kPi)), 1.0);
     Frame child{tilted(ball.roll + 2 * kPi * turns, polar), Vec3(0)};
     child.origin = middle + static_cast<float>(radius) * child.heading();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Children on a zone of a sphere, each turned from the one before by the golden angle and set lower by the area that
-// it takes.
+// Children on a zone of a sphere. Each child is rotated from the previous one by the golden angle and placed lower by
+// the area that it takes.
 //
 // Based on: the report on rule-based objects in xfrog, after J. N. Ridley: Packing efficiency in sunflower heads
 // (1982).
@@ -10,16 +10,16 @@
 
 namespace meristem {
 
-/// Where the children of a phiball stand.
+/// The distribution of the children of a phiball.
 struct Phiball : ComponentBase {
   Count number = 50;
-  std::optional<double> radius;  ///< of the sphere, metres; 0.1 where neither is given
-  std::optional<double> area;    ///< square metres that a child of size 1 takes: gives the radius
-  double theta1 = 0;             ///< radians from the pole, at which the zone begins
-  double theta2 = kPi;           ///< and at which it ends
-  PerChild size = 1.0;           ///< scale of a child; it takes an area of its square
-  double roll = 0;               ///< radians about the heading
-  bool pole = false;             ///< the pole of the sphere, and not its middle, stands on the frame
+  std::optional<double> radius;  ///< radius of the sphere, metres; 0.1 if neither radius nor area is set
+  std::optional<double> area;    ///< area of a child of size 1, square metres; determines the radius
+  double theta1 = 0;             ///< begin of the zone, radians from the pole
+  double theta2 = kPi;           ///< end of the zone, radians from the pole
+  PerChild size = 1.0;           ///< scale of a child; its area is proportional to the square
+  double roll = 0;               ///< rotation about the heading, radians
+  bool pole = false;             ///< true: the pole of the sphere is at the frame's origin; false: its centre
 };
 
 ComponentType phiball_component();

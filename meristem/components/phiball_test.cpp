@@ -19,7 +19,7 @@ GraphBuilder ball_of(const Value::Object& parameters) {
 
 std::vector<Organ> seeds(const Value::Object& parameters) { return organs_of(ball_of(parameters).grow(), "seed"); }
 
-/// From each child to the nearest other.
+/// Returns the distance from each child to the nearest other child.
 std::vector<double> gaps(const std::vector<Organ>& organs) {
   std::vector<double> nearest;
   for (const Organ& one : organs) {
@@ -40,7 +40,7 @@ TEST(Phiball, StandsOnTheSphereHeadingOutwardWithinItsZone) {
     EXPECT_NEAR(glm::length(frame.origin), 2, 1e-5);
     EXPECT_LT(glm::distance(glm::normalize(frame.heading()), 0.5F * frame.origin), 1e-5F);
     EXPECT_GT(frame.upper().y, 0);
-    // Equal areas: the heights are even steps.
+    // Equal areas give equal steps in height.
     const double top = std::cos(radians(30)), bottom = std::cos(radians(120));
     EXPECT_NEAR(frame.origin.y / 2, top - (static_cast<double>(k) + 0.5) / 300 * (top - bottom), 1e-5);
   }
@@ -58,7 +58,7 @@ TEST(Phiball, SuccessiveChildrenTurnByTheGoldenAngle) {
 }
 
 TEST(Phiball, NeighboursKeepTheDistanceOfAnEqualAreaPacking) {
-  // On a hexagonal packing of the same area each neighbour would stand at sqrt(2 A / sqrt(3)).
+  // In a hexagonal packing of equal area, the distance of neighbours would be sqrt(2 A / sqrt(3)).
   for (const double theta2 : {20.0, 90.0, 180.0}) {
     const double area = 1e-3;
     const std::vector<Organ> organs = seeds({{"number", 800}, {"area", area}, {"theta2", theta2}});
@@ -79,7 +79,7 @@ TEST(Phiball, NeighboursKeepTheDistanceOfAnEqualAreaPacking) {
 TEST(Phiball, AreasOfOneToFourGiveDensitiesOfFourToOne) {
   // 400 children of size 1, then 400 of size 2: they take 1/5 and 4/5 of the sphere.
   const std::vector<Organ> organs = seeds({{"number", 800}, {"radius", 1}, {"size", "i < 400 ? 1 : 2"}});
-  const double border = 1 - 2.0 / 5;  // height between the two
+  const double border = 1 - 2.0 / 5;  // height of the border between the two
   for (std::size_t k = 0; k < 800; ++k) EXPECT_EQ(organs[k].frame.origin.y > border, k < 400);
   const std::vector<double> nearest = gaps(organs);
   double small = 0, large = 0;

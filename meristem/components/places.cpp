@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sites of an area are drawn one after another at random, and a site is kept if it keeps its distance from those
-// before: the sites lie evenly, but not in rows. If the area has no room for the wanted number, there are fewer sites.
+// Places sites by a table, in an area, or along a line. Sites of an area are drawn at random one after another, and a
+// site is kept if it keeps the distance to the earlier ones. The sites are therefore evenly distributed, but not in
+// rows. If the area is too small for the requested number, there are fewer sites.
 #include "meristem/components/places.h"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace meristem {
 
 namespace {
 
-constexpr double kShareOfGrid = 0.7;  // of the distance in a square grid that sites of an area keep
-constexpr double kThrows = 40;        // at each site of an area
+constexpr double kShareOfGrid = 0.7;  // default distance, as a share of the distance in a square grid
+constexpr double kThrows = 40;        // trials per site of an area
 constexpr double kMostThrows = 200'000'000;
 constexpr double kRounding = 1e-6;  // rounding of a line's corners, as a share of its length
 
@@ -62,7 +63,7 @@ const ParameterTable& name_table() {
   return table;
 }
 
-/// Twice the area that a ring of corners encloses.
+/// Returns twice the area of a polygon.
 double doubled_area(const std::vector<Vec2>& ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -91,7 +92,7 @@ double length_of(const std::vector<Vec2>& line) {
 }
 
 double sites_of(const PlantedArea& area) { return std::floor(area.density * doubled_area(area.polygon) / 2 + 0.5); }
-// Corners are rounded to floats, so that a line of 12.4 m is a little shorter or longer than its step of 12.4 m.
+// Tolerate rounding: corners are floats, so a line of 12.4 m may be slightly shorter or longer than a step of 12.4 m.
 double sites_of(const PlantedLine& line) {
   const double steps = length_of(line.points) / line.spacing;
   return std::floor(steps + 1e-9 + kRounding * steps) + 1;
@@ -146,7 +147,7 @@ void check(const Places& places, const DocumentPath& path, ParameterReader& read
   }
 }
 
-/// The ids that the texts of the chosen column stand for, by their numbers.
+/// Returns the component ids for the texts of the column `choose`, by text number.
 std::vector<PlacedComponent> placed(const Places& places) {
   std::vector<PlacedComponent> components;
   if (!places.table || places.choose.empty()) return components;
@@ -162,7 +163,7 @@ std::vector<PlacedComponent> placed(const Places& places) {
   return components;
 }
 
-/// Whether expressions can ask for a column of this name.
+/// Returns true if expressions may use a column with this name.
 bool is_free(const std::string& name) {
   const auto known = site_variables();
   return is_identifier(name) && !is_builtin_name(name) && std::find(known.begin(), known.end(), name) == known.end();
@@ -184,7 +185,7 @@ GivenNames gives(const Places& places) {
   return given;
 }
 
-/// Where one child stands, in the frame of the places.
+/// The position of one child in the component's frame.
 struct Place {
   Vec3 position{0};
   double turn = 0;  // radians about y
@@ -220,7 +221,7 @@ std::vector<Place> table_places(const Places& places, const Site& site, const Em
   return all;
 }
 
-/// Points of a plane that keep a least distance, found by the squares of a grid that they lie in.
+/// Points of a plane with a minimum distance, stored in a grid of squares.
 class Spaced {
  public:
   explicit Spaced(double distance) : distance_(distance) {}
@@ -273,7 +274,7 @@ std::vector<Place> area_places(const PlantedArea& area, RandomKey key, const Emi
   return all;
 }
 
-/// The x axis of the sites runs along the line.
+/// Returns the sites of a line. The x axis of each site points along the line.
 std::vector<Place> line_places(const PlantedLine& line, RandomKey key) {
   const auto count = static_cast<std::uint64_t>(sites_of(line));
   std::vector<Place> all;
@@ -312,7 +313,7 @@ void expand(const Places& places, const Site& site, Emitter& out) {
   std::vector<Place> all = places.table  ? table_places(places, site, out)
                            : places.area ? area_places(*places.area, key, out)
                                          : line_places(*places.line, key);
-  // Nothing is planted into a house, unless a table says so.
+  // Remove sites inside obstacles, except sites of a table.
   if (!places.table) {
     std::erase_if(all, [&](const Place& place) {
       return out.scene().obstacles.contain(site.frame.point(place.position + Vec3(0, 1e-3F, 0)));

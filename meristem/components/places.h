@@ -11,27 +11,27 @@
 
 namespace meristem {
 
-/// An area that is planted evenly at random.
+/// An area with evenly distributed random sites.
 struct PlantedArea {
   std::vector<Vec2> polygon;       ///< metres, x and z
   double density = 1;              ///< per square metre
-  std::optional<double> distance;  ///< least, metres; unset: 0.7 of what each would have in a square grid
+  std::optional<double> distance;  ///< minimum distance, metres; unset: 0.7 of the distance in a square grid
 };
 
-/// A way along which things stand.
+/// A line with evenly spaced sites.
 struct PlantedLine {
   std::vector<Vec2> points;  ///< metres, x and z
   double spacing = 5;        ///< metres
-  double offset = 0;         ///< metres to the right of the way
-  double jitter = 0;         ///< metres to all sides
+  double offset = 0;         ///< metres to the right of the line
+  double jitter = 0;         ///< largest random offset in all directions, metres
 };
 
-/// What a text of a table's column stands for.
+/// The component that a text of a table's column selects.
 struct PlacedName {
   std::string component;
 };
 
-/// Where things stand: by a table, in an area, or along a line.
+/// Sites for children: by a table, in an area, or along a line.
 struct Places : ComponentBase {
   Asset<PlaceTable> table;
   std::optional<PlantedArea> area;

@@ -42,7 +42,7 @@ TEST(Places, AnAreaHasItsDensityAndItsSitesKeepTheirDistance) {
 }
 
 TEST(Places, AnAreaWithANotchStaysOutOfIt) {
-  // An L: the upper right quarter is missing, and the area three quarters.
+  // An L: the upper right quarter is missing, so the area is three quarters.
   const auto stones = stones_of(area(4, pairs({{0, 0}, {10, 0}, {10, 5}, {5, 5}, {5, 10}, {0, 10}})));
   EXPECT_EQ(stones.size(), 300U);
   for (const Organ& stone : stones) EXPECT_FALSE(stone.frame.origin.x > 5 && stone.frame.origin.z > 5);
@@ -52,8 +52,8 @@ TEST(Places, AnAreaThatIsTooDenseForItsDistanceHasFewer) {
   Value::Object places = area(4, kSquare);
   places[0].second.object()->emplace_back("distance", 1.0);
   const std::size_t count = stones_of(places).size();
-  // Random packing comes to a stop at 0.547 of the plane under discs of half the distance: 70 of them. Near the edge
-  // discs may reach out, so that there are somewhat more.
+  // Random packing ends when discs of half the distance cover 0.547 of the plane: 70 discs. At the edge, discs may
+  // extend outside, so there are slightly more.
   EXPECT_GT(count, 60U);
   EXPECT_LT(count, 95U);
 }
@@ -76,7 +76,7 @@ TEST(Places, ALineHasASiteAtEachStepOfItsLength) {
 }
 
 TEST(Places, ALineThatIsAWholeNumberOfStepsLongHasItsLastSite) {
-  // Lengths that no float holds: rounded, some are shorter than the step and some are longer.
+  // Lengths that floats cannot represent: after rounding, some are shorter than the step and some longer.
   for (const double step : {12.4, 0.1, 0.7, 3.3, 12.39}) {
     for (const int steps : {1, 3, 10}) {
       const auto stones =
@@ -85,7 +85,7 @@ TEST(Places, ALineThatIsAWholeNumberOfStepsLongHasItsLastSite) {
       EXPECT_NEAR(stones.back().frame.origin.x, step * steps, 1e-5 * step * steps);
     }
   }
-  // From x = -6.2 to 6.2, as both sides of a street have it; a line that ends before the step has no such site.
+  // From x = -6.2 to 6.2, like both sides of a street. A line that ends before the step has no last site.
   const auto count = [](double from, double to, double step) {
     return stones_of({{"line", Value::Object{{"points", pairs({{from, 0}, {to, 0}})}, {"spacing", step}}}}).size();
   };
@@ -106,7 +106,7 @@ TEST(Places, NothingIsPlantedIntoAnObstacle) {
   EXPECT_EQ(built.size(), open.size() - static_cast<std::size_t>(std::ranges::count_if(open, inside)));
 }
 
-/// The sites of a table's rows.
+/// Returns the sites of a table's rows.
 std::vector<Organ> stones_of_table(const std::string& text, Value::Object more = {}) {
   TemporaryFolder folder;
   const std::string file = (folder / "table.csv").string();
@@ -135,7 +135,8 @@ TEST(Places, MapTablesLookToTheNorth) {
 }
 
 TEST(Places, DegreesAreMetresOnTheGround) {
-  // A minute of arc of a meridian is a nautical mile, about 1853 m; at 60° of latitude one of longitude is half of it.
+  // A minute of arc on a meridian is a nautical mile, about 1853 m. At 60° of latitude, a minute of longitude is half
+  // of that.
   const auto stones =
       stones_of_table("lon,lat\n10,60\n10.0166667,60.0166667\n", {{"origin_x", 10.0}, {"origin_y", 60.0}});
   EXPECT_NEAR(stones.at(1).frame.origin.z, -1853, 1);

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shared libraries of a folder, for messages.
+/// Returns the shared libraries of a folder, for messages.
 std::vector<std::string> libraries_beside(const fs::path& path) {
   constexpr std::size_t kMost = 1000;
   std::vector<std::string> names;
@@ -54,7 +54,8 @@ std::vector<ComponentType> load_plugin(const std::string& path) {
   }
   if (!fs::is_regular_file(file, error)) fail(path, "this is not a regular file", "a plug-in, such as libthorn.so");
 
-  // By its whole path, or the loader would look for it elsewhere. It stays, for types point into it.
+  // Use the absolute path, because the loader would search other folders for a bare name. Keep the library loaded,
+  // because types point into it.
   void* const library = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr) {
     const char* reason = ::dlerror();

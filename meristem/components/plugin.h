@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Component types from shared libraries that programs load by name. A plug-in has its own copy of the library; what
-// passes between it and the program are the types' tables and functions, so both must be of one version and layout,
-// which is checked before anything else of the plug-in is called.
+// Component types from shared libraries that programs load at run time. A plug-in contains its own copy of the Meristem
+// library. The types' tables and functions are passed to the program, so both sides must have equal versions and
+// layouts. This is checked before any other call of the plug-in.
 //
 //   #include "meristem/components/plugin.h"
 //
@@ -17,12 +17,12 @@
 
 namespace meristem {
 
-/// Raised whenever what passes between plug-in and program means something else than before, although the layout is
-/// the same.
+/// Version of the interface between plug-in and program. It is increased when the meaning of passed data changes
+/// without a change of layout.
 inline constexpr int kPluginInterface = 1;
 
-/// What a plug-in and a program must agree in: the version, the compiler's interface, and the sizes of what passes
-/// between them. In the header, so that each side says it as it was compiled.
+/// Returns the properties in which a plug-in and a program must agree: the version, the compiler's interface, and the
+/// sizes of passed types. It is inline in the header, so that each side computes it with its own compiler.
 inline std::string plugin_interface() {
   std::string text = "Meristem " + std::string(version()) + ", plug-ins " + std::to_string(kPluginInterface) +
                      ", C++ interface " + std::to_string(__GXX_ABI_VERSION) + ", layout";
@@ -34,17 +34,17 @@ inline std::string plugin_interface() {
   return text;
 }
 
-/// The types of the plug-in in a file, which stays loaded as long as the program runs. Throws InputError for a file
-/// that is not there (with the nearest name), that is no plug-in, or whose interface is another one.
+/// Returns the component types of a plug-in file, which stays loaded until the program ends. Throws InputError if the
+/// file does not exist (with the nearest name), is no plug-in, or has another interface.
 std::vector<ComponentType> load_plugin(const std::string& path);
 
-/// `known` with the types of a plug-in behind them. Throws InputError as load_plugin does, and where a type's name is
-/// taken.
+/// Returns `known` followed by the types of a plug-in. Throws InputError as load_plugin() does, and if a type's name is
+/// already used.
 Registry with_plugin(const Registry& known, const std::string& path);
 
 }  // namespace meristem
 
-/// What makes a shared library a plug-in: the types that it has. Once per library, outside of all namespaces.
+/// Makes a shared library a plug-in with these types. Use it once per library, outside all namespaces.
 #define MERISTEM_PLUGIN(...)                                                                       \
   extern "C" __attribute__((visibility("default"))) const char* meristem_plugin_interface() {      \
     static const std::string text = meristem::plugin_interface();                                  \

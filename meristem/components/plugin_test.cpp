@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is refused as a plug-in; that one works, the test of the starter project shows (tests/consumer).
+// Files that are rejected as plug-ins. The starter project (tests/consumer) tests a working plug-in.
 #include "meristem/components/plugin.h"
 
 #include <fstream>
@@ -35,7 +35,7 @@ TEST(Plugin, RefusesWhatIsNoLibrary) {
 }
 
 TEST(Plugin, RefusesALibraryThatIsNoPlugin) {
-  // A library that every machine with this compiler's programs has.
+  // A library that exists on every machine with programs of this compiler.
   const std::string library = "/lib/x86_64-linux-gnu/libm.so.6";
   if (!std::ifstream(library)) GTEST_SKIP() << "there is no " << library;
   EXPECT_EQ(fault_of(library), library +

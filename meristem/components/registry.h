@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// All component types of the program, in the order in which they are listed.
+/// Returns all built-in component types, in the order of lists.
 const Registry& builtin_components();
 
 }  // namespace meristem

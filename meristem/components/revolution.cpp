@@ -10,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-/// Nothing that shapes the body varies from instance to instance, so one key will do.
+/// The shape never varies between instances, so one key suffices.
 void expand(const Revolution& component, const Site&, Emitter& out) {
   const std::vector<Vec2>& silhouette = component.body.silhouette;
   out.organ(Frame{}, 0, [&] {

@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// A silhouette turned about y: cones, nuts, fruits, pots. All instances share one mesh; their frames scale it.
+/// A silhouette rotated about y: cones, nuts, fruits, pots. All instances share one mesh, scaled by their frames.
 struct Revolution : ComponentBase {
   SolidOfRevolution body;
   enum class Shading { smooth, flat } shading = Shading::smooth;

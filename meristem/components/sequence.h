@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A clock for what hangs on it. A blossom whose opening is described once opens at each place at its own time.
+// A clock for the descendants of a component. A blossom whose opening is described once opens on each site at its own
+// time.
 //
 // Based on: B. Lintermann and O. Deussen's rule-based objects, cascaded key frames.
 #pragma once
@@ -9,9 +10,9 @@
 namespace meristem {
 
 struct Sequence : ComponentBase {
-  double delay = 0;   ///< seconds from when the instance appears to when its clock starts
-  double speed = 1;   ///< seconds of its clock per second of the clock above
-  bool waits = true;  ///< what hangs on it is there before the clock starts
+  double delay = 0;   ///< seconds from the appearance of the instance to the start of its clock
+  double speed = 1;   ///< seconds of its clock per second of the outer clock
+  bool waits = true;  ///< true: descendants exist before the clock starts
 };
 
 ComponentType sequence_component();

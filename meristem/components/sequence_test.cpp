@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clocks, against closed forms: the height at which a box stands tells the time that its clock shows.
+// Compares clocks with closed forms: the height of a box shows the time of its clock.
 #include "meristem/components/sequence.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ TEST(Sequence, ItsClocksAreToldByTheirStarts) {
     return begun_clocks(builder.sound_graph(), Scene(), time, progress);
   };
   const std::vector<BegunClock> all = clocks_at(5);
-  ASSERT_EQ(all.size(), 2U);  // those of four instances, two and two alike
+  ASSERT_EQ(all.size(), 2U);  // the clocks of four instances, in two equal pairs
   EXPECT_EQ(builder.sound_graph().components[all[0].component].id, "clock");
   EXPECT_DOUBLE_EQ(all[0].clock.start, 0);
   EXPECT_DOUBLE_EQ(all[1].clock.start, 1);

@@ -14,7 +14,8 @@ namespace {
 
 bool is_section(Simple::Shape shape) { return shape == Simple::Shape::area || shape == Simple::Shape::tube; }
 
-/// An outline of the document's own has its size; others are as wide and deep as 1 and stretched to theirs.
+/// Returns the section of an area or tube. An outline from the document has its own size. Default sections have width
+/// and depth 1 and are stretched to the size.
 LoftSection make_section(const Simple& simple) {
   const bool is_tube = simple.shape == Simple::Shape::tube;
   LoftSection section{.is_closed = is_tube, .is_round = is_tube && simple.outline.empty()};
@@ -31,7 +32,7 @@ LoftSection make_section(const Simple& simple) {
   return section;
 }
 
-/// All tubes run the same way round, counter-clockwise seen from above, so that any two can be joined.
+/// Returns the section in counter-clockwise order seen from above, so that any two tubes can be joined.
 LoftSection make_even_section(const Simple& simple) {
   LoftSection section = make_section(simple);
   double area = 0;
@@ -52,11 +53,11 @@ void emit_section(const Simple& simple, Emitter& out) {
               [&] { return make_even_section(simple); });
 }
 
-/// The enumerators of primitives are those of UnitShape, in its order.
+/// The enumerators of primitives have the order of UnitShape.
 void emit_primitive(const Simple& simple, Emitter& out) {
   const auto shape = static_cast<UnitShape>(simple.shape);
   const bool is_flat = simple.shading == Simple::Shading::flat;
-  // Primitives that are shaded smoothly keep the key that they had before there was a choice.
+  // Smoothly shaded primitives keep the key that they had before the parameter existed.
   const auto number = static_cast<double>(simple.shape);
   const double segments = simple.segments;
   const std::uint64_t key = is_flat ? shape_key({number, segments, 1}) : shape_key({number, segments});

@@ -16,7 +16,7 @@ GraphBuilder one(const Value::Object& parameters) {
   return builder.component("view", "camera").component("body", "simple", parameters).link("view", "body");
 }
 
-// The box around a component's organs in the world.
+// Returns the bounding box of a component's organs in world space.
 Box box_of(const Plant& plant, std::string_view component) {
   Box box;
   for (const Organ& organ : organs_of(plant, component)) {
@@ -60,7 +60,7 @@ Value pairs(std::initializer_list<std::pair<double, double>> points) {
   return list;
 }
 
-// A tube that hangs on itself: each is smaller than the one before, and bent.
+// A tube that is its own child: each section is smaller than the previous one, and bent.
 Value::Object horn(int sections) {
   const Value::Object frame{{"scale", Value::List{0.95, 0.95, 0.95}}, {"rotate", Value::List{5, 2, 0}}};
   return {{"shape", "tube"}, {"size", Value::List{1, 0.5, 1}}, {"recursion", sections}, {"frame", frame}};
@@ -74,7 +74,7 @@ TEST(SimpleTube, HangingOnItselfIsOneClosedSmoothHorn) {
   EXPECT_TRUE(check_mesh(mesh));
   EXPECT_EQ(euler_number(mesh), 2);
   EXPECT_FALSE(plant.materials.at(0).two_sided);
-  // 40 rings of 24 quads between them, and two discs.
+  // 40 rings with 24 quads between neighbours, and two discs.
   EXPECT_EQ(mesh.triangle_count(), 39U * 48 + 48);
 }
 
@@ -102,7 +102,7 @@ TEST(SimpleTube, AloneItIsADiscSeenFromBothSides) {
   EXPECT_TRUE(one({{"shape", "none"}}).grow().organs.empty());
 }
 
-// Petals around an axis, a row of four areas and a tip each.
+// Petals around an axis, each a row of four areas and a tip.
 GraphBuilder petals(int number, const Value::Object& own = {}) {
   GraphBuilder builder(builtin_components());
   Value::Object petal{{"shape", "area"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file becomes a skeleton once, when the document is read; an instance only moves it to its site.
+// The file becomes a skeleton once, when the document is read. An instance only moves the skeleton to its site.
 #include "meristem/components/skeleton.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void expand(const SkeletonFromFile& plant, const Site& site, Emitter& out) {
   out.stem(std::move(skeleton), plant.surface, nullptr, plant.trim);
 }
 
-/// A finish that counts in metres, as no step of a growth is known.
+/// The parameter table of a finish in metres, because there is no growth step.
 const ParameterTable& metre_finish_table() {
   static const ParameterTable table =
       Table<SkeletonFinish>("a skeleton finish", "What is done to the skeleton after reading, in this order.")

@@ -11,22 +11,22 @@
 
 namespace meristem {
 
-/// What is done to a skeleton that was read, in this order.
+/// Post-processing of a skeleton from a file, in this order.
 struct SkeletonFinish {
   double decimate = 0;   ///< metres; 0 keeps all nodes
   bool relax = false;    ///< softens the angles of forks
   double subdivide = 0;  ///< metres; 0 keeps the nodes as they are
 };
 
-/// A plant that was measured, or grown elsewhere.
+/// A plant that was measured or grown elsewhere.
 struct SkeletonFromFile : ComponentBase {
   SkeletonSource source;
   double tip_radius = 0.002;
   double pipe_exponent = 2.4;
   SkeletonFinish finish;
   Surface surface;
-  TrimMode trim = TrimMode::cut;               ///< what a body around its stems does to them
-  std::shared_ptr<const Skeleton> skeleton{};  ///< what all of the above come to
+  TrimMode trim = TrimMode::cut;               ///< effect of a body around its stems
+  std::shared_ptr<const Skeleton> skeleton{};  ///< the finished skeleton
 };
 
 ComponentType skeleton_component();

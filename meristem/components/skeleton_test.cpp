@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plants from files of their skeletons, as components: units, up, origin, radii, finishing, and what others set on
-// them.
+// Plants from skeleton files as components: units, up axis, origin, radii, finishing, and children on them.
 #include "meristem/components/skeleton.h"
 
 #include <algorithm>

@@ -22,7 +22,7 @@ const ParameterTable& set_table() {
   return table;
 }
 
-/// Opens the document, and finds what is set in it.
+/// Opens the document and resolves the names in `set`.
 void open(Subdocument& document, const DocumentPath& path, ParameterReader& reader) {
   document.source = reader.plant_source(document.file, DocumentPath(path, "file"));
   if (document.source == nullptr) return;

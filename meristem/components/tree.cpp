@@ -7,7 +7,7 @@ namespace meristem {
 
 namespace {
 
-/// The stem as it would be if nothing bent it.
+/// Returns the stem without any bends.
 Skeleton straight_stem(const StemParameters& form, const Site& site) {
   Skeleton skeleton;
   NodeIndex last = kNoNode;
@@ -18,8 +18,8 @@ Skeleton straight_stem(const StemParameters& form, const Site& site) {
   return skeleton;
 }
 
-/// What its branches do to a stem. They stand where links without keys of their own will find them, which depends on
-/// lengths only and not on how the stem bends.
+/// Returns the bends of a stem caused by its branches. Their positions are those of links without their own keys, which
+/// depend only on lengths and not on the stem's bends.
 std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emitter& out) {
   Placement outward = tree.branching;
   outward.angle = kPi / 2;

@@ -7,14 +7,14 @@
 
 namespace meristem {
 
-/// A stem along a curve that bends and wanders. What hangs on it by branch links stands along it, stems among that join
-/// it as its branches.
+/// A stem along a curve that bends and wanders. Children of branch links are placed along it, and stems among them are
+/// joined to it as branches.
 struct Tree : ComponentBase {
   StemParameters stem;
-  double deflection = 0;  ///< radians: bend away from each of its branches
-  Placement branching;    ///< where they stand, as far as links do not say
+  double deflection = 0;  ///< bend of the stem away from each of its branches, radians
+  Placement branching;    ///< default positions of branches, for links without their own
   Surface surface;
-  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
+  TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
 };
 
 ComponentType tree_component();

@@ -64,7 +64,7 @@ TEST(Tree, GnarlWandersDifferentlyInEachInstanceAndKeepsTheLength) {
   GraphBuilder builder = trunk({{"hidden", true}});
   builder.component("twig", "tree", {{"gnarl", 40}, {"segments", 32}, {"length", 1}});
   const Plant plant = builder.link("trunk", "twig", LinkKind::branch, {{"count", 2}}).grow();
-  ASSERT_EQ(plant.stems.size(), 2U);  // nothing joins what is hidden
+  ASSERT_EQ(plant.stems.size(), 2U);  // hidden stems are not joined
   std::vector<Vec3> tips;
   for (const Stem& stem : plant.stems) {
     float length = 0;
@@ -95,7 +95,7 @@ TEST(Tree, BranchesOnBranchesAreOneSkeletonWithTheirOrders) {
   for (NodeIndex node = 0; node < tree.skeleton.node_count(); ++node) {
     EXPECT_EQ(tree.part(tree.skeleton.axis[node]).component, names.at(tree.skeleton.order[node]));
   }
-  // Each branch springs from a node on its parent's axis, where its line runs.
+  // Each branch begins at a node on its parent's axis, on the parent's curve.
   for (NodeIndex node = 1; node < tree.skeleton.node_count(); ++node) {
     const NodeIndex parent = tree.skeleton.parent[node];
     EXPECT_LT(glm::distance(tree.skeleton.position[node], tree.skeleton.position[parent]), 0.4F);
@@ -134,7 +134,7 @@ TEST(Tree, ChildrenStandAtItsTip) {
 }
 
 TEST(Tree, ItsAxisFollowsASplineAtItsOwnLength) {
-  // A quarter circle, in the plane to the stem's right.
+  // A quarter circle in the plane to the stem's right.
   Value::List axis;
   for (const double a : {22.5, 45.0, 67.5, 90.0}) {
     axis.emplace_back(Value::List{1 - std::cos(radians(a)), std::sin(radians(a)), 0});
@@ -152,12 +152,12 @@ TEST(Tree, ItsAxisFollowsASplineAtItsOwnLength) {
 }
 
 TEST(Tree, ASpiralIsAHelix) {
-  // Curvature k and torsion t: radius k / (k^2 + t^2), about an axis at the angle atan(k / t) to the way.
-  const double curl = 6 * kPi, spiral = 8 * kPi;  // over a metre
+  // Curvature k and torsion t give the radius k / (k^2 + t^2) around an axis at the angle atan(k / t) to the curve.
+  const double curl = 6 * kPi, spiral = 8 * kPi;  // per metre
   const Plant plant = trunk({{"curl", degrees(curl)}, {"spiral", degrees(spiral)}, {"segments", 1000}}).grow();
   const Skeleton& stem = plant.stems.at(0).skeleton;
   const double whole = std::sqrt(curl * curl + spiral * spiral);
-  // Whole windings lie on a line along the axis, at the pitch of 2 pi t / (k^2 + t^2).
+  // Points one winding apart are on a line along the axis, at the pitch of 2 pi t / (k^2 + t^2).
   const auto winding = static_cast<NodeIndex>(std::lround(1000 * 2 * kPi / whole));
   for (const NodeIndex node : {0U, 150U, 400U}) {
     EXPECT_NEAR(glm::distance(stem.position[node], stem.position[node + winding]), 2 * kPi * spiral / (whole * whole),
@@ -182,12 +182,12 @@ TEST(Tree, ItBendsAwayFromEachOfItsBranches) {
   GraphBuilder builder = trunk(rows).component("twig", "tree", {{"length", 0.1}, {"radius", 0.001}});
   const Plant plant = builder.link("trunk", "twig", LinkKind::branch).grow();
   const Skeleton& tree = plant.stems.at(0).skeleton;
-  // Straight pieces between bends of 30 degrees; each bend away from the twig that stands there.
+  // Straight pieces between bends of 30 degrees, each away from the twig at the bend.
   const Axes axes(tree);
   std::vector<Vec3> directions;
   for (const NodeIndex node : axes.of(0).subspan(1)) {
     const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];
-    if (glm::length(way) < 1e-3F) continue;  // to a node that a twig has got: rounding
+    if (glm::length(way) < 1e-3F) continue;  // rounding at a node that a twig inserted
     const Vec3 direction = glm::normalize(way);
     if (directions.empty() || glm::distance(directions.back(), direction) > 1e-3F) directions.push_back(direction);
   }
@@ -247,7 +247,7 @@ TEST(Tree, ComplementaryExceptionsGiveTwoKindsOfChildAtTheSamePlaces) {
 }
 
 TEST(Tree, AStemThatGoesOnAtATipBeginsAsThickAsItsTaperSays) {
-  // The lower one ends with 0.03; the upper one takes that on and ends with 0.0045.
+  // The lower stem ends with 0.03; the upper one continues with it and ends with 0.0045.
   GraphBuilder builder = trunk({{"radius", 0.2}});
   builder.component("top", "tree", {{"length", 0.3}, {"radius", "radius"}, {"segments", 6}}).link("trunk", "top");
   Progress progress;
@@ -280,7 +280,7 @@ TEST(Tree, TooManyBranchesOfItsOwnAreStoppedAtTheTree) {
 }
 
 TEST(Tree, TooManyNodesAreStoppedAndNamed) {
-  // Ten trunks of eleven nodes.
+  // Ten trunks with eleven nodes each.
   auto builder =
       GraphBuilder(builtin_components()).component("view", "camera").component("star", "hydra", {{"number", 10}});
   builder.component("trunk", "tree", {{"segments", 10}}).link("view", "star").link("star", "trunk");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a body does to a stem is the stem's own matter (its row `trim`); here the body is set in its frame. Bodies
-// within bodies are intersected.
+// Sets the body in its frame. The stem's own parameter `trim` decides what the body does. Nested bodies are
+// intersected.
 #include "meristem/components/trim.h"
 
 #include <memory>

@@ -8,10 +8,10 @@
 
 namespace meristem {
 
-/// A body in which the stems of everything below are kept.
+/// A body that limits the stems of all descendants.
 struct Trim : ComponentBase {
   std::optional<CrownParameters> body;  ///< in the component's frame
-  bool off = false;                     ///< first ends the trims above
+  bool off = false;                     ///< true: first ends the trims above
 };
 
 ComponentType trim_component();

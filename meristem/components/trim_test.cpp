@@ -16,7 +16,7 @@ namespace meristem::trim_test {
 
 Value box(double low, double high) { return Value::List{Value::List{-2, low, -2}, Value::List{2, high, 2}}; }
 
-/// A pole 4 m high with eight level branches, in a box 2.1 m high.
+/// A pole 4 m high with eight horizontal branches, in a box 2.1 m high.
 GraphBuilder pole(const Value& trim, double height = 2.1) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera").component("body", "trim", {{"body", Value::Object{{"box", box(-1, height)}}}});
@@ -82,7 +82,7 @@ TEST(Trim, StemsThatFitTaperToTheBoundaryAndBearAllTheirBranches) {
   const Axes axes(stem);
   const NodeIndex tip = axes.of(0).back();
   EXPECT_NEAR(stem.position[tip].y, 2.1, 1e-3);
-  EXPECT_NEAR(stem.radius[tip], 0.015, 1e-6);  // as that of the whole stem
+  EXPECT_NEAR(stem.radius[tip], 0.015, 1e-6);  // like the tip of the whole stem
 }
 
 TEST(Trim, NoVertexLiesOutsideByMoreThanTheRadiusThere) {

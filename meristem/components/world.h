@@ -12,15 +12,15 @@ namespace meristem {
 /// A body that stems keep out of.
 struct AvoidParameters {
   CrownParameters body;
-  double reach = 0.3;  ///< metres from the body at which stems begin to turn
+  double reach = 0.3;  ///< metres from the body at which stems begin to turn; larger: smoother
 };
 
-/// Fields of light and gravity for all that hangs on it, in its own frame.
+/// Fields of light and gravity for all descendants, in the component's frame.
 struct World : ComponentBase {
   std::optional<WorldField> light;
   std::optional<WorldField> gravity;
   std::optional<AvoidParameters> avoid;
-  bool off = false;  ///< first ends what is said above it
+  bool off = false;  ///< true: first ends the fields above
 };
 
 ComponentType world_component();

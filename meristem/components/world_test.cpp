@@ -19,7 +19,7 @@ using List = Value::List;
 
 Value vector(double x, double y, double z) { return List{x, y, z}; }
 
-/// A camera, a world, and below it a component `plant`.
+/// A camera, a world, and a component `plant` below the world.
 GraphBuilder in_world(const Object& world, const std::string& type, const Object& plant) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera").component("world", "world", world).component("plant", type, plant);
@@ -37,7 +37,7 @@ Vec3 heading_of(const Skeleton& stem, NodeIndex node) {
 }
 
 TEST(World, InAUniformFieldAStemsAngleFallsGeometrically) {
-  // At 90 degrees from the field; a section leaves (1 - 0.6)^(strength / 24) of the angle before it.
+  // At 90 degrees from the field, each section leaves the share (1 - 0.6)^(strength / 24) of the previous angle.
   for (const double strength : {1.0, 2.5}) {
     const Object gravity{{"uniform", vector(strength, 0, 0)}};
     const Plant plant =
@@ -123,11 +123,11 @@ TEST(World, StemsGrowAroundTheBodyThatTheyAvoid) {
     for (std::size_t node = 0; node < only_stem(around).node_count(); ++node) {
       EXPECT_GE(box.distance(only_stem(around).position[node]), only_stem(around).radius[node] - 1e-3) << type << node;
     }
-    EXPECT_GT(only_stem(around).position.back().y, 1.5F) << type;  // it has come past
+    EXPECT_GT(only_stem(around).position.back().y, 1.5F) << type;  // it has grown past the body
   }
 }
 
-/// Headings of all leaves of a plant.
+/// Returns the mean direction of one axis of all leaves of a plant.
 Vec3 mean_of(const Plant& plant, std::string_view component, int column) {
   Vec3 sum(0);
   for (const Organ& organ : organs_of(plant, component)) sum += glm::normalize(organ.frame.axes[column]);
@@ -156,7 +156,7 @@ TEST(World, GrammarsBendWhereItPulls) {
   EXPECT_GT(tip({{"light", Object{{"uniform", vector(0, 0, 1)}}}}).z, 0.6F);
 }
 
-/// How far a grown plant leans along x, against one without a world.
+/// Returns how far a plant leans along x, compared with the plant without a world.
 double lean_of(const Object& world, const std::string& type, const Object& form) {
   const auto middle = [](const Plant& plant) {
     double sum = 0;
@@ -255,7 +255,7 @@ TEST(World, BadFieldsAreToldWithTheirPlace) {
                "components.world.light", "");
   expect_fault(faults_in({{"light", Object{{"strength", 2}}}}), "components.world.light", "");
   expect_fault(faults_in({{"avoid", Object{{"reach", 2}}}}), "components.world.avoid", "");
-  // A plant that does not ask meets no fault.
+  // A plant that does not query the field meets no error.
   EXPECT_TRUE(faults_in({{"gravity", formula("1/x", "0", "0")}}, {}).empty());
 }
 

@@ -28,7 +28,7 @@ std::vector<ChildAround> children_around(const Around& around, Emitter& out) {
   const std::vector<double> roll = out.per_child(around.roll, number);
   const bool is_closed = around.arc >= 2 * kPi - 1e-9;
   const double gaps = is_closed ? around.number.value : around.number.value - 1.0;
-  // A second child comes to be beside the first one, so that they part evenly.
+  // A second child appears beside the first one, and then they move apart evenly.
   const double arc = is_closed ? around.arc : around.arc * std::clamp(gaps, 0.0, 1.0);
   const double first = is_closed ? 0 : -0.5 * arc;
   std::vector<ChildAround> children;

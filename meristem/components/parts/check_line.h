@@ -8,8 +8,8 @@
 
 namespace meristem {
 
-/// Faults of the points of a pole or wire, which stand at the path `line`: fewer than two of them, or a point that
-/// repeats the one before it, so that the line has no direction there.
+/// Reports errors in the points of a pole or wire at the path `line`: fewer than two points, or a repeated point, where
+/// the line has no direction.
 void check_line(const std::vector<Vec3>& points, const DocumentPath& line, ParameterReader& reader);
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Tables of crowns and points, checks of their parameters, and the crowns and points that they describe.
 #include "meristem/components/parts/crown_table.h"
 
 #include <algorithm>
@@ -23,9 +24,9 @@ constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, 
 constexpr NumberRange kProfile{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {0, 20}};
 constexpr NumberRange kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.1, 20}, .above_min = true};
 constexpr std::size_t kMostShares = 100;
-constexpr double kFarthestPoint = 1e7;  // metres along an axis, as far as the coordinates of countries go
+constexpr double kFarthestPoint = 1e7;  // metres along an axis, enough for national grids
 
-/// The azimuth that a key of `profiles` says, in degrees.
+/// Returns the azimuth of a key of `profiles` in degrees.
 std::optional<double> azimuth_of(const std::string& key) {
   double azimuth = 0;
   const auto parsed = std::from_chars(key.data(), key.data() + key.size(), azimuth);
@@ -236,7 +237,7 @@ const ParameterTable& share_table() {
   return table;
 }
 
-/// Scans may have the coordinates of a country, so they are moved in double.
+/// Moves the points in double precision, because scans may use coordinates of a national grid.
 std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsParameters& form, const GrowContext& context) {
   const DFrame frame = form.file_place.frame();
   const auto refuse = [&](std::string message, std::string expected) {

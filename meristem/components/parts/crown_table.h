@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crowns and their points as documents write them.
+// Crowns and their points as parameters of documents.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace meristem {
 
 /// A crown by its radius at each height, for one azimuth.
 struct ProfileParameters {
-  std::vector<Vec2> profile;  ///< (radius, height), metres over the root
+  std::vector<Vec2> profile;  ///< (radius, height), metres above the root
 };
 
 /// An ellipsoid.
@@ -62,13 +62,13 @@ struct HalfSpaceParameters {
   Vec3 normal{0, 1, 0};  ///< points out of the half space
 };
 
-/// Exactly one member is given.
+/// Exactly one member must be set.
 struct CrownParameters {
   std::vector<Vec2> profile;  ///< (radius, height), metres from the root; for all azimuths
   std::vector<std::pair<std::string, ProfileParameters>> profiles;  ///< by azimuth, degrees
   std::vector<CrownParameters> united;                              ///< crowns whose union is the crown
   std::vector<CrownParameters> intersected;                         ///< crowns whose intersection is the crown
-  std::vector<CrownParameters> subtracted;                          ///< all others from the first
+  std::vector<CrownParameters> subtracted;                          ///< all others are subtracted from the first
   std::optional<EllipsoidParameters> ellipsoid;                     ///< an ellipsoid
   std::optional<SphereParameters> sphere;                           ///< a sphere
   std::optional<ConeParameters> cone;                               ///< a cone
@@ -92,43 +92,43 @@ struct PointsParameters {
   std::uint64_t count = 2400;           ///< number of points in the crown
   std::vector<ShareParameters> shares;  ///< zones with more points
   bool blue_noise = false;              ///< true: points keep a distance from each other
-  Asset<PointCloud> file;               ///< instead of the rows above
+  Asset<PointCloud> file;               ///< replaces the members above
   ImportPose file_place;                ///< place of the file's points
 };
 
-const ParameterTable& crown_table();   ///< the rows of CrownParameters
-const ParameterTable& points_table();  ///< the rows of PointsParameters
+const ParameterTable& crown_table();   ///< table of CrownParameters
+const ParameterTable& points_table();  ///< table of PointsParameters
 
-/// Reports a crown that is missing, shares whose part of it is empty, and more points than allowed where it is filled
-/// `times` times. `path` is the component's, `component` what messages call it: "a colonize".
+/// Reports a missing crown, shares with an empty part of the crown, and more points than allowed if the crown is filled
+/// `times` times. `path` is the component's path; `component` is its name in messages, such as "a colonize".
 void check_cloud(const std::optional<CrownParameters>& crown, const PointsParameters& points, std::size_t times,
                  std::string_view component, const DocumentPath& path, ParameterReader& reader);
 
-/// The crown that a checked form means; null where its list is empty.
+/// Returns the crown of checked parameters; null if a list is empty.
 CrownPointer build_crown(const CrownParameters& form);
 
-/// Where trees stand, and what they grow into.
+/// The roots of trees and the crowns that they grow into.
 struct RootsInCrowns {
   const std::optional<CrownParameters>& crown;  ///< form of the crown; unset: the points come from a file
   const PointsParameters& points;               ///< number, distribution or file of the points
   const std::vector<Vec3>& roots;               ///< in the component's frame
-  bool one_crown;                               ///< over the component's origin, instead of one per root
+  bool one_crown;                               ///< true: one crown above the component's origin; false: one per root
 
-  /// Whether all roots grow into the same points.
+  /// Returns true if all roots grow into common points.
   bool share_points() const { return one_crown || points.file; }
 };
 
-/// The attraction points of one root, in the component's frame. The points of a crown of its own stand around the root,
-/// over `base`; points that all roots share belong to the first root.
+/// The attraction points of one root, in the component's frame. Points of the root's own crown are relative to the root
+/// at `base`. Points shared by all roots belong to the first root.
 struct PointsOfRoot {
   Vec3 base{0};              ///< position of the root, metres
-  std::vector<Vec3> points;  ///< relative to it
+  std::vector<Vec3> points;  ///< relative to `base`
 };
-/// Throws as make_points does.
+/// Throws what make_points() throws.
 std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey key, const GrowContext& context);
 
-/// The attraction points of one tree, relative to its root: the points of the file that lie in the crown, where
-/// `points` names a file, else as many points in the crown as `points` asks for. Throws InputError at the component's
+/// Returns the attraction points of one tree, relative to its root. If `points` names a file, these are the file's
+/// points inside the crown. Otherwise the crown is filled as `points` defines. Throws InputError at the component's
 /// crown or points.
 std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,
                               RandomKey key, const GrowContext& context);

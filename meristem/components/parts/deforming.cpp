@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-/// What functions may ask for besides the position: variables of the component's site, by their names there.
+/// Variables of functions in addition to the position: variables of the component's site.
 const std::vector<std::string> kOfSite{"t", "i", "n", "u", "depth", "order", "length", "radius"};
 
 const std::vector<std::string>& function_names() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What components that deform all that hangs on them have in common.
+// The common parts of components that deform their descendants.
 #pragma once
 
 #include <array>
@@ -12,29 +12,29 @@
 
 namespace meristem {
 
-/// What a deformation acts on, and whether it acts within others.
+/// The target of a deformation, and whether it combines with others.
 struct Deforming {
   DeformedPart on = DeformedPart::geometry;
-  bool off = false;  ///< the deformations above end here: all stands rigidly where they take the component
+  bool off = false;  ///< true: ends the deformations above; everything stays rigidly in the component's frame
 };
 
-/// Rows of Deforming.
+/// The parameter table of Deforming.
 const ParameterTable& deforming_table();
 
-/// Three functions of a position in the component's own frame; one that is missing leaves its coordinate.
+/// Three functions of a position in the component's own frame. A missing function leaves its coordinate unchanged.
 struct SpaceFunctions {
   std::optional<Formula> dx, dy, dz;
 
   bool is_empty() const { return !dx && !dy && !dz; }
 };
 
-/// Rows of SpaceFunctions: expressions over x y z, the time and what the instance's site tells.
+/// The parameter table of SpaceFunctions: expressions over x, y, z, the time and variables of the instance's site.
 const ParameterTable& space_functions_table();
 
-/// The map of those functions for the instance at a site.
+/// Returns the map of these functions for the instance at a site.
 FunctionMap map_of(const SpaceFunctions& functions, const Site& site, double time);
 
-/// Has a map in the instance's frame deform all that hangs on it; null: none of its own.
+/// Deforms all descendants of the instance by `map`, given in the instance's frame. Null: adds no deformation.
 void deform_below(const Deforming& how, std::shared_ptr<const SpaceMap> map, const Site& site, Emitter& out);
 
 }  // namespace meristem

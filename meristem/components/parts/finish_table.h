@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// The rows of Finish.
+/// The parameter table of Finish.
 const ParameterTable& finish_table();
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Fits the midribs and widths of a source, groups them by leaf and age, and indexes them by rank and leaf.
 #include "meristem/components/parts/grass_stock.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace meristem {
 
 namespace {
 
-/// The built-in midrib: it leaves the stem at 20° and arches over.
+/// Returns the built-in midrib: it leaves the stem at 20° and arches over.
 std::vector<Vec2> arching_midrib() {
   std::vector<Vec2> points{{0, 0}};
   constexpr int kPieces = 12;
@@ -28,7 +29,7 @@ std::vector<Vec2> arching_midrib() {
   return points;
 }
 
-/// One midrib, which is the leaf's form at its own age or else at `full_age`.
+/// Returns a leaf with a single midrib: its form at the curve's age, or at `full_age`.
 StockedMidrib stocked(const MeasuredCurve& curve, const FitOptions& options, double full_age) {
   const double age = curve.age.value_or(full_age);
   if (!(age > 0)) {
@@ -41,7 +42,7 @@ StockedMidrib stocked(const MeasuredCurve& curve, const FitOptions& options, dou
   return {curve.rank, curve.lindex, std::move(fitted.leaf), std::move(family), fitted.length};
 }
 
-/// Midribs of one leaf at several ages.
+/// Returns a leaf with midribs at several ages.
 StockedMidrib stocked(const std::vector<const MeasuredCurve*>& curves, const FitOptions& options) {
   std::vector<std::pair<double, GrassLeaf>> midribs;
   double length = 0;
@@ -54,7 +55,7 @@ StockedMidrib stocked(const std::vector<const MeasuredCurve*>& curves, const Fit
   return {last.rank, last.lindex, midribs.back().second, MidribFamily(midribs), length};
 }
 
-/// Midribs that belong to one leaf, by age.
+/// Groups the midribs of each leaf by age.
 std::vector<StockedMidrib> stock_midribs(const std::vector<MeasuredCurve>& curves, const FitOptions& options,
                                          double full_age) {
   std::vector<StockedMidrib> midribs;
@@ -91,7 +92,7 @@ FittedWidths widths_of_curve(const Curve& profile, int pieces) {
     largest = std::max(largest, fitted.r.back());
   }
   if (largest == 0) {
-    // All of it lies between two points.
+    // The whole width is between two sample points.
     const auto widest = std::ranges::max_element(profile.points(), {}, [](Vec2 point) { return point.y; });
     fitted.r[static_cast<std::size_t>(widest->x * static_cast<float>(pieces) + 0.5F)] = largest = 1;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The leaves that a grass component draws its own from: fitted once, when its document is read.
+// The leaves that a grass component uses as models. They are fitted once, when the document is read.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace meristem {
 
-/// A midrib at one age, as a document has it.
+/// A midrib at one age, as given in a document.
 struct AgedPoints {
   double age = 0;
   std::vector<Vec2> points;
@@ -27,20 +27,20 @@ struct AgedPoints {
 /// Sources of midribs and widths.
 struct GrassSource {
   Asset<std::vector<MeasuredCurve>> midrib;
-  std::vector<Vec2> midrib_points;  ///< instead of the file: one curve
-  std::vector<AgedPoints> midribs;  ///< or one at each of several ages
+  std::vector<Vec2> midrib_points;  ///< one curve, instead of the file
+  std::vector<AgedPoints> midribs;  ///< curves at several ages, instead of the file
   Asset<std::vector<MeasuredCurve>> widths;
   Curve profile{{{0.0F, 0.7F}, {0.12F, 0.88F}, {0.35F, 1.0F}, {0.65F, 0.82F}, {0.85F, 0.47F}, {1.0F, 0.0F}}};
-  double unit = 0.01;  ///< metres, of the files
+  double unit = 0.01;  ///< metres per unit of the files
   FitOptions fit;
 };
 
-/// A midrib with what is known of it.
+/// A fitted midrib with its metadata.
 struct StockedMidrib {
   std::optional<int> rank, leaf;
-  GrassLeaf form;  ///< full grown: at age 1, or the last one of a family
+  GrassLeaf form;  ///< full grown: at age 1, or at the last age of a family
   MidribFamily family;
-  double length = 0;  ///< as measured, in the source's unit; 0 where the source is no file
+  double length = 0;  ///< measured length in the source's unit; 0 without a file
 };
 
 struct StockedWidths {
@@ -48,7 +48,7 @@ struct StockedWidths {
   FittedWidths fitted;
 };
 
-/// Finds curves by rank and leaf. What has no ranks suits all ranks, and what has no leaves all leaves.
+/// Finds curves by rank and leaf. Curves without ranks match all ranks, and curves without leaves match all leaves.
 class StockIndex {
  public:
   template <class Stocked>
@@ -56,9 +56,9 @@ class StockIndex {
     for (std::uint32_t k = 0; k < all.size(); ++k) add(all[k].rank, all[k].leaf, k);
     sort();
   }
-  /// The entries of a rank, and of one leaf of the rank if one is asked for; empty if there is none. Cost: logarithmic.
+  /// Returns the entries of a rank, or of one leaf of the rank. Empty if there are none. Cost: logarithmic.
   std::span<const std::uint32_t> find(int rank, std::optional<int> leaf = {}) const;
-  const std::vector<int>& ranks() const { return ranks_; }  ///< that there are, rising
+  const std::vector<int>& ranks() const { return ranks_; }  ///< existing ranks, in rising order
 
  private:
   void add(std::optional<int> rank, std::optional<int> leaf, std::uint32_t index);
@@ -66,11 +66,11 @@ class StockIndex {
 
   bool has_ranks_ = false, has_leaves_ = false;
   std::vector<std::pair<int, int>> names_;  // rank and leaf, sorted
-  std::vector<std::uint32_t> indices_;      // in that order
+  std::vector<std::uint32_t> indices_;      // in the order of names_
   std::vector<int> ranks_;
 };
 
-/// All that a source has.
+/// All curves of a source.
 struct GrassStock {
   explicit GrassStock(std::vector<StockedMidrib> all_midribs, std::vector<StockedWidths> all_widths)
       : midribs(std::move(all_midribs)), widths(std::move(all_widths)), midrib_index(midribs), width_index(widths) {}
@@ -80,23 +80,24 @@ struct GrassStock {
   StockIndex midrib_index, width_index;
 };
 
-/// How a stock is made.
+/// Options of making a stock.
 struct StockOptions {
-  bool is_loaded = true;  ///< else the built-in leaf stands in for what the source has
-  bool is_fitted = true;  ///< else points are joined by lines
-  double full_age = 1;    ///< at which a leaf has its form, where midribs have no ages
+  bool is_loaded = true;  ///< false: the built-in leaf replaces the source
+  bool is_fitted = true;  ///< false: straight lines join the points
+  double full_age = 1;    ///< age of a full-grown leaf, for midribs without ages
 };
 
-/// All that make_stock depends on, points of files with it.
+/// Returns a fingerprint of all inputs of make_stock(), including the points of files.
 Fingerprint fingerprint_of(const GrassSource& source, const StockOptions& options);
 
-/// Fits all of it. Throws InputError for midribs that stand alone at an age of 0 or less, and for faults of curves.
+/// Fits all curves. Throws InputError for a single midrib with an age of 0 or less, and for errors of curves.
 GrassStock make_stock(const GrassSource& source, const StockOptions& options);
 
-/// The midribs of a source, those that documents hold as measured ones; the built-in leaf's where it has none.
+/// Returns the midribs of a source as measured curves, including midribs in documents. Returns the built-in leaf's if
+/// the source has none.
 std::vector<MeasuredCurve> measured_midribs(const GrassSource& source);
 
-/// The points of a document's midrib as a measured one.
+/// Returns the points of a document's midrib as a measured curve.
 MeasuredCurve curve_of(const std::vector<Vec2>& points);
 
 const ParameterTable& grass_source_table();

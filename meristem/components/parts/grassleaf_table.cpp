@@ -195,7 +195,7 @@ void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, Parameter
   }
 }
 
-/// Warns where waves are left out because there are too few polygons.
+/// Warns if waves are omitted because there are too few polygons.
 void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const EdgeWaves& waves = grass.blade.waves;
   const DocumentPath at_waves(path, "waves");
@@ -208,7 +208,7 @@ void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, Parame
                           grass.polygons, waves.number, std::ceil(kPiecesAWave * waves.number)));
 }
 
-/// Fits what the document gives; what is wrong with it is a fault at its path.
+/// Fits the curves of the document. Reports errors at their paths.
 void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of grass leaves as documents write them.
+// The parameters of grass leaves in documents.
 #pragma once
 
 #include <memory>
@@ -14,43 +14,43 @@
 
 namespace meristem {
 
-/// How each leaf gets a life of its own: its rates over the time that it has lived, and over the share that is seen.
+/// Individual growth rates of leaves, as formulas of the lived time and of the visible share.
 struct GrassVariety {
   std::optional<Formula> age, length, width, bend;
-  double step = 0.05;  ///< of its life, in the unit of ages
-  int variants = 12;   ///< lives that leaves share; 0: one each
+  double step = 0.05;  ///< step of the integration, in the unit of ages; smaller: slower and more exact
+  int variants = 12;   ///< number of different growth histories; 0: one per leaf
 
   bool acts() const { return age || length || width || bend; }
 };
 
 /// Forces on a leaf.
 struct GrassForces {
-  Vec3 wind{0};         ///< m/s, where it blows to
+  Vec3 wind{0};         ///< m/s, in the direction in which it blows
   double light = 0;     ///< pull toward the light, in weights of the leaf
-  Vec3 pull{0};         ///< any other, in weights
-  double weight = 2.5;  ///< N/m2
+  Vec3 pull{0};         ///< any other pull, in weights of the leaf
+  double weight = 2.5;  ///< weight of the blade, N/m2
   LeafStrip strip;
 };
 
 /// A sheath below the blade.
 struct GrassSheath {
-  double length = 0;             ///< metres; 0: none
-  std::optional<double> radius;  ///< metres; unset: a little more than the stem's
+  double length = 0;             ///< metres; 0: no sheath
+  std::optional<double> radius;  ///< metres; unset: slightly larger than the stem's
   double open = radians(25);
   double ligule = 0;    ///< height of the ligule, metres
-  double clasp = 0.08;  ///< share of the blade over which it unrolls from the sheath's round
+  double clasp = 0.08;  ///< share of the blade over which it unrolls from the curve of the sheath
 };
 
-/// Which stages act; one that does not hands on what it got.
+/// The enabled stages. A disabled stage passes its input on unchanged.
 struct GrassStages {
   bool load = true, fit = true, age = true, vary = true, bend = true, reduce = true, blade = true;
 };
 
-/// Polygons from base to tip that it takes to show a wave; with fewer, waves are left out.
+/// Polygons from base to tip per wave; waves with fewer polygons are omitted.
 inline constexpr int kPiecesAWave = 4;
 
-/// The leaf of a grass: a midrib in a plane and widths along it, measured or drawn, made older, bent, reduced and given
-/// a surface. Its heading is the stem's; the leaf leads away from the stem by its own midrib.
+/// A grass leaf: a midrib in a plane and widths along it. They are measured or drawn, then aged, bent, reduced and
+/// given a surface. The heading is the stem's; the midrib leads away from the stem.
 struct Grassleaf : ComponentBase {
   GrassSource source;
   int rank = 1;
@@ -63,7 +63,7 @@ struct Grassleaf : ComponentBase {
   double inclination_factor = 1;
   std::vector<LocalTurn> turns;
   std::optional<GrassForces> forces;
-  GrassBlade blade;  ///< its roll, fold, twist, waves and quads across
+  GrassBlade blade;  ///< roll, fold, twist, waves and quads across
   std::optional<Formula> f, g, h;
   GrassSheath sheath;
   int polygons = 16;
@@ -71,10 +71,10 @@ struct Grassleaf : ComponentBase {
   GrassStages stages;
   bool exact = false;
 
-  std::shared_ptr<const GrassStock> stock;  ///< made of the source when the document is read
+  std::shared_ptr<const GrassStock> stock;  ///< made from the source when the document is read
 };
 
-/// All rows of a grass leaf, in the order of its stages.
+/// Returns the table of all parameters of a grass leaf, in the order of the stages.
 Table<Grassleaf> grassleaf_table();
 
 }  // namespace meristem

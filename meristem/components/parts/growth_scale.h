@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plants that grow by a model grow to the scale of the frame that they stand in, as stems along curves do: all their
-// lengths are larger, so that they grow among obstacles and neighbours what they come to be.
+// Scale of growth models. Plants grow at the scale of their frame: all lengths are multiplied by it. Their size during
+// growth among obstacles and neighbours is therefore their final size.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace meristem {
 
-/// Scale of lengths in a frame: the length of its heading. None where it has shrunk to nothing or is not
-/// finite, so that nothing can grow there.
+/// Returns the scale of lengths in a frame: the length of its heading. Returns nothing if it is zero or not finite;
+/// then nothing can grow there.
 std::optional<double> growth_scale(const Frame& frame);
 
-/// A member of the stand that stays empty.
+/// Returns a member of the stand that stays empty.
 std::unique_ptr<Grower> make_nothing();
 
 }  // namespace meristem

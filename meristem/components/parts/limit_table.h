@@ -6,6 +6,6 @@
 
 namespace meristem {
 
-const ParameterTable& limit_table();  ///< of LightLimit
+const ParameterTable& limit_table();  ///< table of LightLimit
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Tables of all kinds of operations, checks of their parameters, and conversion to the form that growth uses.
 #include "meristem/components/parts/operation_table.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ void check_common(const OperationParameters& common, const DocumentPath& path, P
   }
 }
 
-/// Which shoots a text says. `names` are those of conditions.
+/// Parses the choice of shoots. `names` are the variables of conditions.
 ShootChoice choice_of(const std::string& text, const std::vector<std::string>& names, const DocumentPath& place,
                       ParameterReader& reader) {
   if (text == "leader") return ShootChoice::leader();
@@ -73,7 +74,7 @@ ShootChoice choice_of(const std::string& text, const std::vector<std::string>& n
   return {};
 }
 
-/// Growth names the document path of what it cannot do.
+/// Stores the document path of an operation for errors during growth.
 template <class Kind>
 void prepare(Kind& operation, const DocumentPath& path, ParameterReader&) {
   operation.path = path.text();
@@ -317,7 +318,7 @@ Layers rule_of(const LayersParameters& form, Vec3 right) {
   return {form.count, form.metamers, right, form.angle, form.angle_last.value_or(form.angle), form.weight};
 }
 
-/// What growth takes, of each kind.
+/// Converts the parameters of each kind of operation to the form that growth uses.
 struct OperationBuilder {
   const Mat3& axes;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations on self-organizing trees as documents write them: when, on which shoots, what.
+// Operations on self-organizing trees as parameters of documents: when, on which shoots, and what.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace meristem {
 
-/// What all kinds have.
+/// The common parameters of all kinds of operations.
 struct OperationParameters {
   std::optional<int> at;
   int from = 1;
@@ -30,7 +30,7 @@ struct OperationParameters {
   std::string shoots;
   std::optional<int> tree;
   bool off = false;
-  ShootChoice chosen;  ///< what `shoots` says
+  ShootChoice chosen;  ///< parsed from `shoots`
   std::string path;    ///< in the document
 };
 
@@ -65,7 +65,7 @@ struct LayersParameters : OperationParameters {
   double angle = 0;
   std::optional<double> angle_last;
   double weight = 6;
-  double wires = 0;  ///< metres to each side that are seen
+  double wires = 0;  ///< visible length of the wires on each side, metres
   LayersParameters() { shoots = "leader"; }
 };
 
@@ -73,14 +73,14 @@ struct SupportParameters : OperationParameters {
   std::vector<Vec3> line;
   std::string named;
   double weight = 6;
-  double thickness = 0;  ///< metres, of what is seen
+  double thickness = 0;  ///< visible thickness, metres
   SupportParameters() { shoots = "leader"; }
 };
 
 struct MarkParameters : OperationParameters {
   double chance = 1;
   std::string state = "marked";
-  std::uint32_t number = 0;  ///< of the state in the list of operations
+  std::uint32_t number = 0;  ///< number of the mark in the list of operations
 };
 
 struct GirdleParameters : OperationParameters {
@@ -101,37 +101,38 @@ struct TieParameters : OperationParameters {
   std::string anchor = "ground";
   double length = 0;
   int iterations = 1;
-  std::optional<ShootChoice> anchor_shoots;  ///< what `anchor` says, unless it is the ground
+  std::optional<ShootChoice> anchor_shoots;  ///< parsed from `anchor`, unless it is the ground
 };
 
 using AnyOperation = std::variant<CutParameters, SpurParameters, LimitParameters, LayersParameters, SupportParameters,
                                   MarkParameters, GirdleParameters, BendParameters, TieParameters>;
 
-const ParameterTable& operation_table();  ///< of every kind of operation
-const Kinds& operation_kinds();           ///< of the alternatives of AnyOperation
+const ParameterTable& operation_table();  ///< table for every kind of operation
+const Kinds& operation_kinds();           ///< names of the alternatives of AnyOperation
 
-/// What all kinds have, of one.
+/// Returns the common parameters of an operation.
 const OperationParameters& common_of(const AnyOperation& operation);
 OperationParameters& common_of(AnyOperation& operation);
 
-/// The words of the marks of a list that its conditions may name, by their numbers.
+/// Returns the names of the marks of a list, by number. Conditions may use them.
 std::vector<std::string> mark_words(const std::vector<AnyOperation>& operations);
-/// Compiles what operations of a list say of shoots. `words` are those of the component's marks; `path` is the list's.
+/// Compiles the expressions over shoots of a list of operations. `words` are the marks of the component; `path` is the
+/// list's path.
 void prepare_operations(std::vector<AnyOperation>& operations, const std::vector<std::string>& words,
                         const DocumentPath& path, ParameterReader& reader);
 
-/// The operation that a checked form means, for trees whose component's frame has these axes.
+/// Returns the operation of checked parameters. `axes` are the axes of the component's frame.
 Operation build_operation(const AnyOperation& form, const Mat3& axes);
 
-/// A pole or wire of an operation that is seen.
+/// A visible pole or wire of an operation.
 struct SeenLine {
   std::vector<Vec3> points;  ///< metres from the root, in the component's frame
   double radius = 0.005;
 };
-/// The lines of an operation that are seen; `length` is the length of a metamer.
+/// Returns the visible lines of an operation; `length` is the length of a metamer.
 std::vector<SeenLine> seen_lines(const AnyOperation& form, double length);
 
-/// Whether a text has the form of a shoot's name: `main`, `main.4.2`.
+/// Returns true if a text has the form of a shoot's name: `main`, `main.4.2`.
 bool is_shoot_name(std::string_view text);
 
 }  // namespace meristem

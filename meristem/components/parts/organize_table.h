@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of self-organizing trees as documents write them.
+// The parameters of self-organizing trees in documents.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace meristem {
 
-/// Where the buds of a tree get their light, as documents write it.
+/// The light model of a tree's buds and its space.
 struct OrganizeLight {
   BudLightModel model;
-  std::optional<CrownParameters> room;  ///< over each root
+  std::optional<CrownParameters> room;  ///< above each root
 };
 
-const ParameterTable& organize_growth_table();  ///< of OrganizeParameters, without light, radii and operations
-const ParameterTable& organize_light_table();   ///< of OrganizeLight
+const ParameterTable& organize_growth_table();  ///< table of OrganizeParameters without light, radii and operations
+const ParameterTable& organize_light_table();   ///< table of OrganizeLight
 
 }  // namespace meristem

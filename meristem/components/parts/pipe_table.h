@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// The rows of PipeModel, for components whose stems get their radii by it.
+/// The parameter table of PipeModel, for components that use the pipe model.
 const ParameterTable& pipe_table();
 
 }  // namespace meristem

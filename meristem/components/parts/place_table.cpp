@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads tables of plant positions and converts their coordinates to the scene.
 #include "meristem/components/parts/place_table.h"
 
 #include <array>
@@ -15,8 +16,8 @@ namespace meristem {
 
 namespace {
 
-constexpr double kEarthRadius = 6371008.8;  // metres, the mean
-// What a column may have, as the same keys of documents may.
+constexpr double kEarthRadius = 6371008.8;  // mean radius, metres
+// The permitted range of a column, equal to that of the document's keys.
 struct ColumnRange {
   double low = 0;
   double high = 0;
@@ -24,7 +25,7 @@ struct ColumnRange {
 constexpr ColumnRange kMetres{-1e7, 1e7}, kLongitudes{-360, 360}, kLatitudes{-90, 90}, kTurns{-1e6, 1e6},
     kScales{1e-4, 1e4};
 
-/// Finds the columns that say where rows stand, and that they are numbers.
+/// Finds the columns with positions and checks that they contain numbers.
 class PlaceColumns {
  public:
   PlaceColumns(PlaceTable& places, std::string_view text, const Limits& limits)
@@ -63,7 +64,7 @@ class PlaceColumns {
       if (places_.east != nullptr && places_.north != nullptr) return;
     }
     const std::vector<std::string> names = places_.table.names();
-    // The nearest name tells a slip; of several wanted names the first that has one.
+    // Suggest the nearest name for a probable typing error: for the first missing name that has one.
     std::string nearest;
     for (const char* wanted : {"lon", "lat", "x", "z", "y"}) {
       if (nearest.empty() && optional(wanted) == nullptr) nearest = nearest_name(wanted, names);
@@ -80,7 +81,7 @@ class PlaceColumns {
                    .line = 1});
   }
 
-  /// That a column, which may be null, has numbers in a range.
+  /// Checks that a column, which may be null, contains numbers in a range.
   void check_numbers(const TextTable::Column* found, ColumnRange range) {
     if (found == nullptr) return;
     const TextTable::Column& column = *found;
@@ -123,7 +124,7 @@ double middle_of(const std::vector<double>& numbers) {
 
 PlaceTable::PlaceTable(PlaceTable&& other) noexcept
     : file(std::move(other.file)),
-      table(std::move(other.table)),  // its columns stay where they are in memory
+      table(std::move(other.table)),  // moving the table does not move its columns in memory
       ground(other.ground),
       east(other.east),
       north(other.north),
@@ -144,7 +145,7 @@ Vec3 PlaceTable::position(std::size_t row, DVec3 origin) const {
     case Ground::degrees:
       break;
   }
-  const double metres = kEarthRadius * kPi / 180;  // of a degree along a meridian
+  const double metres = kEarthRadius * kPi / 180;  // metres per degree along a meridian
   return Vec3(DVec3(right * metres * math::cos(origin.y * kPi / 180), up, -ahead * metres));
 }
 

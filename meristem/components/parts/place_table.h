@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables that say where plants stand, one row per plant.
+// Tables of plant positions, with one row per plant.
 #pragma once
 
 #include <optional>
@@ -13,31 +13,32 @@
 
 namespace meristem {
 
-/// The rows of a table, with the columns that say where they are.
+/// A table with its position columns.
 struct PlaceTable {
-  /// How the table says where things stand.
+  /// The coordinate system of a table.
   enum class Ground {
     plan,     ///< x to the east and z to the south, as in the scene; y is the height
     map,      ///< x to the east and y to the north
     degrees,  ///< lon and lat
   };
 
-  std::string file;  ///< its name in messages
+  std::string file;  ///< name of the file in messages
   TextTable table;
   Ground ground = Ground::plan;
-  const TextTable::Column *east = nullptr, *north = nullptr;  ///< of the table, as are the others
+  const TextTable::Column *east = nullptr, *north = nullptr;  ///< pointers into `table`, like the following ones
   const TextTable::Column *height = nullptr, *rotation = nullptr, *scale = nullptr;
-  DVec3 middle{0};  ///< of the rows' box: x and y in the table's unit
+  DVec3 middle{0};  ///< centre of the rows' bounding box: x and y in the table's unit
 
   PlaceTable() = default;
-  PlaceTable(const PlaceTable&) = delete;  // columns point into it
+  PlaceTable(const PlaceTable&) = delete;  // columns point into the table
   PlaceTable(PlaceTable&& other) noexcept;
 
-  /// Where a row stands in the scene, metres, where `origin` (in the table's unit) lies at its origin.
+  /// Returns the position of a row in the scene, in metres. `origin` (in the table's unit) is mapped to the scene's
+  /// origin.
   Vec3 position(std::size_t row, DVec3 origin) const;
 };
 
-/// Reads a table of places. Throws InputError with all faults by line and column.
+/// Reads a table of places. Throws InputError with all errors by line and column.
 PlaceTable read_place_table(const std::string& text, const std::string& file_path, ParameterReader& reader,
                             std::vector<Diagnostic>& warnings);
 

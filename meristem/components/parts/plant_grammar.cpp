@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLongestWord = 64;
 
-/// Finds the letters that may stand behind a ~: those that do in the text, and what rules make of them.
+/// Finds the letters that may follow a ~: the ones that do in the text, and the first letters of their successors.
 class PlacedLetters {
  public:
   explicit PlacedLetters(const Grammar& grammar) : grammar_(grammar), is_found_(grammar.alphabet.size()) {
@@ -62,7 +62,7 @@ class PlacedLetters {
   std::vector<LetterIndex> found_;
 };
 
-/// The words that stand behind each ~ of the text.
+/// Returns the word after each ~ of the text.
 std::vector<std::string_view> words_behind_tildes(std::string_view text) {
   std::vector<std::string_view> words;
   for (std::size_t at = text.find('~'); at != std::string_view::npos; at = text.find('~', at + 1)) {

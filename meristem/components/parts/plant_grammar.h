@@ -15,12 +15,12 @@ namespace meristem {
 struct PlantGrammar {
   std::string text;  ///< as it was read
   Grammar grammar;
-  std::vector<PlacedComponent> placed;          ///< those that a ~ names
-  std::vector<std::uint32_t> placed_of_letter;  ///< by letter: index into them, kNoIndex for most
+  std::vector<PlacedComponent> placed;          ///< components named after a ~
+  std::vector<std::uint32_t> placed_of_letter;  ///< by letter: index into `placed`, or kNoIndex
 };
 
-/// Reads a grammar's text as the table of a component does: with the document's variables, and files that it includes
-/// sought beside `path`. Throws InputError for its faults, by line and column.
+/// Reads the grammar of a component. It may use the document's variables, and included files are relative to the folder
+/// of `path`. Throws InputError for its errors, with line and column.
 PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
                                 std::vector<Diagnostic>& warnings);
 

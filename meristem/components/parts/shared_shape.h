@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shapes a mesh is rounded where it varies from instance to instance, so that many of them share it. A number that
-// all instances have in common makes no more meshes, and stays as it is.
+// Rounding of shape parameters that vary between instances, so that many instances share a mesh. Parameters that are
+// equal for all instances stay exact.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace meristem {
 
 inline constexpr double kShapeAngleStep = 5 * kPi / 180;
 
-/// Whether a member of a component's struct differs from instance to instance.
+/// Returns true if a member of a component's struct varies between instances.
 template <class Parameters, class Member>
 bool varies(const Emitter& out, const Parameters& parameters, const Member& member) {
   const auto place = [](const auto& object) { return reinterpret_cast<const std::byte*>(&object); };
@@ -24,8 +24,8 @@ bool varies(const Emitter& out, const Parameters& parameters, const Member& memb
 
 inline double to_step(double value, double step) { return std::floor(value / step + 0.5) * step; }
 
-/// 2 to the power of `exponent`. Most shapes are rounded to eighths of an octave, whose powers are looked up: to
-/// compute them took a tenth of the time of a crown of leaves.
+/// Returns 2 to the power of `exponent`. Multiples of 1/8 are looked up in a table, because computing them took a tenth
+/// of the time of a crown of leaves.
 inline double power_of_2(double exponent) {
   constexpr int kMost = 32;
   static const std::array<double, 16 * kMost + 1> powers = [] {
@@ -38,7 +38,7 @@ inline double power_of_2(double exponent) {
   return is_there ? powers[static_cast<std::size_t>(place)] : math::pow(2, exponent);
 }
 
-/// Rounds to this number of steps per octave; `value` is above 0.
+/// Rounds to this number of steps per octave. `value` must be above 0.
 inline double to_octaves(double value, double steps) {
   static const double log_of_2 = math::log(2);
   return power_of_2(to_step(math::log(value) / log_of_2, 1 / steps));

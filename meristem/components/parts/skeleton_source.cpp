@@ -13,7 +13,7 @@ namespace meristem {
 
 namespace {
 
-/// MTG files begin with their section CODE, after comments and blanks.
+/// Returns true if the text begins like an MTG file: with its section CODE, after comments and blanks.
 bool begins_as_mtg(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -37,7 +37,7 @@ SkeletonFile load(const std::string& path, const Limits& limits) {
   return file;
 }
 
-/// Coordinates that skeleton_of(MtgTree) has turned to y up, as they are where y is up in the file.
+/// Restores coordinates of a file with y up, because skeleton_of(MtgTree) assumes z up.
 void turn_back(Skeleton& skeleton) {
   for (Vec3& position : skeleton.position) position = Vec3(position.x, -position.z, position.y);
 }

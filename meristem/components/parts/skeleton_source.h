@@ -14,17 +14,17 @@
 
 namespace meristem {
 
-/// What a file says of a plant's nodes, in either form.
+/// The content of a skeleton file, in either form.
 struct SkeletonFile {
   std::string path;
   std::optional<MtgTree> mtg;
-  NodeTable table;  ///< where it is no MTG
+  NodeTable table;  ///< used if the file is no MTG
 };
 
-/// Which way is up in a file.
+/// The upward axis of a file.
 enum class UpAxis { file, y, z };
 
-/// The features of an MTG with coordinates and diameters.
+/// The features of an MTG that contain coordinates and diameters.
 struct MtgFeatures {
   std::string x = "XX";
   std::string y = "YY";
@@ -32,24 +32,24 @@ struct MtgFeatures {
   std::string diameter;  ///< empty: TopDia or TopDiameter
 };
 
-/// A plant that was measured, or grown elsewhere, and how its file is to be read.
+/// A plant that was measured or grown elsewhere, and the options for reading its file.
 struct SkeletonSource {
   Asset<SkeletonFile> file;
-  double unit = 1;                      ///< metres that a coordinate of 1 means
-  std::optional<double> diameter_unit;  ///< metres that a radius or diameter of 1 means; unset: as `unit`
+  double unit = 1;                      ///< metres per unit of coordinates
+  std::optional<double> diameter_unit;  ///< metres per unit of radii or diameters; unset: like `unit`
   UpAxis up = UpAxis::file;
   bool at_origin = true;
   std::optional<int> scale;
   MtgFeatures features;
 };
 
-const ParameterTable& skeleton_source_table();  ///< of SkeletonSource
+const ParameterTable& skeleton_source_table();  ///< table of SkeletonSource
 
-/// The plant in metres, y up, with radius 0 where the file has none. Nothing where the file could not be read, or after
-/// faults at `path`, the path of the source, which name the line.
+/// Returns the plant in metres, y up, with radius 0 if the file has none. Returns nothing if the file could not be read
+/// or has errors. Errors are reported at `path`, the path of the source, with their lines.
 std::optional<Skeleton> read_skeleton(const SkeletonSource& source, const DocumentPath& path, ParameterReader& reader);
 
-/// Nodes without a radius get that of the pipe model, but none thicker than what bears them.
+/// Sets missing radii by the pipe model, limited by the radius of the bearing wood.
 void fill_radii(Skeleton& skeleton, const PipeModel& model);
 
 }  // namespace meristem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stem grows section by section. Each section turns with the given axis, by its share of the curl, by the change of
-// the noise since the section before, away from branches that push it, and toward gravity and light. The shares are set
-// so that the form of a stem does not depend on the number of its sections.
+// A stem grows section by section. Each section turns with the given axis, by its share of the curl, and by the change
+// of the noise since the previous section. It also turns away from branches that push it, and toward gravity and light.
+// The shares are chosen so that the form of a stem does not depend on the number of its sections.
 #include "meristem/components/parts/stem_path.h"
 
 #include <algorithm>
@@ -17,19 +17,20 @@ namespace meristem {
 
 namespace {
 
-constexpr double kStrongest = 0.995;      // share of an angle: at 1 the first section would close all of it
-constexpr int kWaySteps = 64;             // pieces in which the length of an axis is measured, from point to point
-constexpr std::size_t kMostPoints = 500;  // of an axis
+// Largest share of an angle; with 1, the first section would close the whole angle.
+constexpr double kStrongest = 0.995;
+constexpr int kWaySteps = 64;             // pieces between two points that measure the length of an axis
+constexpr std::size_t kMostPoints = 500;  // points of an axis
 
-/// What one turn must close of the angle so that 1 / `part` of them together close `strength` of it.
+/// Returns the share of the angle that one turn must close, so that 1 / `part` turns together close `strength` of it.
 double share_of_turn(double strength, double part) {
   const double open = 1 - std::min(std::abs(strength), kStrongest);
   return 1 - math::pow(open, part);
 }
 
-/// The directions that a stem along a spline has in its `sections`, in the stem's own frame.
+/// Returns the directions of the sections of a stem along a spline, in the stem's own frame.
 std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
-  // The spline, over the length of the lines between its points.
+  // Make the spline, parametrised by the length of the lines between its points.
   std::vector<Vec3> points{Vec3(0)};
   std::vector<float> at{0};
   for (const Vec3 point : axis) {
@@ -45,7 +46,7 @@ std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
   const Curve x = coordinate(0), y = coordinate(1), z = coordinate(2);
   const auto position = [&](double s) { return glm::dvec3(x(s), y(s), z(s)); };
 
-  // Sections of equal length of it.
+  // Divide it into sections of equal length.
   const auto fine = static_cast<int>(points.size() - 1) * kWaySteps;
   std::vector<double> length(static_cast<std::size_t>(fine) + 1);
   glm::dvec3 last = position(0);
@@ -110,7 +111,7 @@ class StemPathBuilder {
     return node;
   }
 
-  /// A node's frame looks midway between the sections that meet there.
+  /// Returns a node's frame, whose heading is midway between those of the adjacent sections.
   Frame frame_midway(Vec3 position, Vec3 heading, Vec3 right) const {
     heading = normalized_or(heading + heading_, heading_);
     right += right_;
@@ -124,10 +125,10 @@ class StemPathBuilder {
   }
 
   Vec3 upper() const { return glm::cross(right_, heading_); }
-  /// A direction in the frame of a straight stem, in the world.
+  /// Converts a direction in the frame of a straight stem to the world.
   Vec3 from_stem(Vec3 local) const { return local.x * right_ + local.y * heading_ + local.z * upper(); }
 
-  /// The section that begins at `position`.
+  /// Turns to the section that begins at `position`.
   void turn(int section, Vec3 position) {
     if (!way_.empty()) follow_way(static_cast<std::size_t>(section));
     if (form_.spiral != 0) rotate(rotation(heading_, form_.spiral / form_.segments));
@@ -142,7 +143,7 @@ class StemPathBuilder {
     if (tropisms_.keep_out()) stay_out(section, in_scene);
   }
 
-  /// Heads where the bodies around leave the way open.
+  /// Turns to a heading that the surrounding bodies allow.
   void stay_out(int section, Vec3 in_scene) {
     const double thickest = std::max(radius_at(section), radius_at(section + 1));
     const Vec3 open = tropisms_.directions->open_heading({.position = in_scene,
@@ -152,13 +153,13 @@ class StemPathBuilder {
     if (open != heading_) rotate(rotation_between(heading_, open));
   }
 
-  /// Metres, where a section begins.
+  /// Returns the radius at the begin of a section in metres.
   float radius_at(int section) const {
     const double u = static_cast<double>(section) / form_.segments;
     return scale_ * static_cast<float>(std::max(0.0, form_.taper(u)) * form_.radius);
   }
 
-  /// Turns as the spline does between the last section and this one.
+  /// Turns like the spline between the previous section and this one.
   void follow_way(std::size_t section) {
     const Mat3 turn = rotation_between(section == 0 ? kUp : way_[section - 1], way_[section]);
     const Mat3 own = glm::transpose(way_axes_) * turn * way_axes_;  // in the spline's own frame
@@ -168,7 +169,7 @@ class StemPathBuilder {
     right_ = glm::normalize(turned[0] - glm::dot(turned[0], heading_) * heading_);
   }
 
-  /// How much the noise turns this section against the one before.
+  /// Returns the change of the noise since the previous section.
   double wandered(int section, std::uint64_t direction) const {
     if (form_.gnarl == 0) return 0;
     const auto noise = [&](int k) {
@@ -177,7 +178,7 @@ class StemPathBuilder {
     return 2 * form_.gnarl * (noise(section + 1) - noise(section));
   }
 
-  /// Turns by all that has pushed the stem since the section before.
+  /// Turns by all pushes on the stem since the previous section.
   void avoid(int section) {
     const double reached = (section + 0.5) / form_.segments;
     for (; next_bend_ < bends_.size() && bends_[next_bend_].u <= reached; ++next_bend_) {
@@ -187,7 +188,7 @@ class StemPathBuilder {
     }
   }
 
-  /// Turns toward what pulls, or for a negative strength away from it.
+  /// Turns toward a pull, or away from it if the strength is negative.
   void follow(const Pulling& pulling, double strength) {
     const Vec3 target = strength > 0 ? pulling.toward : -pulling.toward;
     const double angle = math::acos(glm::dot(heading_, target));
@@ -207,10 +208,10 @@ class StemPathBuilder {
   std::size_t next_bend_ = 0;
   RandomKey key_;
   float scale_ = 1;
-  float section_ = 0;  // its length, metres
+  float section_ = 0;  // length of a section, metres
   Vec3 heading_{0}, right_{0}, origin_{0};
   std::vector<Vec3> way_;
-  Mat3 way_axes_{1};  // of the spline's own frame, carried along it without twist
+  Mat3 way_axes_{1};  // the spline's own frame, transported along it without twist
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+// Translates training systems into lists of operations.
+//
 // Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, sections 4.2 and
-// 4.3, for pole, open tree and espalier; the other forms are made of the same operations.
+// 4.3, for pole, open tree and espalier; the other forms use combinations of these operations.
 #include "meristem/components/parts/training.h"
 
 #include <cmath>
@@ -14,13 +16,13 @@ namespace meristem {
 
 namespace {
 
-constexpr double kFar = 1e4;     // metres, where bodies of cuts have no end
-constexpr double kStake = 0.04;  // metres, thickness of what is shown
+constexpr double kFar = 1e4;     // metres; size of infinite bodies of cuts
+constexpr double kStake = 0.04;  // metres; visible thickness
 constexpr double kCane = 0.012;
-constexpr double kHigherAngle = 70;  // degrees, of a fan's topmost arms
-constexpr double kLowerAngle = 12;   // and its lowest
+constexpr double kHigherAngle = 70;  // degrees; topmost arms of a fan
+constexpr double kLowerAngle = 12;   // degrees; lowest arms of a fan
 
-/// As people write it.
+/// Rounds a length to micrometres, for readable documents.
 double rounded(double metres) { return std::round(1e6 * metres) / 1e6; }
 
 Value point(double x, double y, double z) { return Value::List{rounded(x), rounded(y), rounded(z)}; }
@@ -29,7 +31,7 @@ Value box(double x, double low, double high, double z) {
   return Value::Object{{"box", Value::List{point(-x, low, -z), point(x, high, z)}}};
 }
 
-/// The operations of one training, one after another.
+/// The operations of one training, in order.
 class System {
  public:
   System(const Training& training, double length) : training_(training), length_(length) {}
@@ -61,7 +63,7 @@ class System {
   }
 
  private:
-  /// The height of the clear stem.
+  /// Returns the height of the clear stem.
   double stem() const {
     if (training_.stem) return *training_.stem;
     if (training_.form == Training::Form::standard) return 1.8;
@@ -114,14 +116,14 @@ class System {
     keep("spur", "rank >= 1", training_.spurs);
   }
 
-  /// What branches below a height goes.
+  /// Removes branches below the height of the clear stem.
   void clear_stem() { add({{"do", "cut"}, {"shoots", "rank >= 1"}, {"outside", box(kFar, stem(), kFar, kFar)}}); }
 
   void spindle() {
     pole(training_.height, kStake);
     clear_stem();
     add({{"do", "cut"}, {"shoots", "rank == 1 && age >= 1 && inclination > 60"}, {"above", 0}});
-    // A cone whose point stands above the tree, so that its top is not cut to nothing.
+    // A cone with its apex above the tree, so that the tree's top is not cut away.
     const double above = 0.25 * training_.height;
     const Value::Object cone{{"base", point(0, 0, 0)},
                              {"radius", 0.5 * training_.width * (training_.height + above) / training_.height},
@@ -168,7 +170,7 @@ class System {
   Value::List list_;
 };
 
-/// What a list of operations is read into.
+/// The target of reading a list of operations.
 struct ReadOperations {
   std::vector<AnyOperation> operations;
 };

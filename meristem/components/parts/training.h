@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Training systems: each is a list of operations that is made of a few parameters.
+// Training systems: lists of operations, made from a few parameters.
 #pragma once
 
 #include <optional>
@@ -21,19 +21,19 @@ struct Training {
   double azimuth = kPi / 2;
   double angle = radians(45);
   double weight = 6;
-  std::optional<double> stem;  ///< metres; unset: as usual for the form
+  std::optional<double> stem;  ///< metres; unset: the default of the form
   double height = 1.5;         ///< metres
   double width = 1;            ///< metres
   double depth = 0.6;          ///< metres
   int from = 1;                ///< iteration
   bool shown = true;
 
-  std::vector<AnyOperation> operations{};  ///< what it stands for
+  std::vector<AnyOperation> operations{};  ///< the resulting operations
 };
 
 const ParameterTable& training_table();
 
-/// The operations that a training stands for, as a document writes them. `length` is that of a metamer, metres.
+/// Returns the operations of a training in the form of a document. `length` is the length of a metamer in metres.
 Value::List training_operations(const Training& training, double length);
 
 /// Sets the operations of a training.

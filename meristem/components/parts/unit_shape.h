@@ -9,13 +9,13 @@ namespace meristem {
 
 enum class UnitShape { box, sphere, cylinder, cone, torus };
 
-/// The tube of a torus is this share of its width.
+/// Width of a torus's tube, as a share of the torus's width.
 inline constexpr float kTorusTube = 0.25F;
 
-/// The shape, 1 wide, with this number of corners around.
+/// Returns the shape with width 1 and `segments` corners around.
 Mesh make_unit_shape(UnitShape shape, int segments);
 
-/// Where the unit shape stands on the origin and is as wide, high and deep as `size` says.
+/// Returns the frame that places the unit shape on the origin with the width, height and depth of `size`.
 Frame unit_shape_frame(UnitShape shape, Vec3 size);
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The parameter tables of fields, and the fields that they describe.
 #include "meristem/components/parts/world_field.h"
 
 #include <array>
@@ -112,7 +113,7 @@ void check_field(const WorldField& field, const DocumentPath& path, ParameterRea
   }
 }
 
-/// The unit vector of one instance, whose numbers may have come to nothing.
+/// Returns the unit vector of one instance. Throws InputError if the instance's values give a vector of zero length.
 Vec3 unit_of(Vec3 direction, const FieldPlace& place) {
   if (!vanishes(direction)) return glm::normalize(direction);
   throw InputError(Diagnostic{.message = fmt::format("a direction of the {} has no length", place.what),

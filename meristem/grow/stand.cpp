@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The loop over rounds: all members step in parallel, then report in order. See stand.h.
 #include "meristem/grow/stand.h"
 
 #include <cstdint>

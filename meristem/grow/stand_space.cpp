@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Updates shade grids and marker fields from the changes of a round, and shares out markers.
 #include "meristem/grow/stand_space.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Updates the nearest nodes of moving points with lower bounds, so that most points need no search. See
+// moving_points.h.
 #include "meristem/grow/colonize/moving_points.h"
 
 #include <cmath>

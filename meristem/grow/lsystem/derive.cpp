@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Derives words: rewrites all modules in parallel, step by step, then applies decompositions until none applies. In
-// timed
-// grammars, modules are replaced when their lives end. See derive.h.
+// timed grammars, modules are replaced when their lives end. See derive.h.
 #include "meristem/grow/lsystem/derive.h"
 
 #include <algorithm>

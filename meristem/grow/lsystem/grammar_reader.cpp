@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads grammars in two passes: names and symbols first, then directives, axiom and rules. All errors are collected.
 #include "meristem/grow/lsystem/grammar_reader.h"
 
 #include <algorithm>

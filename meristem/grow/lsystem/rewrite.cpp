@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Two passes over chunks of the word: choose rules and count, then write letters and parameters in parallel. See
+// rewrite.h.
 #include "meristem/grow/lsystem/rewrite.h"
 
 #include <algorithm>

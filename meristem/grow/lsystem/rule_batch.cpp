@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Gathers the variables of a formula for many modules into columns, and evaluates the formula over whole columns.
 #include "meristem/grow/lsystem/rule_batch.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Chooses rules for a chunk. Candidates are grouped by letter, and each rule's context, condition and weight is tested
+// for all candidates of its letter together.
 #include "meristem/grow/lsystem/rule_chooser.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Prepares rules: finds the sources of variables, and separates constants, copies and formulas of successors.
 #include "meristem/grow/lsystem/rule_plan.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Splits a rule's line into its parts at the arrow, colons and context signs, and compiles the parts.
 #include "meristem/grow/lsystem/rule_reader.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the neighbours of all modules in one pass with a stack of brackets, and matches contexts along them. See
+// word_context.h.
 #include "meristem/grow/lsystem/word_context.h"
 
 #include <algorithm>

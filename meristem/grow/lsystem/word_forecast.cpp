@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Applies the rules to counts of letters instead of words. See word_forecast.h.
 #include "meristem/grow/lsystem/word_forecast.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Grows and removes metamers in columns. Removal marks metamers first; clear_away() then compacts all columns at once.
 #include "meristem/grow/metamer/metamers.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Rebuilds the skeleton with all shoots that have fallen, by the birth numbers of metamers.
 #include "meristem/grow/organize/fallen_shoots.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Returns recorded steps, and reconstructs the markers of a step from the positions of its shoots.
 #include "meristem/grow/organize/organize_trace.h"
 
 #include <algorithm>

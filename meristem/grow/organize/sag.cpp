@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Bends branches in two passes: from the tips, sum mass and moments; from the root, turn each internode by the increase
+// of its moment over its stiffness. See sag.h.
 #include "meristem/grow/organize/sag.h"
 
 #include <algorithm>

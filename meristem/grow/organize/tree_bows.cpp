@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Bends sections of shoots gradually: in each iteration, every metamer of a bow turns by an equal share of the
+// remaining angle.
 #include "meristem/grow/organize/tree_bows.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The lines of supports, wires and bends that shoots are tied to, and growth directions along them.
 #include "meristem/grow/organize/tree_ties.h"
 
 #include <algorithm>

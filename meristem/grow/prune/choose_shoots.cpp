@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the shoots of operations: evaluates a condition over all leads in columns, and computes only the variables that
+// it uses.
 #include "meristem/grow/prune/choose_shoots.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds successors and the leader first, then ranks in one pass over the axes. See leads.h.
 #include "meristem/grow/prune/leads.h"
 
 #include <algorithm>

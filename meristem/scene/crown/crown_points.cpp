@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Distributes points over the zones of a crown, each by rejection sampling or as blue noise.
 #include "meristem/scene/crown/crown_points.h"
 
 #include <algorithm>

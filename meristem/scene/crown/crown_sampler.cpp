@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Samples crowns by rejection: uniform points of the bounds are kept if the crown contains them. Trials are functions
+// of their index, so blocks of trials run in parallel.
 #include "meristem/scene/crown/crown_sampler.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Containment, distances and bounds of simple bodies in closed form.
 #include "meristem/scene/crown/solid_crowns.h"
 
 #include <algorithm>

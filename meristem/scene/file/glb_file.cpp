@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads the two chunks of a GLB file, and checks every access to its JSON and binary data. Based on: see glb_mesh.cpp.
 #include "meristem/scene/file/glb_file.h"
 
 #include <bit>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads PLY files row by row. A header may declare any elements and properties. Sizes are checked against the bytes
+// that are left before anything is allocated.
 #include "meristem/scene/file/ply_file.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Calendar arithmetic, and the sun's position from clock time by the low-precision formulas of clock.h.
 #include "meristem/scene/light/clock.h"
 
 #include <array>

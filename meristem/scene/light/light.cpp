@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Positions and strengths of the sun over days, and the patches of a uniform sky.
 #include "meristem/scene/light/light.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Casts shade in sparse bricks of 8 x 8 x 8 voxels. Shaders are sorted by brick and cast in groups, and threads share
+// the bricks by slabs along z. See shadow_grid.h.
 #include "meristem/scene/light/shadow_grid.h"
 
 #include <algorithm>

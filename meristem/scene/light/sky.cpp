@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes the radiance of sun and dome: a relative distribution over the dome, scaled to measured illuminances.
+// Sources: see sky.h.
 #include "meristem/scene/light/sky.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Queries about all obstacles: a box tree and exact winding numbers decide what is inside, and an Embree tree finds
+// surfaces on rays.
 #include "meristem/scene/obstacle/obstacles.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steps of post-processing in their fixed order: decimate, relax, subdivide. The numbers of tracked nodes are
-// updated
-// after each step.
+// updated after each step.
 #include "meristem/plant/finish.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Removes branches in one pass, because a node comes after its parent. See shed.h.
 #include "meristem/plant/shed.h"
 
 #include <map>

@@ -45,8 +45,8 @@ struct TrimmedSkeleton {
 /// linear in nodes.
 TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode);
 
-/// Returns what is left of a skeleton if `kept` is the remaining share of each segment, one per node. All nodes
-/// beyond a shortened segment are removed. The result never has `is_whole` set. Cost: linear in nodes.
+/// Returns what is left of a skeleton if `kept` is the remaining share of each segment, one per node. All nodes beyond
+/// a shortened segment are removed. The result never has `is_whole` set. Cost: linear in nodes.
 TrimmedSkeleton keep_shares(const Skeleton& whole, std::vector<float> kept);
 
 /// Combines two trimmings: `then` was applied to the skeleton of `first`. The result is indexed by the nodes of the

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts a table of nodes to a skeleton: chooses the child that continues each axis, and moves positions to the
+// world.
 #include "meristem/plant/file/node_table.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads columns other than positions from an MTG's features, and restores the order of nodes that the writer stored.
 #include "meristem/plant/mtg/mtg_columns.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads the sections before the entities line by line, and collects all errors before it stops.
 #include "meristem/plant/mtg/mtg_header.h"
 
 #include <algorithm>

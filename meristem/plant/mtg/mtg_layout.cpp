@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Orders nodes for writing by a walk with an explicit stack. The child that stays in its column is visited last.
 #include "meristem/plant/mtg/mtg_layout.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts the entities of one scale to nodes in one pass, because an entity comes after the entity that bears it.
 #include "meristem/plant/mtg/mtg_skeleton.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Data sets of many plants: equal bytes on all engines, what engines cost, memory, going on, and killed workers.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 bench/dataset.py [PART...]
+    PYTHONPATH=build/release/python /usr/bin/python3 bench/dataset.py [PART...]
 
 The parts are digests, ratio, overhead, memory, resume, killed and oaks; all of them by default. The last one prints
 what an oak costs by what is kept of it, as the manual tells it. Each plant of digests, memory, resume and killed is a

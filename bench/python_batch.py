@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How many plants a second a batch grows on 1 and 2 worker processes, and in the calling process.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 bench/python_batch.py [--model oak] [--plants 24] [--rounds 3]
+    PYTHONPATH=build/release/python /usr/bin/python3 bench/python_batch.py [--model oak] [--plants 24] [--rounds 3]
 
 The ways take turns, ROUNDS times, as other programs disturb them; the best of each counts, and every round's ratio is
 printed. `cores` is the processor time of the growing processes over the wall's: two workers that are not disturbed have

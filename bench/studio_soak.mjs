@@ -229,7 +229,7 @@ try {
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   const session = await context.newCDPSession(page);
   await session.send('Performance.enable');
-  const folder = path.join(kSource, 'build/bench');
+  const folder = path.join(kSource, 'build/release/bench');
   await mkdir(folder, { recursive: true });
 
   let told = 0; // complaints of the page so far

@@ -162,7 +162,8 @@ def compile_library(folder: Path) -> None:
         raise SystemExit(f"meristem: {' and '.join(lacking)} must be installed to build it.\n{install_advice()}")
     # The interpreter itself rather than a virtual environment's link to it, which may be gone at the next install.
     interpreter = Path(sys.executable).resolve()
-    configure = ["cmake", "--preset", "python", "-B", str(folder), "-D", f"Python_EXECUTABLE={interpreter}",
+    configure = ["cmake", "--preset", "release", "-B", str(folder), "-D", "MERISTEM_APPS=OFF",
+                 "-D", "MERISTEM_PYTHON_MODULE=ON", "-D", f"Python_EXECUTABLE={interpreter}",
                  "-D", f"CMAKE_CXX_COMPILER_LAUNCHER={shutil.which('ccache') or ''}"]
     if subprocess.run(configure, cwd=ROOT).returncode != 0:
         raise SystemExit(f"meristem: CMake could not configure the build; its words stand above.\n{install_advice()}")

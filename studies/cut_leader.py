@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Repeats a published evaluation of trees whose leader is cut, and tells what each part of the model does for it.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/cut_leader.py -o out/cut-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/cut_leader.py -o out/cut-study
 
 Writes `cuts.csv` (a row a tree), `readings.csv`, `adaptations.csv`, `growth.csv`, `lambda.csv`, `expectations.csv` and
 the figures into a folder.

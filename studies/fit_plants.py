@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plants known values into shipped models of all growth systems, and finds them again by what their plants measure.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/fit_plants.py -o out/fit-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/fit_plants.py -o out/fit-study
 
 Writes `fits.csv` (a row per variable), `table.md` (a row per planting), `expectations.csv` and `found.png` into a folder.
 """

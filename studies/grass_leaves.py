@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fits measured grass leaves, makes them older, reduces, bends and lights them, and says what each stage costs.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/grass_leaves.py -o out/grass-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/grass_leaves.py -o out/grass-study
 
 Writes `fits.csv` (a row a leaf), `ranks.csv`, `smoothings.csv`, `ages.csv`, `levels.csv`, `times.csv`, `turns.csv`,
 `light.csv`, `leaf_light.csv`, `expectations.csv` and the figures into a folder.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Repeats a published evaluation of low-poly trees, and tells why its counts of triangles are others than ours.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/low_poly_trees.py -o out/low-poly-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/low_poly_trees.py -o out/low-poly-study
 
 Writes `trees.csv`, `parameters.csv`, `series.csv`, `readings.csv` and `expectations.csv` into a folder.
 Based on: F. Heuer, Algorithmische Erzeugung von 3D-Low-Poly-Bäumen, Hamburg 2022, sections 6.1 to 6.3.

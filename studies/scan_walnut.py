@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scans a digitised walnut from six places, and compares what the scanner sees of its twigs with what is there.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/scan_walnut.py -o out/scan-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/scan_walnut.py -o out/scan-study
 
 Writes `classes.csv` (a row an instrument, number of stations and class of diameters), `orders.csv`, `expectations.csv`
 and the figures into a folder.

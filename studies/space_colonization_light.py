@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Repeats a published evaluation of trees that answer to light, and adds response B.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/space_colonization_light.py -o out/light-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/space_colonization_light.py -o out/light-study
 
 Writes `trees.csv` (a row a tree), `means.csv` (a row a treatment), `expectations.csv` and the figures into a folder.
 Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund 2020,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Repeats what a published work shows of trained trees: poles, open vases, cuts to buds, espaliers, cordons.
 
-    PYTHONPATH=build/python/python /usr/bin/python3 studies/train_trees.py -o out/training-study
+    PYTHONPATH=build/release/python /usr/bin/python3 studies/train_trees.py -o out/training-study
 
 Writes a table for each question, `expectations.csv` and the figures into a folder.
 Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, sections 4.1 to 5.3.

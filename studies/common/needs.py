@@ -9,7 +9,7 @@ import sys
 REMEDIES = {
     "numpy": "Install it, on Debian with 'apt-get install python3-numpy'.",
     "matplotlib": "It draws the figures. Install it, on Debian with 'apt-get install python3-matplotlib'.",
-    "meristem": "Build it with './dev python' and run\nPYTHONPATH=build/python/python /usr/bin/python3 {script}",
+    "meristem": "Build it with './dev python' and run\nPYTHONPATH=build/release/python /usr/bin/python3 {script}",
 }
 
 

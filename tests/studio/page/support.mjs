@@ -18,7 +18,7 @@ const { chromium } = require('playwright-core');
 export const kAxe = require.resolve('axe-core/axe.min.js');
 export const validator = require('gltf-validator');
 
-export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/dev/bin/meristem');
+export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/release/bin/meristem');
 const kSlowness = Number(process.env.MERISTEM_SLOWNESS ?? 1);
 /// A time of waiting, for the machine and program at hand.
 export const patient = (ms) => ms * kSlowness;

@@ -14,10 +14,11 @@ import process from 'node:process';
 
 import { buffers_of, heap_of, memory_of } from './studio_measure.mjs';
 import { choose, open_file, point_at, row, slider } from '../tests/studio/page/hands.mjs';
-import { kSource, open_page, settled, start_browser, start_server, temporary_folder, write_document } from '../tests/studio/page/support.mjs';
+import { kSource, meristem, open_page, settled, start_browser, start_server, temporary_folder, write_document } from '../tests/studio/page/support.mjs';
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
 const kMoves = is_small ? 2 : 100;
+const kGardens = is_small ? ['bonsai'] : ['balcony', 'garden']; // shipped plants that are opened
 const kEdits = is_small ? 10 : 500;
 const kSapling = { meristem: 1, variables: { size: { value: 0.1, min: 0.05, max: 0.25 } }, components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } }, links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }] };
 
@@ -275,6 +276,40 @@ async function strip_time(page, count) {
   return { first: times[0], again: quantile(times.slice(count > 1 ? 1 : 0), 0.5) };
 }
 
+/// Seconds from the wish to open a shipped plant until its first picture is drawn, and until its picture at rest is.
+function open_times(page, name) {
+  return page.evaluate(async (model) => {
+    const { studio } = window;
+    const begin = performance.now();
+    let first = 0;
+    const at_rest = new Promise((done, fail) => {
+      const stop = studio.growth.subscribe(() => {
+        const { shown, failed } = studio.growth.get();
+        const { model: opened, hash } = studio.document.state.get();
+        if (failed) fail(new Error(failed.message));
+        if (opened !== model || shown?.hash !== hash) return;
+        const is_last = !shown.draft;
+        if (is_last) stop();
+        void studio.view.drawn().then(() => {
+          const seconds = (performance.now() - begin) / 1000;
+          first ||= seconds;
+          if (is_last) done(seconds);
+        });
+      });
+    });
+    await studio.open({ model });
+    return { rest: await at_rest, first };
+  }, name);
+}
+
+/// Seconds that the command line takes to grow a shipped plant and to write it.
+async function grow_time(name, folder) {
+  const begin = performance.now();
+  const { code, stderr } = await meristem('grow', name, '-o', path.join(folder, `${name}.glb`));
+  if (code !== 0) throw new Error(stderr);
+  return (performance.now() - begin) / 1000;
+}
+
 const place = await temporary_folder();
 const browser = await start_browser({ as_users_do: !is_small });
 const load = os.loadavg()[0];
@@ -311,6 +346,13 @@ try {
   }
 
   tell('board/garden', await board_time(page, await model('garden')), 'ms', 100);
+
+  for (const name of kGardens) {
+    const grow = await grow_time(name, place.folder);
+    const { first, rest } = await open_times(page, name);
+    tell(`open/${name}/first_picture`, first, 's', 5, { name: 'grow', value: grow });
+    tell(`open/${name}/at_rest`, rest, 's', 2 * grow, { name: 'grow', value: grow });
+  }
 
   await open_file(page, 'oak.json');
   const picks = await pick_times(page);

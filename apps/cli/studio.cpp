@@ -99,6 +99,7 @@ void run_studio(const StudioOptions& options) {
   studio::ServeOptions serving;
   if (options.port >= 0) serving.port = static_cast<std::uint16_t>(options.port);
   std::optional<studio::RedirectPage> redirect;  // exists until the studio ends, since browsers may start slowly
+  serving.on_end = [&redirect] { redirect.reset(); };
   studio::serve(host, serving, [&](const std::string& address) {
     if (!studio::has_page())
       print_status("meristem: this program was built without the studio's page, which needs node");

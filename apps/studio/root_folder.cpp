@@ -14,6 +14,7 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/read_file.h"
 #include "meristem/base/utf8.h"
+#include "meristem/base/whole_file.h"
 #include "meristem/document/locate.h"
 #include "meristem/graph/table/file_access.h"
 #include "refusal.h"
@@ -29,6 +30,12 @@ constexpr std::size_t kLongestPath = 1000;
 constexpr std::size_t kMostEntries = 5000;  // of a folder that are listed
 
 [[noreturn]] void refuse_outside() { throw Refusal("this lies outside the folder that may be read"); }
+
+/// Locked while a page looks at a file and replaces it, so that no other page writes in between.
+std::mutex& writing_files() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 bool is_name(std::string_view name) { return !name.empty() && name[0] != '.' && name.find('\0') == std::string::npos; }
 
@@ -122,8 +129,7 @@ std::optional<std::string> RootFolder::hash_on_disk(const std::string& file) con
 
 void RootFolder::write(const std::string& file, const std::string& text, const std::optional<std::string>& known,
                        bool over) const {
-  static std::mutex writing;  // no other page writes between the look at the file and its replacement
-  const std::lock_guard lock(writing);
+  const std::lock_guard lock(writing_files());
   if (file.empty() || !file.ends_with(".json")) throw Refusal("a document's file ends in .json");
   const std::string path = absolute(file);
   std::error_code error;
@@ -143,6 +149,21 @@ void RootFolder::write(const std::string& file, const std::string& text, const s
   target.write(text);
   if (!target.holds(text)) throw Refusal("the disk gives back another text than was written; the file is as it was");
   target.commit();
+}
+
+bool RootFolder::add_file(const std::string& file, const std::string& content) const {
+  const std::lock_guard lock(writing_files());
+  const std::string path = absolute(file);
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(path, error))) {
+    if (fs::is_regular_file(path, error) && whole_file(path) == content) return false;
+    throw Refusal("another file with this name is there");
+  }
+  make_folders(fs::path(path).parent_path().string());
+  AtomicFile target(path);
+  target.write(content);
+  target.commit();
+  return true;
 }
 
 }  // namespace meristem::studio

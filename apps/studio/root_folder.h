@@ -41,6 +41,9 @@ class RootFolder {
   /// unless `over`, a Refusal with "changed" where that is not so. Throws Refusal, MachineError.
   void write(const std::string& file, const std::string& text, const std::optional<std::string>& known,
              bool over) const;
+  /// Writes a new file, whole or not at all, and makes the folders above it. Returns false, and writes nothing, if
+  /// there is a file with this content. Throws a Refusal if something else is there, also Refusal and MachineError.
+  bool add_file(const std::string& file, const std::string& content) const;
 
  private:
   std::string path_;

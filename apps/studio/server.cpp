@@ -518,6 +518,7 @@ void serve(Host& host, const ServeOptions& options, const std::function<void(con
   signals.async_wait([&](beast::error_code error, int) {
     if (error) return;
     end_in_time(host.downloads.made_folder());
+    if (options.on_end) options.on_end();
     beast::error_code ignored;
     acceptor.close(ignored);
     const std::set<SocketConnection*> open = serving.sockets;

@@ -17,6 +17,9 @@ inline constexpr std::uint16_t kUsualPort = 8413;
 struct ServeOptions {
   std::optional<std::uint16_t> port{};  ///< this one alone, 0: any; unset: the usual one or one of the next seven
   std::string token{};                  ///< 32 hexadecimal digits; empty: drawn anew
+  /// Called once when the program is asked to stop, before the sockets close. The program may end without a return from
+  /// `serve`, so this must remove what must not outlive the program.
+  std::function<void()> on_end{};
 };
 
 /// Serves until the program is asked to stop (SIGINT, SIGTERM), and then ends what was begun. `ready` is told the

@@ -109,42 +109,75 @@ TEST(StudioSession, DragLeavesTheTextAndEndsWithoutATrace) {
   EXPECT_EQ(studio.scene(), before);
 }
 
-TEST(StudioSession, ADragThatEndsUnreadEndsWithTheNextText) {
-  Studio studio;
-  // A reading looks only now and then whether it shall stop, so the text has many values.
-  std::string keys;
-  for (int k = 0; k < 5000; ++k) keys += (k == 0 ? "[" : ", [") + std::to_string(k) + ", 1.5]";
-  std::string text = kBush;
-  text.insert(text.find("\"components\""),
-              R"("animation": {"length": 5000, "keys": {"stem.length": [)" + keys + "]}}, ");
-  const auto mailbox = std::make_shared<Mailbox>();
-  const auto readings = std::make_shared<Readings>();
-  StudioSession page(studio.host(), mailbox, readings);
-  const auto receive = [&](const std::vector<std::string>& messages) {
+/// A page whose messages arrive before the first of them is handled.
+struct HastyPage {
+  explicit HastyPage(Studio& of) : studio(of), page(of.host(), mailbox, readings) {
+    // A reading looks only now and then whether it shall stop, so the text has many values.
+    std::string keys;
+    for (int k = 0; k < 5000; ++k) keys += (k == 0 ? "[" : ", [") + std::to_string(k) + ", 1.5]";
+    text.insert(text.find("\"components\""),
+                R"("animation": {"length": 5000, "keys": {"stem.length": [)" + keys + "]}}, ");
+  }
+  void receive(const std::vector<std::string>& messages) {
     for (const std::string& message : messages) readings->arrive(message);
     for (const std::string& message : messages) page.receive(message);
-  };
-  const auto show = [&](std::size_t k) {
+  }
+  void show(std::size_t k) {
     const ReadPacket packet(mailbox->packet(k));
     receive({studio.request("shown", "\"packet\": " + std::to_string(static_cast<int>(packet.number("packet"))))});
-  };
-  receive({studio.request("open", "\"text\": " + write_json_line(Value(text)))});  // request 1
-  ASSERT_TRUE(*mailbox->answer(1).find("good")->boolean());
-  show(0);                                                                 // request 2
-  receive({studio.request("drag", R"("values": {"leaf.width": 0.08})")});  // request 3
-  show(1);                                                                 // request 4
+  }
+  /// Opens the text as request 1, and drags as request 3.
+  void open_and_drag() {
+    receive({studio.request("open", "\"text\": " + write_json_line(Value(text)))});
+    show(0);
+    receive({studio.request("drag", R"("values": {"leaf.width": 0.08})")});
+    show(1);
+  }
+  /// Waits for a growth with a drag's values, and for one without them after it.
+  void wait_for_end_of_drag() {
+    bool was_dragged = false;
+    mailbox->wait_for([&](const Value& message) {
+      if (Studio::text_of(message, "is") != "grown") return false;
+      const bool is_dragged = *message.find("dragged")->boolean();
+      was_dragged = was_dragged || is_dragged;
+      return was_dragged && !is_dragged;
+    });
+  }
+
+  Studio& studio;
+  std::string text = kBush;
+  std::shared_ptr<Mailbox> mailbox = std::make_shared<Mailbox>();
+  std::shared_ptr<Readings> readings = std::make_shared<Readings>();
+  StudioSession page;
+};
+
+TEST(StudioSession, ADragThatEndsUnreadEndsWithTheNextText) {
+  Studio studio;
+  HastyPage page(studio);
+  page.open_and_drag();
+  ASSERT_TRUE(*page.mailbox->answer(1).find("good")->boolean());
   const std::string drag = studio.request("drag", R"("values": {})");
   const std::string splice =
-      studio.request("splice", "\"base\": \"" + text_hash(text) + R"(", "patch": [[0, 0, " "]])");
-  receive({drag, splice});
-  ASSERT_NE(mailbox->answer(5).find("superseded"), nullptr);
-  const Value read = mailbox->answer(6);
+      studio.request("splice", "\"base\": \"" + text_hash(page.text) + R"(", "patch": [[0, 0, " "]])");
+  page.receive({drag, splice});
+  ASSERT_NE(page.mailbox->answer(5).find("superseded"), nullptr);
+  const Value read = page.mailbox->answer(6);
   ASSERT_TRUE(*read.find("good")->boolean());
-  const Value grown = mailbox->wait_for([&](const Value& message) {
+  const Value grown = page.mailbox->wait_for([&](const Value& message) {
     return Studio::text_of(message, "is") == "grown" &&
            Studio::text_of(message, "hash") == Studio::text_of(read, "hash");
   });
   EXPECT_FALSE(*grown.find("dragged")->boolean());
+}
+
+TEST(StudioSession, ADragThatEndsUnreadEndsWhenAnotherDocumentCannotBeOpened) {
+  Studio studio;
+  HastyPage page(studio);
+  page.open_and_drag();
+  page.receive({studio.request("drag", R"("values": {})"), studio.request("open", R"("path": "nothing.json")")});
+  ASSERT_NE(page.mailbox->answer(5).find("superseded"), nullptr);
+  ASSERT_TRUE(is_refused(page.mailbox->answer(6)));
+  page.wait_for_end_of_drag();
 }
 
 TEST(StudioSession, SendsNoPacketBeforeTheLastIsShown) {

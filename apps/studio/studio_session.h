@@ -54,6 +54,12 @@ class StudioSession {
     std::optional<std::string> saved;
   };
 
+  /// A drag whose reading was stopped for a newer message.
+  struct UnreadDrag {
+    double request = 0;
+    std::vector<Override> values;
+  };
+
   void require_rate();
   void refuse(std::optional<double> id, const std::string& message, const Value::Object& members);
   void answer(double id, Answer answer);
@@ -99,6 +105,7 @@ class StudioSession {
   void begin_session(std::string text, std::string file);
   bool read_text(double id, MessageKind kind, Answer& answer);
   void read_now(double id);
+  void take_unread_drag();
   void show(bool at_once);
   void watch_file();
   void add_reading(Answer& answer, const Session& read, const std::string& name, const Progress& progress) const;
@@ -129,12 +136,12 @@ class StudioSession {
   std::shared_ptr<OpenFileWatch> watch_;     // of the file; none for models and new texts
   std::optional<std::string> watched_;       // its path
   std::unique_ptr<Session> session_;
-  std::string root_;                                            // of the session's files
-  std::optional<std::string> path_;                             // below the host's root; none for models and new texts
-  std::optional<std::string> model_;                            // the shipped model that was opened
-  std::string title_;                                           // of the file or the model
-  std::string hash_;                                            // of the session's text
-  std::optional<std::vector<Override>> unread_drag_;            // values of a drag whose reading was superseded
+  std::string root_;                  // of the session's files
+  std::optional<std::string> path_;   // below the host's root; none for models and new texts
+  std::optional<std::string> model_;  // the shipped model that was opened
+  std::string title_;                 // of the file or the model
+  std::string hash_;                  // of the session's text
+  std::optional<UnreadDrag> unread_drag_;
   bool is_opened_ = false;                                      // a document has been, and its growth has not begun
   std::shared_ptr<const Document> document_;                    // what was shown last
   std::deque<std::chrono::steady_clock::time_point> received_;  // within the last second

@@ -135,6 +135,20 @@ TEST(StudioSession, SavesUnderANewNameAndGoesOnFromThere) {
   }
 }
 
+TEST(StudioSession, FilesThatADocumentNamesGoWithItToItsNewPlace) {
+  Studio studio;
+  fs::create_directories(studio.folder() / "mine/gardens");
+  const std::string text = Studio::text_of(studio.open(R"("model": "garden")"), "text");
+  const Value answer = studio.save("mine/gardens/copy.json", "");
+  // The plants that it places are shipped models, which every document finds.
+  EXPECT_EQ(write_json_line(*answer.find("copied")), R"(["house.obj"])");
+  EXPECT_TRUE(answer.find("omitted")->list()->empty());
+  EXPECT_TRUE(*answer.find("good")->boolean()) << write_json_line(*answer.find("faults"));
+  const Value again = studio.open(R"("path": "mine/gardens/copy.json")");
+  EXPECT_TRUE(*again.find("good")->boolean());
+  EXPECT_EQ(Studio::text_of(again, "text"), text);
+}
+
 TEST(StudioSession, WritesNoOtherTextThanThePages) {
   Studio studio;
   const std::string opened = Studio::text_of(studio.open_bush(), "saved");

@@ -69,4 +69,18 @@ Value variables_value(const std::vector<Variable>& variables) {
   return list;
 }
 
+Value copied_value(const NamedFileCopies& copies) {
+  Value::List files;
+  for (const std::string& file : copies.copied) files.push_back(file);
+  return files;
+}
+
+Value omitted_value(const NamedFileCopies& copies) {
+  Value::List files;
+  for (const auto& [file, reason] : copies.omitted) {
+    files.push_back(Value::Object{{"file", file}, {"reason", visible_lines(reason)}});
+  }
+  return files;
+}
+
 }  // namespace meristem::studio

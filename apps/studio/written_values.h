@@ -9,6 +9,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/document.h"
 #include "meristem/graph/table/value.h"
+#include "named_files.h"
 #include "text_units.h"
 
 namespace meristem::studio {
@@ -20,5 +21,10 @@ Value patch_value(const std::vector<UnitSplice>& splices);
 
 /// The variables of a document as a value.
 Value variables_value(const std::vector<Variable>& variables);
+
+/// The names of the files that were copied, as `save` answers them.
+Value copied_value(const NamedFileCopies& copies);
+/// The files that were not copied, each with the reason.
+Value omitted_value(const NamedFileCopies& copies);
 
 }  // namespace meristem::studio

@@ -5,6 +5,7 @@
 // to a twentieth of the length and half an octave of radius. Angles and stalks that are equal for all leaves are exact.
 #include "meristem/components/leaf.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -91,16 +92,7 @@ void check_polygon(const LeafBlade& blade, const DocumentPath& path, ParameterRe
                  fmt::format("at most {}", kMostCorners));
     return;
   }
-  bool has_width = false;
-  for (std::size_t k = 0; k < blade.polygon.size(); ++k) {
-    const Vec2 point = blade.polygon[k];
-    has_width = has_width || point.x > 0;
-    if (point.x >= 0 && point.x <= 1) continue;
-    reader.fault(DocumentPath(polygon, k), fmt::format("the half width {} leaves the range from 0 to 1", point.x),
-                 "a pair [half width, along]");
-    return;
-  }
-  if (!has_width) {
+  if (std::ranges::none_of(blade.polygon, [](Vec2 point) { return point.x > 0; })) {
     reader.fault(polygon, "the polygon is empty", "a half width above 0 somewhere");
   } else if (polygon_crosses_itself(blade)) {
     reader.fault(polygon, "the polygon crosses or touches itself or the midrib",
@@ -134,9 +126,10 @@ Table<LeafBlade> with_outline(Table<LeafBlade> table) {
               "Width of the blade at its widest.")
       .curve("outline", &LeafBlade::outline,
              "Half width of the blade from base (0) to tip (1), as a share of the largest half width.")
-      .points("polygon", &LeafBlade::polygon, {.min = -2, .max = 2, .usual = {0, 1}},
+      .points("polygon", &LeafBlade::polygon, {.min = 0, .max = 1},
               "Points [half width, distance from the base] of the right edge, as shares of the largest half width and "
               "of the length, for lobes that overhang; replaces 'outline'.")
+      .second(-2, 2, {0, 1})
       .together(PointsForm::silhouette)
       .choice("corners", &LeafBlade::corners, {"sharp", "round"},
               "Whether the corners of the polygon are sharp or round.")

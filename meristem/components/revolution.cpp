@@ -38,8 +38,9 @@ const ParameterTable& body_table() {
   static const ParameterTable table =
       Table<SolidOfRevolution>("a revolution", "A body of revolution.")
           .points("silhouette", &SolidOfRevolution::silhouette,
-                  {.unit = Unit::metre, .min = -1e4, .max = 1e4, .usual = {0, 0.2}},
+                  {.unit = Unit::metre, .min = 0, .max = 1e4, .usual = {0, 0.2}},
                   "Points [radius, height] of the silhouette from base to tip; heights may fall, as inside a cup.")
+          .second(-1e4, 1e4, {0, 0.2})
           .together(PointsForm::silhouette)
           .choice("kind", &SolidOfRevolution::kind, {"spline", "linear"},
                   "How the points of the silhouette are joined: by a smooth 'spline' or by 'linear' pieces.")

@@ -96,7 +96,7 @@ TEST(CrownDocument, EveryFaultHasItsPlaceAndSaysWhatIsWanted) {
        "crown: a crown has more than one of"},
       {R"({"profile": [[1, 1]]})", "d.json:2:22: components.tree.crown.profile: the profile has fewer than two points"},
       {R"({"profile": [[1, 2], [1, 1]]})", "crown.profile[1]: the height 1 does not rise; expected a height above 2"},
-      {R"({"profile": [[1, 2], [-1, 3]]})", "crown.profile[1]: the radius -1 is negative"},
+      {R"({"profile": [[1, 2], [-1, 3]]})", "crown.profile[1][0]: the value -1 is out of range for 'profile'"},
       {R"({"profile": [[0, 2], [0, 3]]})", "components.tree.crown.profile: the crown is empty"},
       {R"({"profiles": {}})", "components.tree.crown: the crown is empty: its list has no parts"},
       {R"({"profiles": {"north": [[1, 0], [1, 2]]}})",

@@ -93,7 +93,10 @@ class DocumentReader {
     if (const Value* given = root_->find("links")) links.read(*given, DocumentPath(top_, "links"));
     links.link_placed(DocumentPath(top_, "components"));
     warn_of_variables(*root_, document.variables, reader);
-    for (const NamedFile& file : reader.files()) document.source.named_files.push_back(file.path);
+    for (const NamedFile& file : reader.files()) {
+      document.source.named_files.push_back(file.path);
+      if (file.is_beside) document.source.files_beside.push_back(file.path);
+    }
     take_from(reader);
     if (options_.seed) document.graph.seed = *options_.seed;
 

@@ -64,6 +64,7 @@ struct Source {
   std::string text;                          ///< text of the document
   Value tree;                                ///< what the text says, with the values that overrides have set
   std::vector<std::string> named_files;      ///< paths of the files that were read with it
+  std::vector<std::string> files_beside;     ///< those of them that a copy elsewhere needs beside it, by NamedFile
   std::vector<std::string> overridden;       ///< document paths that an override has set
   std::vector<std::string> override_names;   ///< what messages call each override
   std::vector<std::string> sets;             ///< the overrides as they were given, the last of each path: "age=20"

@@ -153,11 +153,17 @@ class TableList {
   }
 
   static void add_numbers(const Parameter& row, const Value& fallback, Object& made) {
-    const NumberRange& form = row.form;
-    add_range(form, made);
-    const UsualSpan usual = usual_range(row, fallback);
+    add_range(row.form, made);
+    const bool are_points = row.kind == ParameterKind::points;
+    const auto [usual, second_usual] =
+        are_points ? usual_ranges_of_points(row, fallback) : std::pair(usual_range(row, fallback), UsualSpan());
     made.emplace_back("usual", List{usual.low, usual.high});
-    if (row.may_vary()) made.emplace_back("varies", form.per_child ? "child" : "instance");
+    if (row.may_vary()) made.emplace_back("varies", row.form.per_child ? "child" : "instance");
+    if (!row.second) return;
+    Object second;
+    add_range(*row.second, second);
+    second.emplace_back("usual", List{second_usual.low, second_usual.high});
+    made.emplace_back("second", std::move(second));
   }
 
   std::vector<Named> named_;

@@ -73,6 +73,20 @@ TEST(ParameterTables, GiveTheRangeOfACurveThatHasOne) {
   EXPECT_EQ(row_of("leaf", "profile")->find("min"), nullptr);
 }
 
+TEST(ParameterTables, GiveTheRangesOfBothNumbersOfPoints) {
+  const Value* polygon = row_of("leaf", "polygon");
+  EXPECT_EQ(*polygon->find("min")->number(), 0);
+  EXPECT_EQ(*polygon->find("max")->number(), 1);
+  EXPECT_EQ(write_json_line(*polygon->find("second")), R"({"min": -2, "max": 2, "usual": [0, 1]})");
+  // Radii are at least 0, while heights may lie below the origin.
+  for (const char* table : {"revolution", "crown"}) {
+    const char* name = table == std::string_view("crown") ? "profile" : "silhouette";
+    EXPECT_EQ(*row_of(table, name)->find("min")->number(), 0);
+    EXPECT_LT(*row_of(table, name)->find("second")->find("min")->number(), 0);
+  }
+  EXPECT_EQ(row_of("horn", "outline")->find("second"), nullptr);
+}
+
 TEST(ParameterTables, SayOfANumberAllThatAnEditorNeeds) {
   const Value* length = row_of("leaf", "length");
   ASSERT_NE(length, nullptr);
@@ -140,6 +154,13 @@ TEST(ParameterTables, AreReadBackFromTheirText) {
   EXPECT_EQ(write_json_line(parse_json(text)), text);
 }
 
+void expect_usual_within(const UsualSpan& span, const NumberRange& form, const std::string& where) {
+  EXPECT_LT(span.low, span.high) << where;
+  EXPECT_TRUE(std::isfinite(span.low) && std::isfinite(span.high)) << where;
+  EXPECT_TRUE(form.above_min ? span.low > form.min : span.low >= form.min) << where << ' ' << span.low;
+  EXPECT_LE(span.high, form.max) << where;
+}
+
 TEST(ComponentTables, UsualRangesHoldTheDefaultWithinTheHardRange) {
   for (const ParameterTable* table : component_tables()) {
     const std::vector<Value> defaults = table->defaults();
@@ -147,12 +168,14 @@ TEST(ComponentTables, UsualRangesHoldTheDefaultWithinTheHardRange) {
       const Parameter& row = table->parameters[k];
       if (!has_numbers(row)) continue;
       const std::string where = table->name + "." + row.name;
+      if (row.second) {
+        const auto [first, second] = usual_ranges_of_points(row, defaults[k]);
+        expect_usual_within(first, row.form, where);
+        expect_usual_within(second, *row.second, where);
+        continue;
+      }
       const NumberRange& form = row.form;
-      const UsualSpan span = usual_range(row, defaults[k]);
-      EXPECT_LT(span.low, span.high) << where;
-      EXPECT_TRUE(std::isfinite(span.low) && std::isfinite(span.high)) << where;
-      EXPECT_TRUE(form.above_min ? span.low > form.min : span.low >= form.min) << where << ' ' << span.low;
-      EXPECT_LE(span.high, form.max) << where;
+      expect_usual_within(usual_range(row, defaults[k]), form, where);
       // What a row says itself, which may be nothing (NaN), holds its default without help.
       std::vector<double> numbers;
       collect_numbers(defaults[k], numbers);

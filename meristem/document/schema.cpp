@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -200,8 +201,13 @@ class SchemaWriter {
     return any_of(std::move(forms));
   }
 
-  static Value points(const NumberRange& form) {
-    return list_of(list_of(any_of({number_schema("number", form), typed("string")}), 2, 2), 1, 0);
+  static Value plain_number(const NumberRange& form) {
+    return any_of({number_schema("number", form), typed("string")});
+  }
+
+  static Value points(const NumberRange& form, const std::optional<NumberRange>& second = {}) {
+    if (!second) return list_of(list_of(plain_number(form), 2, 2), 1, 0);
+    return list_of(list_of(List{plain_number(form), plain_number(*second)}, 2, 2), 1, 0);
   }
 
   Value parameter(const Parameter& row) const {
@@ -235,9 +241,9 @@ class SchemaWriter {
       case ParameterKind::curve:
         return closed_object({{"curve", points({})}, {"kind", Object{{"enum", List{"spline", "linear"}}}}}, {"curve"});
       case ParameterKind::points:
-        return points(row.form);
+        return points(row.form, row.second);
       case ParameterKind::positions:
-        return list_of(list_of(any_of({number_schema("number", row.form), typed("string")}), 3, 3), 1, 0);
+        return list_of(list_of(plain_number(row.form), 3, 3), 1, 0);
       case ParameterKind::selection:
         return selection();
       case ParameterKind::box:

@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
@@ -213,6 +214,16 @@ std::string chain_text(const DocumentChain* last, const std::string& next) {
   return text;
 }
 
+/// Returns the files that a document was read from. `is_beside` says how the document itself was named.
+std::vector<NamedFile> files_of(const Document& document, const std::string& file, bool is_beside) {
+  const std::set<std::string> beside(document.source.files_beside.begin(), document.source.files_beside.end());
+  std::vector<NamedFile> files{{.path = file, .is_beside = is_beside}};
+  for (const std::string& named : document.source.named_files) {
+    files.push_back({.path = named, .is_beside = is_beside && beside.contains(named)});
+  }
+  return files;
+}
+
 std::size_t length_of(const DocumentChain* chain) {
   std::size_t length = 0;
   for (; chain != nullptr; chain = chain->before) ++length;
@@ -271,8 +282,7 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
   std::string text = read_text_file(file, options_.document_bytes);
   const Document document = read_document(text, file, registry_, options);
   Opened opened;
-  opened.files.push_back(file);
-  opened.files.insert(opened.files.end(), document.source.named_files.begin(), document.source.named_files.end());
+  opened.files = files_of(document, file, !is_model && !fs::path(name).is_absolute());
   options.chain = &here;
   options.progress = nullptr;  // it need not live as long as the source
   opened.source = std::make_shared<const DocumentSource>(file, std::move(text), registry_, options, document);

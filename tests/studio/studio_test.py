@@ -131,8 +131,13 @@ mv {notes}/page {notes}/page.html
                     with contextlib.suppress(OSError):
                         self.assertNotIn(studio.token.encode(), words.read_bytes(), words)
                 self.assertTrue(Path(path).exists())
-                self.assertEqual(studio.stop(), 0)
-                self.assertEqual(list((notes / "temporary").iterdir()), [])
+                with studio.page() as page:
+                    studio.process.send_signal(signal.SIGINT)
+                    with self.assertRaises(Closed):
+                        page.wait(lambda message: False)
+                    # The program may be ended while work is in hand, so the private page goes first of all.
+                    self.assertEqual(list((notes / "temporary").iterdir()), [])
+                self.assertEqual(studio.process.wait(timeout=60), 0)
 
     def test_serves_without_a_place_for_the_browsers_page(self) -> None:
         desktop = {"DISPLAY": ":0", "TMPDIR": "/dev/null/nowhere"}

@@ -21,7 +21,9 @@ namespace meristem {
 namespace {
 
 constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
-constexpr NumberRange kProfile{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {0, 20}};
+constexpr NumberRange kProfileRadius{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0, 20}};
+constexpr double kMaxProfileHeight = 1e5;  // metres above or below the root
+constexpr UsualSpan kUsualProfileHeight{0, 20};
 constexpr NumberRange kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.1, 20}, .above_min = true};
 constexpr std::size_t kMostShares = 100;
 constexpr double kFarthestPoint = 1e7;  // metres along an axis, enough for national grids
@@ -40,11 +42,6 @@ bool check_profile(const std::vector<Vec2>& profile, const DocumentPath& path, P
     return false;
   }
   for (std::size_t k = 0; k < profile.size(); ++k) {
-    if (profile[k].x < 0) {
-      reader.fault(DocumentPath(path, k), fmt::format("the radius {:.7g} is negative", profile[k].x),
-                   "a radius of at least 0");
-      return false;
-    }
     if (k > 0 && !(profile[k - 1].y < profile[k].y)) {
       reader.fault(DocumentPath(path, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
                    fmt::format("a height above {:.7g}", profile[k - 1].y));
@@ -129,8 +126,9 @@ void check_points(const PointsParameters& points, const DocumentPath& path, Para
 const ParameterTable& profile_table() {
   static const ParameterTable table =
       Table<ProfileParameters>("a profile", "Half of a crown's outline on one side.")
-          .points("profile", &ProfileParameters::profile, kProfile,
+          .points("profile", &ProfileParameters::profile, kProfileRadius,
                   "Points [radius, height] of the crown's outline above the root, with rising heights.")
+          .second(-kMaxProfileHeight, kMaxProfileHeight, kUsualProfileHeight)
           .together(PointsForm::silhouette)
           .in_space(InSpace::profile)
           .required()
@@ -285,9 +283,10 @@ void check_shares(const CrownParameters& crown, const PointsParameters& points, 
 const ParameterTable& crown_table() {
   static const ParameterTable table =
       Table<CrownParameters>("a crown", "The envelope that attraction points fill.")
-          .points("profile", &CrownParameters::profile, kProfile,
+          .points("profile", &CrownParameters::profile, kProfileRadius,
                   "Points [radius, height] of the crown's outline above the root, with rising heights; a spline "
                   "through them is turned about the vertical.")
+          .second(-kMaxProfileHeight, kMaxProfileHeight, kUsualProfileHeight)
           .together(PointsForm::silhouette)
           .in_space(InSpace::profile)
           .map("profiles", &CrownParameters::profiles, profile_table,

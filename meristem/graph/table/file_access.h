@@ -25,6 +25,9 @@ struct FileAccess {
 struct NamedFile {
   std::string path;                     ///< full path
   std::optional<std::uint64_t> hash{};  ///< hash of the file's content, where a store knows it
+  /// True if the path starts at the document's folder. False for absolute paths, for shipped models, and for all files
+  /// that documents found in one of these ways name themselves.
+  bool is_beside = true;
 };
 
 }  // namespace meristem

@@ -35,34 +35,46 @@ Parameter element_of(const Parameter& self) {
   return element;
 }
 
+/// Rows that stand for the first and the second numbers of points.
+struct PairRows {
+  explicit PairRows(const Parameter& self) : first(element_of(self)), second(first) {
+    if (!self.second) return;
+    second = self;
+    second.form = *self.second;
+    second = element_of(second);
+  }
+  Parameter first;
+  Parameter second;
+};
+
 /// Reads a pair [x, y] of plain numbers.
-bool read_pair(const Parameter& element, const Value& value, const DocumentPath& path, ParameterReader& reader,
+bool read_pair(const PairRows& rows, const Value& value, const DocumentPath& path, ParameterReader& reader,
                Vec2& out) {
   const Value::List* pair = value.list();
   if (pair == nullptr || pair->size() != 2) {
-    reader.fault(path, fmt::format("a point of '{}' cannot be {}", element.name, value.description()),
+    reader.fault(path, fmt::format("a point of '{}' cannot be {}", rows.first.name, value.description()),
                  "a pair of numbers such as [0.5, 2]");
     return false;
   }
-  const auto x = reader.number(element, (*pair)[0], DocumentPath(path, std::size_t{0}));
-  const auto y = reader.number(element, (*pair)[1], DocumentPath(path, std::size_t{1}));
+  const auto x = reader.number(rows.first, (*pair)[0], DocumentPath(path, std::size_t{0}));
+  const auto y = reader.number(rows.second, (*pair)[1], DocumentPath(path, std::size_t{1}));
   if (!x || !y) return false;
   out = Vec2(*x, *y);
   return true;
 }
 
-bool read_pairs(const Parameter& element, const Value& value, const DocumentPath& path, ParameterReader& reader,
+bool read_pairs(const PairRows& rows, const Value& value, const DocumentPath& path, ParameterReader& reader,
                 std::vector<Vec2>& out) {
   const Value::List* list = value.list();
   if (list == nullptr || list->empty()) {
-    reader.fault(path, fmt::format("'{}' cannot be {}", element.name, value.description()),
+    reader.fault(path, fmt::format("'{}' cannot be {}", rows.first.name, value.description()),
                  "a list of pairs such as [[0, 1], [0.5, 2]]");
     return false;
   }
   bool good = true;
   std::vector<Vec2> points(list->size());
   for (std::size_t k = 0; k < list->size(); ++k) {
-    good = read_pair(element, (*list)[k], DocumentPath(path, k), reader, points[k]) && good;
+    good = read_pair(rows, (*list)[k], DocumentPath(path, k), reader, points[k]) && good;
   }
   if (good) out = std::move(points);
   return good;
@@ -169,7 +181,7 @@ void read_value(const Parameter& self, Curve& curve, const Value& value, const D
   for (const auto& [name, member] : *value.object()) {
     const DocumentPath member_place(path, name);
     if (name == "curve") {
-      good = read_pairs(element_of(self), member, member_place, reader, points) && good;
+      good = read_pairs(PairRows(self), member, member_place, reader, points) && good;
     } else if (name == "kind") {
       const auto chosen = reader.choice(kind_row, member, member_place);
       good = chosen.has_value() && good;
@@ -204,7 +216,7 @@ Value show_value(const Parameter& self, const Curve& curve) {
 
 void read_value(const Parameter& self, std::vector<Vec2>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  read_pairs(element_of(self), value, path, reader, member);
+  read_pairs(PairRows(self), value, path, reader, member);
 }
 
 Value show_value(const Parameter&, const std::vector<Vec2>& points) {

@@ -199,7 +199,8 @@ std::string Parameter::expectation() const {
     case ParameterKind::curve:
       return "a curve such as {\"curve\": [[0, 1], [1, 0]]}";
     case ParameterKind::points:
-      return "a list of pairs such as [[0, 1], [0.5, 2]]";
+      if (!second) return "a list of pairs such as [[0, 1], [0.5, 2]]";
+      return fmt::format("a list of pairs of a number{} and a number{}", range_text(form), range_text(*second));
     case ParameterKind::positions:
       return "a list of positions such as [[0, 0, 0], [3, 0, 0]]";
     case ParameterKind::condition:

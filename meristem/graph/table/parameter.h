@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -135,6 +136,7 @@ struct Parameter {
   std::string doc;   ///< one sentence, with what happens when the value is raised where that is not plain
   ParameterKind kind = ParameterKind::number;  ///< what the member is
   NumberRange form;                            ///< range of numbers, integers and the elements of vectors
+  std::optional<NumberRange> second;           ///< range of the second numbers of points; unset: `form`
   std::vector<std::string> choices;            ///< the values of a choice
   std::size_t count = 0;                       ///< number of integers
   PointsForm together = PointsForm::line;      ///< what points or positions are together

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "meristem/base/progress.h"
+#include "meristem/graph/table/file_access.h"
 
 namespace meristem {
 
-struct FileAccess;
 struct GrowthTraces;
 struct GrowthView;
 struct PlantVariant;
@@ -69,7 +69,7 @@ class PlantSources {
   /// An opened document.
   struct Opened {
     std::shared_ptr<const PlantSource> source;  ///< not null
-    std::vector<std::string> files;             ///< all that were read
+    std::vector<NamedFile> files;               ///< all files that were read, without their hashes
   };
 
   virtual ~PlantSources() = default;

@@ -460,7 +460,7 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   const std::string file_path = given->empty() ? "" : (folder / *given).string();
   try {
     if (!given->empty()) access_.require_within(file_path);
-    name_file(file_path);
+    name_file({.path = file_path, .is_beside = !std::filesystem::path(*given).is_absolute()});
     load(file_path);
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, path);
@@ -476,7 +476,7 @@ std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::stri
   }
   try {
     PlantSources::Opened opened = access_.sources->open(name, access_);
-    for (const std::string& file : opened.files) name_file(file);
+    for (NamedFile& file : opened.files) name_file(std::move(file));
     return std::move(opened.source);
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) {
@@ -566,19 +566,24 @@ void ParameterReader::text_file(const Parameter& parameter, const Value& value, 
 std::string ParameterReader::included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes) {
   const std::string file_path = (std::filesystem::path(file).parent_path() / name).string();
   access_.require_within(file_path);
-  name_file(file_path);
+  const bool is_relative = !std::filesystem::path(name).is_absolute();
+  name_file({.path = file_path, .is_beside = is_relative && is_below_folder(file)});
   return read_file(file_path, most_bytes);
 }
 
 /// Faults are left to whoever reads it.
-void ParameterReader::name_file(const std::string& file_path) {
-  NamedFile file{.path = file_path};
+void ParameterReader::name_file(NamedFile file) {
   try {
-    file.hash = file_hash(file_path);
+    file.hash = file_hash(file.path);
   } catch (const InputError&) {
   } catch (const MachineError&) {
   }
   files_.push_back(std::move(file));
+}
+
+/// Returns true if the path begins with the document's folder, as paths do that the document names from there.
+bool ParameterReader::is_below_folder(const std::string& file_path) const {
+  return file_path.starts_with(access_.folder);
 }
 
 std::optional<std::uint64_t> ParameterReader::file_hash(const std::string& file_path) {

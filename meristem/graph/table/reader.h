@@ -224,7 +224,8 @@ class ParameterReader {
   std::map<std::string, std::string, std::less<>> refused_names_;
   /// The hash of a file as the store has it; nothing where there is no store.
   std::optional<std::uint64_t> file_hash(const std::string& file_path);
-  void name_file(const std::string& file_path);
+  void name_file(NamedFile file);
+  bool is_below_folder(const std::string& file_path) const;
   Fingerprint fingerprint_of_loading(void (*load)()) const;
   std::uint64_t fingerprint_of_constants();
   bool are_present(const std::vector<NamedFile>& files);

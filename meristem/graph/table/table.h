@@ -127,7 +127,8 @@ class Table {
     row(ParameterKind::curve, name, member, doc);
     return std::move(*this);
   }
-  /// Pairs [[x, y], ...]; `form` bounds every number. They are a line, unless `together` says otherwise.
+  /// Pairs [[x, y], ...]; `form` bounds every number unless `second` follows. They are a line, unless `together` says
+  /// otherwise.
   Table&& points(std::string_view name, std::vector<Vec2> P::*member, const NumberRange& form,
                  std::string_view doc) && {
     row(ParameterKind::points, name, member, doc).form = form;
@@ -224,6 +225,16 @@ class Table {
   template <class M, class N>
   Table&& members(M P::*member, N M::*inner, const ParameterTable& table) && {
     return rows_of(table, offset_of(((*original_).*member).*inner));
+  }
+  /// The range of the second numbers of the points of the row just written; its other range is that of the first.
+  Table&& second(double min, double max, UsualSpan usual = {}) && {
+    NumberRange form = table_.parameters.back().form;
+    form.min = min;
+    form.max = max;
+    form.usual = usual;
+    form.above_min = false;
+    table_.parameters.back().second = form;
+    return std::move(*this);
   }
   /// What the points or positions of the row just written are together.
   Table&& together(PointsForm form) && {

@@ -29,6 +29,7 @@ struct Flower {
   std::optional<Vec3> edge;
   Curve outline{{{0, 1}, {1, 0}}, CurveKind::linear};
   std::vector<Vec2> profile{{0, 1}, {2, 3}};
+  std::vector<Vec2> side{{0, 1}, {1, -2}};
   std::vector<int> size{4, 6};
   std::optional<Condition> where;
   std::optional<Formula> wave;
@@ -63,6 +64,8 @@ const ParameterTable& flower_table() {
           .colour("edge", &Flower::edge, "Colour of the edge.")
           .curve("outline", &Flower::outline, "Outline.")
           .points("profile", &Flower::profile, {.min = 0, .max = 9}, "Profile.")
+          .points("side", &Flower::side, {.min = 0, .max = 1}, "Side.")
+          .second(-2, 2)
           .integers("size", &Flower::size, 2, {.min = 1, .max = 99}, "Size.")
           .condition("where", &Flower::where, {"u", "order"}, "Where.")
           .formula("wave", &Flower::wave, {"s", "u"}, "Wave.")
@@ -202,6 +205,17 @@ TEST(Table, NumbersOutOfRangeAreRejected) {
   fault("size", Value::List{0, 5}, "flower.size[0]");
   fault("profile", Value::List{Value(Value::List{1, 10})}, "flower.profile[0][1]");
   EXPECT_EQ(good("turn", 360).turn, static_cast<float>(2 * kPi));  // the bound itself is allowed
+}
+
+TEST(Table, SecondNumbersOfPointsHaveARangeOfTheirOwn) {
+  const auto points = [](double first, double second) { return Value::List{Value(Value::List{first, second})}; };
+  EXPECT_EQ(good("side", points(1, -2)).side[0], Vec2(1, -2));
+  EXPECT_EQ(fault("side", points(1.445, 0), "flower.side[0][0]").message,
+            "the value 1.445 is out of range for 'side'");
+  fault("side", points(-0.1, 0), "flower.side[0][0]");
+  EXPECT_EQ(fault("side", points(1, 2.5), "flower.side[0][1]").expected, "a number from -2 to 2");
+  EXPECT_EQ(flower_table().find("side")->expectation(),
+            "a list of pairs of a number from 0 to 1 and a number from -2 to 2");
 }
 
 TEST(Table, NumbersThatDoNotFitAFloatAreRejectedWhereAFloatIsStored) {

@@ -77,6 +77,16 @@ UsualSpan derived(const Parameter& row, const std::optional<UsualSpan>& held) {
   return {form.min < 0 ? std::max(form.min, -reach) : form.min, form.max > 0 ? std::min(form.max, reach) : form.max};
 }
 
+/// Returns the numbers at one index of all pairs of a list; null if there is no list.
+Value numbers_of_points(const Value& points, std::size_t index) {
+  if (points.list() == nullptr) return {};
+  Value::List numbers;
+  for (const Value& point : *points.list()) {
+    if (point.list() != nullptr && index < point.list()->size()) numbers.push_back((*point.list())[index]);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 bool has_numbers(const Parameter& row) {
@@ -116,6 +126,13 @@ UsualSpan usual_range(const Parameter& row, const Value& fallback) {
   }
   if (is_whole) span = {std::ceil(span.low), std::floor(span.high)};
   return span;
+}
+
+std::pair<UsualSpan, UsualSpan> usual_ranges_of_points(const Parameter& row, const Value& fallback) {
+  if (!row.second) return {usual_range(row, fallback), usual_range(row, fallback)};
+  Parameter second = row;
+  second.form = *row.second;
+  return {usual_range(row, numbers_of_points(fallback, 0)), usual_range(second, numbers_of_points(fallback, 1))};
 }
 
 }  // namespace meristem

@@ -2,6 +2,8 @@
 // The range in which people move a number: what an editor's slider shows, narrower than what is allowed.
 #pragma once
 
+#include <utility>
+
 #include "meristem/graph/table/parameter.h"
 
 namespace meristem {
@@ -18,5 +20,8 @@ bool has_numbers(const Parameter& row);
 /// to 4 times the default, or where that is 0 or not given as far as the unit suggests, from 0, the hard minimum, or
 /// the same below 0 where that is allowed.
 UsualSpan usual_range(const Parameter& row, const Value& fallback);
+
+/// The usual ranges of the first and of the second numbers of points. They are equal if the row has one range for both.
+std::pair<UsualSpan, UsualSpan> usual_ranges_of_points(const Parameter& row, const Value& fallback);
 
 }  // namespace meristem

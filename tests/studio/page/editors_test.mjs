@@ -103,6 +103,25 @@ test('a silhouette shows both sides', async () => {
   await all_back();
 });
 
+test('the outline of a leaf stays within the limits of its two numbers, which are drawn', async () => {
+  const text = kShapes.replace('"omit": [1]', '"polygon": [[0, 0], [0.6, 0.3], [0.5, 0.6], [0, 1]]');
+  await write_document(place.folder, 'lobed.json', text);
+  await open_file(page, 'lobed.json');
+  await enlarge('leaf', 'polygon');
+  const widest = drawer().locator('.curve-point').nth(1);
+  for (const name of ['x-low', 'x-high']) assert.equal(await drawer().locator(`[data-limit="${name}"]`).count(), 1, name);
+  await one_step(() => drag(page, widest, [400, 0], { steps: 12 }));
+  assert.equal((await said('leaf')).polygon[1][0], 1, 'the largest half width');
+  await one_step(() => type_into(page, drawer().getByRole('textbox', { name: 'polygon, x of point 3' }), '1.445'));
+  assert.equal((await said('leaf')).polygon[2][0], 1);
+  await one_step(() => type_into(page, drawer().getByRole('textbox', { name: 'polygon, y of point 3' }), '1.2'));
+  assert.equal((await said('leaf')).polygon[2][1], 1.2, 'along the leaf there is more room');
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), text);
+  await open_file(page, 'shapes.json');
+});
+
 test('a hand is drawn to the grid and to other points, unless Alt is held', async () => {
   await enlarge('stem', 'taper');
   const points = drawer().locator('.curve-point');

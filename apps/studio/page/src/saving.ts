@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saves the open document into a file of the server's folder.
-import type { Saved } from './server/protocol.ts';
+import type { Saved } from './server/file_protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { Studio } from './studio.ts';
 
@@ -12,7 +12,7 @@ export async function save_document(studio: Studio, path: string, over: boolean)
     const answer = await ask_save(studio, path, over);
     studio.document.take_saved(answer);
     await studio.keeper.take_saved(slot);
-    studio.tell(`Saved ${answer.path}`);
+    tell_saved(studio, answer);
     return true;
   } catch (fault) {
     if (fault instanceof Refusal && fault.facts.changed) studio.shell.merge({ conflict: { path } });
@@ -32,4 +32,17 @@ async function ask_save({ document, connection }: Studio, path: string, over: bo
       document.send_whole();
     }
   }
+}
+
+const kMostNamed = 4; // files in a message
+
+function tell_saved(studio: Studio, { path, copied = [], omitted = [] }: Saved): void {
+  studio.tell(`Saved ${path}${copied.length > 0 ? `, and copied ${listed(copied)}, which it names` : ''}`);
+  if (omitted.length > 0) studio.tell(`Not copied to the new place: ${listed(omitted.map(({ file, reason }) => `${file} (${reason})`))}`, true);
+}
+
+/// The first of some names.
+export function listed(names: readonly string[]): string {
+  const more = names.length - kMostNamed;
+  return `${names.slice(0, kMostNamed).join(', ')}${more > 0 ? `, and ${more} more` : ''}`;
 }

@@ -6,7 +6,7 @@ import { useEffect, useState } from 'react';
 import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import type { ListedFile } from '../server/protocol.ts';
+import type { ListedFile } from '../server/file_protocol.ts';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 

@@ -4,21 +4,20 @@
 import { Store } from '../base/store.ts';
 import type { Connection } from '../server/connection.ts';
 import { Lost } from '../server/connection.ts';
-import type { Edit, Edited, Fault, Opened, Reading, Saved } from '../server/protocol.ts';
+import type { Saved } from '../server/file_protocol.ts';
+import type { Edit, Edited, Fault, Opened, Reading } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { DocumentState, WaitingEdits } from './document_state.ts';
 import type { EditWish, QueuedEdit } from './edit_queue.ts';
-import { EditQueue } from './edit_queue.ts';
-import { kNoDocument, reading_of, tree_of } from './document_state.ts';
+import { EditQueue, kDropped } from './edit_queue.ts';
+import { kNoDocument, reading_of, tree_of, whole_reading } from './document_state.ts';
 import { text_hash } from './hash.ts';
 import { text_with_edits } from './text_edits.ts';
 import { variables_of_text } from './text_variables.ts';
 import type { Patch } from './patch.ts';
 import { apply_patch, inverse_patch, joined_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
 import type { UndoState, UndoStep } from './undo_list.ts';
-import { step_back, step_forward, with_last, with_step } from './undo_list.ts';
-
-const kTypingPause = 700; // ms after which typing begins a new step
+import { kTypingPause, step_back, step_forward, with_last, with_step } from './undo_list.ts';
 
 export class DocumentModel {
   readonly state = new Store<DocumentState>(kNoDocument);
@@ -45,7 +44,7 @@ export class DocumentModel {
   take_opened({ path, model, name, text, hash, saved, ...reading }: Opened): void {
     this.opened_ += 1;
     this.is_unread_ = false;
-    this.waiting_.clear();
+    this.waiting_.drop_all();
     this.typed_ = null;
     const read = tree_of(text, null);
     this.state.set({ ...kNoDocument, ...reading_of(reading, read.tree, []), path, model, name, text, hash, saved, base: hash, ...read });
@@ -58,10 +57,10 @@ export class DocumentModel {
     for (const { edits, label } of waiting) void this.edit(edits, label);
   }
 
-  take_saved({ path, name, saved, good, faults, variables, implied, notes }: Saved): void {
+  take_saved({ path, name, saved, ...read }: Saved): void {
     this.state.merge({ path, saved, base: saved, model: null, name });
-    if (good === undefined || !faults || !variables) return;
-    this.take_reading(saved, { good, faults, variables, tree: null, implied: implied ?? [], notes: notes ?? {} });
+    const reading = whole_reading(read);
+    if (reading) this.take_reading(saved, reading);
   }
 
   take_reading(hash: string, reading: Reading): void {
@@ -213,7 +212,7 @@ export class DocumentModel {
       const { text, hash: base, undo } = this.state.get();
       try {
         const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...(wish.wish.only_if_good ? { only_if_good: true } : {}) });
-        if (opened !== this.opened_) return null; // it was made in the document before
+        if (opened !== this.opened_) return kDropped; // it was made in the document before
         const patch = patch_of_plain(edited.patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
         this.typed_base_ = { text, patch };
@@ -222,7 +221,7 @@ export class DocumentModel {
         else this.send_whole();
         return null;
       } catch (fault) {
-        if (opened !== this.opened_) return null;
+        if (opened !== this.opened_) return kDropped;
         if (fault instanceof Lost) {
           // The wish stays, and is asked again when the server is back.
           this.waiting_.put_back(wish);

@@ -81,3 +81,9 @@ export function tree_of(text: string, last: JsonNode | null): { tree: JsonNode |
   const is_good = mended !== null && Object.keys(found).length > 0 && known.every((name) => name in found);
   return is_good ? { tree: mended, tree_is: 'mended' } : { tree: last, tree_is: 'old' };
 }
+
+/// Returns the reading of an answer that need not have one; null if it has none.
+export function whole_reading({ good, faults, variables, implied, notes }: Partial<Reading>): Reading | null {
+  if (good === undefined || !faults || !variables) return null;
+  return { good, faults, variables, tree: null, implied: implied ?? [], notes: notes ?? {} };
+}

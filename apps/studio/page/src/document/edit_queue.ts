@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits that are not made yet, in their order.
 import type { Edit, Fault } from '../server/protocol.ts';
+import { Refusal } from '../server/protocol.ts';
 import type { WaitingEdits } from './document_state.ts';
 
 /// How an edit is made.
@@ -15,6 +16,9 @@ export interface QueuedEdit {
   wish: EditWish;
   done: ((faults: Fault[] | null) => void)[];
 }
+
+/// The answer to an edit that was not made because another document was opened.
+export const kDropped = new Refusal('Another document was opened before the edit was made', { cancelled: true }).reasons;
 
 export class EditQueue {
   private readonly queue_: QueuedEdit[] = [];
@@ -45,8 +49,9 @@ export class EditQueue {
     this.queue_.unshift(edit);
   }
 
-  clear(): void {
-    this.queue_.length = 0;
+  /// Another document is opened.
+  drop_all(): void {
+    for (const { done } of this.queue_.splice(0)) for (const tell of done) tell(kDropped);
   }
 
   /// As the browser keeps them.

@@ -14,6 +14,7 @@ export interface UndoState {
   undone: UndoStep[];
 }
 
+export const kTypingPause = 700; // ms after which typing begins a new step
 const kMostSteps = 1000;
 
 export const kNothingDone: UndoState = { done: [], undone: [] };

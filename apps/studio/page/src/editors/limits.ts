@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the range of a row lets points stand.
+import { ranges_of_points } from '../tables/legal.ts';
+import type { Row } from '../tables/tables.ts';
+import { hard_range } from '../tables/tables.ts';
 import type { Form, Frame, Point, Range, Shape } from './shape.ts';
 import { is_two_sided } from './shape.ts';
 
 /// The legal values of points, each way; an end that is infinite is none.
 export type Limits = Frame;
 
-interface RowRange {
-  min?: number;
-  above?: number;
-  max?: number;
-}
-
-/// What a row's range means for the points of a form.
-export function limits_of({ min, above, max }: RowRange, form: Form): Limits {
-  const all: Range = { low: min ?? above ?? -Infinity, high: max ?? Infinity };
-  // Where a function begins and ends is seen from its frame.
-  if (form === 'function') return { x: { low: -Infinity, high: Infinity }, y: all };
-  return { x: form === 'silhouette' || form === 'profile' ? { low: Math.max(0, all.low), high: all.high } : all, y: all };
+/// What a row's ranges mean for the points of a form.
+export function limits_of(row: Partial<Row>, form: Form): Limits {
+  const kind = form === 'function' ? 'curve' : 'points';
+  const [first, second] = ranges_of_points({ ...row, kind });
+  const [x, y] = [hard_range(first), hard_range(second)];
+  return { x: form === 'silhouette' || form === 'profile' ? { low: Math.max(0, x.low), high: x.high } : x, y };
 }
 
 /// The limits as they are drawn: those of a form with two sides on both.
@@ -38,7 +35,7 @@ export function with_legal_point(shape: Shape, index: number, limits: Limits): S
 const kRoomBeyond = 0.06; // of the frame, beyond a limit, so that its line is seen
 
 /// A frame that shows the limits as well, if they lie near what it shows.
-export function with_limits({ x, y }: Frame, limits: Limits): Frame {
+export function with_limits({ x, y }: Frame, limits: Limits, form: Form): Frame {
   const wider = (range: Range, limit: Range): Range => {
     const room = kRoomBeyond * (range.high - range.low);
     const is_near = (end: number): boolean => Number.isFinite(end) && end > range.low - 10 * room && end < range.high + 10 * room;
@@ -47,5 +44,6 @@ export function with_limits({ x, y }: Frame, limits: Limits): Frame {
       high: is_near(limit.high) ? Math.max(range.high, limit.high + room) : range.high,
     };
   };
-  return { x: wider(x, limits.x), y: wider(y, limits.y) };
+  // A picture of a function ends where the function does.
+  return { x: form === 'function' ? x : wider(x, limits.x), y: wider(y, limits.y) };
 }

@@ -35,7 +35,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
   const { snaps, set_snaps } = use_snapping();
   const behind = props.behind ?? [];
   const limits = props.limits ?? limits_of({}, shape.form);
-  const frame = with_limits(with_room_for(frame_of(shape), behind.flatMap((line) => line.points)), drawn_limits(limits, shape));
+  const frame = with_limits(with_room_for(frame_of(shape), behind.flatMap((line) => line.points)), drawn_limits(limits, shape), shape.form);
   const index = Math.min(chosen, shape.points.length - 1);
   const digits = Math.min(fitting_step(frame.x.low, frame.x.high, 200), fitting_step(frame.y.low, frame.y.high, 200));
   const least = least_points(shape);

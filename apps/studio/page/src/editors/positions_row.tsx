@@ -7,6 +7,8 @@ import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
 import { NumberOrText } from '../rows/number_row.tsx';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
+import { legal_value } from '../tables/legal.ts';
+import { hard_range } from '../tables/tables.ts';
 import { next_position } from './next_position.ts';
 import { places_of } from './space.ts';
 import { SpaceEditor } from './space_editor.tsx';
@@ -20,13 +22,13 @@ export function PositionsRow(props: RowEditorProps): ReactElement {
   const places = places_of(positions);
   return (
     <div className={`stacked positions of-${size}`}>
-      {places && places.length > 0 && <SpaceEditor label={label} places={places} is_joined={row.together === 'line'} is_dim={props.value === undefined} range={{ low: row.min ?? -Infinity, high: row.max ?? Infinity }} size={size} drag={actions.drag} commit={actions.commit} cancel={actions.cancel} />}
+      {places && places.length > 0 && <SpaceEditor label={label} places={places} is_joined={row.together === 'line'} is_dim={props.value === undefined} range={hard_range(row)} size={size} drag={actions.drag} commit={actions.commit} cancel={actions.cancel} />}
       <div className="stacked position-fields">
         <PositionFields {...props} positions={positions} />
         <div className="add-line">
           <span>{positions.length === 0 ? 'No positions yet' : 'x, y, z in metres'}</span>
           <span className="stretch" />
-          <IconButton is_small icon="plus" label={`Add a position to ${label}`} press={() => actions.commit([...positions, next_position(positions)])} />
+          <IconButton is_small icon="plus" label={`Add a position to ${label}`} press={() => actions.commit([...positions, legal_value(row, next_position(positions))])} />
         </div>
       </div>
     </div>

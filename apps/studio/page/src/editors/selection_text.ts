@@ -12,9 +12,15 @@ export function entry_text(entry: Json): string {
 export function entry_of(typed: string): Json | null {
   const text = typed.trim();
   if (text === '') return null;
-  if (/^\d+$/.test(text)) return Number(text);
+  if (/^\d+$/.test(text)) return instance(text);
   const range = /^(\d+)\s*(?:to|\.\.\.?|-|–)\s*(\d+)$/.exec(text);
   if (!range) return text;
-  const [first, last] = [Number(range[1]), Number(range[2])];
+  const [first, last] = [instance(range[1]), instance(range[2])];
   return [Math.min(first, last), Math.max(first, last)];
+}
+
+const kLastInstance = 2 ** 32 - 1;
+
+function instance(text = ''): number {
+  return Math.min(kLastInstance, Number(text));
 }

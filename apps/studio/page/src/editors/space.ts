@@ -47,6 +47,12 @@ export function moved_in(side: Side, place: Vec, [across, up]: Point, digits: nu
   return made;
 }
 
+/// The legal values of the two numbers that a picture shows, if those of each number are in `range`.
+export function limits_from({ signs }: Side, { low, high }: Range): Frame {
+  const way = (sign: 1 | -1): Range => (sign > 0 ? { low, high } : { low: -high, high: -low });
+  return { x: way(signs[0]), y: way(signs[1]) };
+}
+
 /// Both pictures show as much of space, so that places are as far apart in one as in the other.
 export function frame_from(side: Side, places: readonly Vec[]): Frame {
   const extents = [0, 1, 2].map((axis) => range_of(places.map((one) => one[axis] ?? 0)));

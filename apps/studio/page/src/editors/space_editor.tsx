@@ -9,11 +9,11 @@ import type { Json } from '../document/json.ts';
 import { next_position } from './next_position.ts';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import type { Range } from './shape.ts';
-import { within_range } from './limits.ts';
+import { with_limits, within_range } from './limits.ts';
 import { use_snapping } from './snapping.ts';
 import type { EditorSize } from './sizes.ts';
 import type { Side } from './space.ts';
-import { frame_from, kSides, moved_in, names_of, seen_from, step_of } from './space.ts';
+import { frame_from, kSides, limits_from, moved_in, names_of, seen_from, step_of } from './space.ts';
 
 interface SpaceEditorProps {
   label: string;
@@ -52,7 +52,7 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
   const add_after = (which: number): void => {
     const [here, next] = [places[which], places[which + 1]];
     const made = here && next ? (here.map((one, axis) => (one + (next[axis] ?? 0)) / 2) as unknown as Vec) : (next_position(plain(places) as Json[]) as unknown as Vec);
-    put([...places.slice(0, which + 1), made, ...places.slice(which + 1)], which + 1);
+    put([...places.slice(0, which + 1), legal(made), ...places.slice(which + 1)], which + 1);
   };
   const canvas = (view: Side): ReactElement => (
     <PlaneCanvas
@@ -62,7 +62,8 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
       names={names_of(view)}
       points={places.map((one) => seen_from(view, one))}
       lines={props.is_joined ? [{ points: places.map((one) => seen_from(view, one)), kind: 'line' }] : []}
-      frame={frame_from(view, places)}
+      frame={with_limits(frame_from(view, places), limits_from(view, props.range), 'line')}
+      limits={limits_from(view, props.range)}
       is_even
       size={kSizes[size]}
       is_numbered={size === 'large'}

@@ -95,7 +95,7 @@ function Seed(): ReactElement {
         label="Seed"
         value={seed}
         step={1}
-        limit={(one) => Math.max(0, Math.round(one))}
+        limit={(one) => Math.min(Number.MAX_SAFE_INTEGER, Math.max(0, Math.round(one)))}
         drag={(one) => studio.drag({ seed: one })}
         commit={(one) => studio.set_value('seed', one, 'Set seed')}
         cancel={() => studio.stop_drag()}

@@ -7,6 +7,7 @@ import { Slider } from '../controls/slider.tsx';
 import { fitting_step } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
 import { is_object, write_json } from '../document/json.ts';
+import { legal_value } from '../tables/legal.ts';
 import type { Row } from '../tables/tables.ts';
 import { slider_range, within_hard_range } from '../tables/tables.ts';
 import { TextField } from './text_field.tsx';
@@ -99,9 +100,9 @@ interface NumberOrTextProps extends NumberRowProps {
 
 /// A number among others, as of a range or a vector, in whose place an expression may stand.
 export function NumberOrText(props: NumberOrTextProps): ReactElement {
-  const { element, put, label, actions } = props;
+  const { element, put, label, actions, row } = props;
   if (typeof element === 'string') {
-    return <TextField label={label} value={element} commit={(text) => actions.commit(put(as_number(text)))} is_code is_faulty={props.is_faulty} />;
+    return <TextField label={label} value={element} commit={(text) => actions.commit(put(legal_value(row, as_number(text))))} is_code is_faulty={props.is_faulty} />;
   }
   return <OneNumber {...props} number={typeof element === 'number' ? element : null} put={put} />;
 }

@@ -70,13 +70,6 @@ export interface Opened extends Reading {
   saved: string | null;
 }
 
-/// What saving tells; the reading where the path is another one than before.
-export interface Saved extends Partial<Reading> {
-  path: string;
-  name: string;
-  saved: string;
-}
-
 export interface Edited extends Reading {
   patch: PlainPatch;
   inverse: PlainPatch;
@@ -114,12 +107,6 @@ export interface BegunClocks {
   component: string;
   count: number;
   blocks: [number, number][];
-}
-
-export interface ListedFile {
-  name: string;
-  folder: boolean;
-  bytes: number;
 }
 
 export interface ShippedModel {

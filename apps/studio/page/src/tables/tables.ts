@@ -4,15 +4,20 @@ import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
 
-export interface Row {
+/// The legal values of a number.
+export interface NumberRange {
+  min?: number;
+  above?: number; // a lower end that is excluded
+  max?: number;
+}
+
+export interface Row extends NumberRange {
   name: string;
   kind: string;
   doc: string;
   unit?: string;
-  min?: number;
-  above?: number; // a lower end that is excluded
-  max?: number;
   usual?: [number, number];
+  second?: NumberRange & { usual: [number, number] }; // of the second numbers of points, if it is another range
   varies?: 'instance' | 'child';
   choices?: string[];
   names?: string[];
@@ -137,10 +142,16 @@ export function slider_range(row: Row, value: number | null): [number, number] {
   return [Math.min(low, value), Math.max(high, value)];
 }
 
+/// The least and the greatest legal number.
+export function hard_range({ min, above, max }: NumberRange): { low: number; high: number } {
+  const low = min ?? (above !== undefined ? above + Math.max(1e-6, Math.abs(above) * 1e-6) : -Infinity);
+  return { low, high: max ?? Infinity };
+}
+
 /// The nearest number that the row allows.
-export function within_hard_range(row: Row, value: number): number {
-  const low = row.min ?? (row.above !== undefined ? row.above + Math.max(1e-6, Math.abs(row.above) * 1e-6) : -Infinity);
-  return Math.min(Math.max(value, low), row.max ?? Infinity);
+export function within_hard_range(row: NumberRange, value: number): number {
+  const { low, high } = hard_range(row);
+  return Math.min(Math.max(value, low), high);
 }
 
 /// A value to begin with where a row is given for the first time.

@@ -74,7 +74,7 @@ function TimelineHead(): ReactElement {
       <IconButton is_small icon="last" label="To the end" press={() => scrub(length)} />
       <NumberField label="Time" value={time} step={1 / fps} unit="s" limit={(one) => Math.min(length, Math.max(0, one))} drag={scrub} commit={scrub} cancel={() => undefined} />
       <span className="quiet">of</span>
-      <NumberField label="Length" value={length} step={0.1} unit="s" limit={(one) => Math.max(0.01, one)} drag={() => undefined} commit={set('length')} cancel={() => undefined} />
+      <NumberField label="Length" value={length} step={0.1} unit="s" limit={(one) => Math.min(1e6, Math.max(0.01, one))} drag={() => undefined} commit={set('length')} cancel={() => undefined} />
       <NumberField label="Frames per second" value={fps} step={1} unit="per s" limit={(one) => Math.min(1000, Math.max(1, Math.round(one)))} drag={() => undefined} commit={set('fps')} cancel={() => undefined} />
       <Button kind="quiet" tip="What the document says of its time: also how fast plants grow" press={() => studio.choose('animation')}>
         {unrolls ? 'Grows over time' : 'Growth…'}

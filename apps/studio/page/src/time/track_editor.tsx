@@ -14,18 +14,21 @@ import { write_json } from '../document/json.ts';
 import { full_colour } from '../editors/colour.ts';
 import { ColourField } from '../editors/colour_rows.tsx';
 import { focus_point, PlaneCanvas } from '../editors/plane_canvas.tsx';
-import type { Frame, Point } from '../editors/shape.ts';
+import type { Limits } from '../editors/limits.ts';
+import { with_limits } from '../editors/limits.ts';
+import type { Frame, Point, Range } from '../editors/shape.ts';
 import { use_snapping } from '../editors/snapping.ts';
 import { TextField } from '../rows/text_field.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
-import { row_at } from '../tables/resolve.ts';
-import { within_hard_range } from '../tables/tables.ts';
+import { legal_value, row_of_value } from '../tables/legal.ts';
+import { hard_range } from '../tables/tables.ts';
 import type { Track } from './keys.ts';
 import { tidy_time, with_key, with_time, with_way } from './keys.ts';
 import type { Key } from './track.ts';
 import { curve_of, has_values_between, value_at_time } from './track.ts';
 import { commit_keys, drag_keys, with_dragged } from './use_keyed.ts';
 
+const kFree: Range = { low: -Infinity, high: Infinity };
 const kSize = { wide: 720, high: 150, margin: 20 };
 
 export function TrackEditor({ track: written }: { track: Track }): ReactElement {
@@ -52,9 +55,10 @@ export function TrackEditor({ track: written }: { track: Track }): ReactElement 
     acts.commit(without(keys, which), 'Remove a key');
     choose(Math.max(0, which - 1));
   };
-  const row = row_at(studio.tables, tree, name);
-  const legal = (value: number): number => (row ? within_hard_range(row, value) : value);
-  const props = { label, keys, index, legal, length: model.animation.length, choose, add, remove, ...acts };
+  const row = row_of_value(studio.tables, tree, name, keys[index]?.value ?? null);
+  const legal = (value: Json): Json => (row ? legal_value(row, value) : value);
+  const range = row ? hard_range(row) : kFree;
+  const props = { label, keys, index, legal, range, length: model.animation.length, choose, add, remove, ...acts };
   return (
     <div className="track-editor" data-edited={name}>
       <KeyCurve {...props} />
@@ -68,7 +72,8 @@ interface KeysProps {
   keys: readonly Key[];
   index: number; // of the chosen key
   length: number; // of the animation, seconds
-  legal: (value: number) => number; // the nearest value that the row allows
+  legal: (value: Json) => Json; // the nearest value that the row allows
+  range: Range; // of legal numbers
   choose: (which: number) => void;
   add: (time: number, value: Json) => void;
   remove: (which: number) => void;
@@ -78,14 +83,15 @@ interface KeysProps {
 }
 
 /// The curve of keys that are numbers; others have none.
-function KeyCurve({ label, keys, index, length, legal, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
+function KeyCurve({ label, keys, index, length, legal, range, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
   const root = useRef<HTMLDivElement>(null);
   const { snaps } = use_snapping();
   const end = Math.max(length, keys.at(-1)?.time ?? 0);
   const curve = curve_of(keys, end);
   if (!curve) return null;
   const points = keys.map((one): Point => [one.time, one.value as number]);
-  const frame = frame_of(points, end);
+  const limits: Limits = { x: { low: 0, high: end }, y: range };
+  const frame = with_limits(frame_of(points, end), limits, 'function');
   const digits = fitting_step(frame.y.low, frame.y.high, 200);
   const moved = (which: number, [time, value]: Point): Key[] => with_time(keys, which, time, end).map((one, k) => (k === which ? { ...one, value: legal(rounded(value, digits / 10)) } : one));
   const between = (which: number): number => ((keys[which]?.time ?? 0) + (keys[which + 1]?.time ?? end)) / 2;
@@ -98,6 +104,7 @@ function KeyCurve({ label, keys, index, length, legal, choose, add, remove, drag
         points={points}
         lines={[{ points: curve, kind: 'line' }]}
         frame={frame}
+        limits={limits}
         is_even={false}
         size={kSize}
         is_numbered
@@ -126,7 +133,7 @@ function frame_of(points: readonly Point[], end: number): Frame {
   return { x: { low: 0, high: end }, y: { low: low - room, high: high + room } };
 }
 
-function KeyFields({ label, keys, index, length, now, choose, add, remove, drag, commit, cancel }: KeysProps & { now: number }): ReactElement | null {
+function KeyFields({ label, keys, index, length, now, legal, choose, add, remove, drag, commit, cancel }: KeysProps & { now: number }): ReactElement | null {
   const key = keys[index];
   if (!key) return null;
   const end = Math.max(length, keys.at(-1)?.time ?? 0);
@@ -139,7 +146,7 @@ function KeyFields({ label, keys, index, length, now, choose, add, remove, drag,
       <IconButton is_small icon="left" label={`Key before, of ${label}`} is_off={index === 0} press={() => choose(index - 1)} />
       <IconButton is_small icon="right" label={`Key behind, of ${label}`} is_off={index + 1 >= keys.length} press={() => choose(index + 1)} />
       <NumberField label={`Time of ${name}`} value={key.time} step={0.04} unit="s" limit={(one) => Math.max(0, one)} drag={(one) => drag(at(one))} commit={(one) => commit(at(one), 'Move a key')} cancel={cancel} />
-      <KeyValue label={`Value of ${name}`} value={key.value} drag={(one) => drag(having(one))} commit={(one) => commit(having(one), 'Set a key')} cancel={cancel} />
+      <KeyValue label={`Value of ${name}`} value={key.value} legal={legal} drag={(one) => drag(having(legal(one)))} commit={(one) => commit(having(legal(one)), 'Set a key')} cancel={cancel} />
       {can_bend && index > 0 && (
         <Segments label={`Way to ${name}`} value={key.way ?? 'linear'} choices={[['linear', 'Even'], ['smooth', 'Smooth'], ['step', 'Jump']]} choose={(way) => commit(with_way(keys, index, way), 'Join the keys')} />
       )}
@@ -152,13 +159,14 @@ function KeyFields({ label, keys, index, length, now, choose, add, remove, drag,
 interface KeyValueProps {
   label: string;
   value: Json;
+  legal: (value: Json) => Json;
   drag: (value: Json) => void;
   commit: (value: Json) => void;
   cancel: () => void;
 }
 
-function KeyValue({ label, value, drag, commit, cancel }: KeyValueProps): ReactElement {
-  if (typeof value === 'number') return <NumberField label={label} value={value} step={Math.max(1e-4, fitting_step(0, Math.abs(value) || 1, 100))} limit={(one) => one} drag={drag} commit={commit} cancel={cancel} />;
+function KeyValue({ label, value, legal, drag, commit, cancel }: KeyValueProps): ReactElement {
+  if (typeof value === 'number') return <NumberField label={label} value={value} step={Math.max(1e-4, fitting_step(0, Math.abs(value) || 1, 100))} limit={(one) => legal(one) as number} drag={drag} commit={commit} cancel={cancel} />;
   if (typeof value === 'string' && full_colour(value) !== null) return <ColourField label={label} value={value} is_faulty={false} is_dim={false} drag={drag} commit={commit} cancel={cancel} />;
   if (typeof value === 'boolean') {
     return (

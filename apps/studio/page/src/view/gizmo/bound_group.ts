@@ -21,8 +21,9 @@ export interface BoundGroup extends Omit<GripGroup, 'grips' | 'fields'> {
 
 const kProbe = 0.1; // metres, and the same share of a field's step or a few degrees
 
-export function bound_group(group: GripGroup, all: readonly Expressed[], written_at: (path: string) => Json | undefined): BoundGroup {
-  const meant = (values: Values): MeantValues => meant_values(values, all, written_at);
+/// `legal` gives values as their rows allow them.
+export function bound_group(group: GripGroup, all: readonly Expressed[], written_at: (path: string) => Json | undefined, legal: (values: Values) => Values = (values) => values): BoundGroup {
+  const meant = (values: Values): MeantValues => meant_values(legal(values), all, written_at);
   const binding = (tried: Values[]): Binding => {
     const found = all.length > 0 ? tried.map(meant) : [];
     const held = new Map(found.flatMap((one) => one.held).map((one) => [one.path, one]));

@@ -8,6 +8,7 @@ import { write_json } from '../../document/json.ts';
 import { path_of, steps_of, value_at } from '../../document/path.ts';
 import type { Variable } from '../../server/protocol.ts';
 import type { Studio } from '../../studio.ts';
+import { legal_values } from '../../tables/legal.ts';
 import { groups_at } from '../../tables/resolve.ts';
 import { value_now } from '../../time/values_now.ts';
 import type { BoundGroup } from './bound_group.ts';
@@ -84,7 +85,7 @@ export class Gizmo {
     const all = expressed(this.expressions_of(object), this.told.get(), this.variables, (variable) => this.number_of(variable));
     const value = with_numbers(this.value_of(object), object, all);
     const groups = groups_of_object(studio.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
-    return groups.map((group) => bound_group(group, all, (path) => value_at(tree, path)));
+    return groups.map((group) => bound_group(group, all, (path) => value_at(tree, path), (values) => legal_values(studio.tables, tree, values)));
   }
 
   private get variables(): readonly Variable[] {

@@ -20,6 +20,7 @@
 #include "meristem/base/read_file.h"
 #include "meristem/dataset/dataset_folder.h"
 #include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/dataset_links.h"
 #include "meristem/dataset/dataset_plan.h"
 #include "meristem/dataset/plant_maker.h"
 #include "meristem/dataset/plant_range.h"
@@ -147,7 +148,15 @@ void tell_made(const std::string& path, std::uint64_t plants, std::uint64_t foun
                            found > 0 ? fmt::format(", {} of them were there", found) : ""));
 }
 
+/// No link in a folder that is there leads out of the root, neither to files that are read nor to files that are
+/// written.
+void require_links_within_root(const DatasetCommand& command) {
+  if (is_dataset(command.plan)) require_links_within(command.plan, command.root);
+  if (!command.output.empty()) require_links_within(command.output, command.root);
+}
+
 void make(const DatasetCommand& command) {
+  require_links_within_root(command);
   const DatasetPlan plan = plan_of(command);
   if (!command.quiet) print_diagnostics(plan.warnings);
   const std::string path = command.output.empty() && is_dataset(command.plan) ? command.plan : command.output;

@@ -254,7 +254,7 @@ class PictureTaker {
   void grow_at(double time) {
     grown_time_ = time;
     other_.reset();
-    const Document& document = document_at(document_, time, other_);
+    const Document& document = document_at(document_, time, other_, &terminal_.progress());
     const GrowthView view{checked_step(chosen_.step), wish_for_overlays(options_.overlays)};
     grown_ = grow_document(document, terminal_.progress(),
                            {.time = time, .detail = chosen_.detail, .cache = &cache_, .view = view});

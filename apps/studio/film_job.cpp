@@ -57,7 +57,7 @@ class FrameTaker {
 
   void grow_at(double time) {
     other_.reset();
-    const Document& document = document_at(document_, time, other_);
+    const Document& document = document_at(document_, time, other_, &progress_);
     grown_ = grow_document(document, progress_, {.time = time, .cache = &cache_});
   }
 

@@ -47,7 +47,7 @@ Value::List places_within(const std::vector<DrawnModule>& places, std::size_t fi
 
 Value derivation(const Document& read, const GrammarRequest& request, double time, Progress& progress) {
   std::optional<Document> other;
-  const Document& document = document_at(read, time, other);
+  const Document& document = document_at(read, time, other, &progress);
   const std::optional<LsystemTrace> trace =
       trace_lsystem(document.graph, document.scene, request.component,
                     {.steps = request.step, .key = request.key, .number = request.number}, time, progress);

@@ -59,9 +59,10 @@ bool have_same_shape(const Plant& a, const Plant& b) {
 }
 
 /// A document as it stands at a time: the same one where its keys change nothing.
-std::shared_ptr<const Document> standing_at(const std::shared_ptr<const Document>& document, double time) {
+std::shared_ptr<const Document> standing_at(const std::shared_ptr<const Document>& document, double time,
+                                            const Progress& progress) {
   std::optional<Document> other;
-  document_at(*document, time, other);
+  document_at(*document, time, other, &progress);
   return other ? std::make_shared<const Document>(*std::move(other)) : document;
 }
 
@@ -299,7 +300,7 @@ void Grower::grow() {
   }
   if (is_first) give_back_memory();
   run(wish.hash, Stopped::growth, [&](JobNews& news) {
-    const std::shared_ptr<const Document> document = standing_at(wish.document, time);
+    const std::shared_ptr<const Document> document = standing_at(wish.document, time, news.progress());
     GrownDocument grown = grow_document(*document, news.progress(),
                                         {.time = time, .up_to = GrownPart::plant, .cache = &cache_, .view = view});
     if (wish.is_dragged) pictures_.lend(document->graph, grown.plant.materials);

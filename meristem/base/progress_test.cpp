@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/base/progress.h"
 
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/lock_unless_stopped.h"
 #include "meristem/base/parallel.h"
 
 namespace meristem::progress_test {
@@ -130,6 +133,24 @@ TEST(ProgressPart, StopsAlone) {
   part.cancel();
   EXPECT_TRUE(part.is_cancelled());
   EXPECT_FALSE(whole.is_cancelled());
+}
+
+TEST(LockUnlessStopped, WaitsForTheLockOrForTheStop) {
+  std::timed_mutex mutex;
+  Progress progress;
+  EXPECT_TRUE(lock_unless_stopped(mutex, &progress).owns_lock());
+  const std::unique_lock<std::timed_mutex> held(mutex);
+  bool is_stopped = false;
+  std::thread waiting([&] {
+    try {
+      lock_unless_stopped(mutex, &progress);
+    } catch (const Cancelled&) {
+      is_stopped = true;
+    }
+  });
+  progress.cancel();
+  waiting.join();
+  EXPECT_TRUE(is_stopped);
 }
 
 }  // namespace meristem::progress_test

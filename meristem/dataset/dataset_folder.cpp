@@ -229,6 +229,11 @@ void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool 
       info.files = before->files;
     }
   }
+  if (before && before->is_as_written && before->format < kDatasetFormat) {
+    // The format is written first, so that files in checks/ always mean the later format.
+    info.files[kFolderPlanName] = text_hash(folder_plan_text(plan));
+    save();
+  }
   if (repairs && (!before || !before->is_as_written)) {
     tell_fault(fmt::format("{} had changed", dataset_info_path(folder)));
   }

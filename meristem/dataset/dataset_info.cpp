@@ -59,6 +59,27 @@ bool stays_below(const DatasetDocument& document) {
                                           [&name](const auto& file) { return stays_below(name / file.first); });
 }
 
+/// Returns a part of the folder that data sets of format 1 do not have: somebody has edited the number. Returns an empty
+/// text if the folder has no such part.
+std::string part_of_later_format(const Value& value, const std::string& folder) {
+  for (const char* const name : {"hash", "tables", "files"}) {
+    if (value.find(name) != nullptr) return fmt::format("'{}'", name);
+  }
+  const Value* const documents = value.find("documents");
+  if (documents != nullptr && documents->list() != nullptr) {
+    for (std::size_t k = 0; k < documents->list()->size(); ++k) {
+      if ((*documents->list())[k].find("files") != nullptr) return fmt::format("'documents[{}].files'", k);
+    }
+  }
+  std::string first;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(folder) / kChecksName, error)) {
+    const std::string name = fmt::format("{}/{}", kChecksName, entry.path().filename().string());
+    if (first.empty() || name < first) first = name;
+  }
+  return first;
+}
+
 /// dataset.json without its last member, which is the hash of this text.
 Value::Object told_by(const DatasetInfo& info) {
   Value::List documents;
@@ -145,10 +166,9 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
     if (!stays_below(document)) throw wrong("it names a document outside of its folder");
   }
   if (format == 1) {
-    // Only later formats have a hash: somebody has edited the number.
-    info.is_as_written = value.find("hash") == nullptr;
-    if (!info.is_as_written) info.tables.resize(info.table_count());
-    return info;
+    info.later_part = part_of_later_format(value, folder);
+    info.is_as_written = info.later_part.empty();
+    if (info.is_as_written) return info;
   }
   if (const Value* tables = value.find("tables"); tables != nullptr && tables->list() != nullptr) {
     for (const Value& hash : *tables->list()) info.tables.push_back(hash.text() != nullptr ? *hash.text() : "");
@@ -158,7 +178,7 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
     if (!stays_below(fs::path(file))) throw wrong("it names a file outside of its folder");
     info.files.emplace(file, std::move(hash));
   }
-  info.is_as_written = text == dataset_info_text(info);
+  info.is_as_written = format > 1 && text == dataset_info_text(info);
   return info;
 }
 

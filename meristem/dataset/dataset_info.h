@@ -50,6 +50,9 @@ struct DatasetInfo {
   std::vector<std::string> tables{};           ///< hash of each table; empty until all plants of the table are made
   std::map<std::string, std::string> files{};  ///< hashes of plan, data card and arrays, by path
   bool is_as_written = true;                   ///< false if somebody has edited the file since
+  /// Names a part of a later format than `format`, such as "'hash'" or "checks/plan.json". Empty: no such part was
+  /// found.
+  std::string later_part{};
 
   std::uint64_t table_count() const { return (plants + rows - 1) / rows; }  ///< tables of the manifest
 };

@@ -14,6 +14,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/whole_file.h"
 #include "meristem/dataset/dataset_info.h"
+#include "meristem/dataset/dataset_links.h"
 #include "meristem/dataset/dataset_plan.h"
 #include "meristem/dataset/plant_range.h"
 #include "meristem/dataset/table_hashes.h"
@@ -71,7 +72,8 @@ class DatasetVerifier {
         progress_(progress) {}
 
   DatasetCheck run() {
-    check_links();
+    FileAccess{.root = root_}.require_within(folder_);
+    require_links_within(folder_, root_);
     std::error_code error;
     if (!fs::exists(dataset_info_path(folder_), error)) throw no_dataset(folder_);
     const bool is_readable = read_info();
@@ -98,17 +100,6 @@ class DatasetVerifier {
     check_.faults.insert(check_.faults.end(), faults.begin(), faults.end());
   }
   std::string path(const std::string& below) const { return (fs::path(folder_) / below).string(); }
-
-  /// Throws InputError if a link in the folder leads out of the root.
-  void check_links() const {
-    if (root_.empty()) return;
-    const FileAccess access{.root = root_};
-    std::error_code error;
-    for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator(folder_, fs::directory_options::skip_permission_denied, error)) {
-      if (entry.is_symlink(error)) access.require_within(entry.path().string());
-    }
-  }
 
   bool read_info() {
     try {
@@ -154,6 +145,10 @@ class DatasetVerifier {
     }
     if (!is_readable || info_.is_as_written) return;
     const std::size_t before = check_.faults.size();
+    if (!info_.later_part.empty()) {
+      tell("{}: its format is {}, and {} is of a later one", file, info_.format, info_.later_part);
+      info_.format = kDatasetFormat;
+    }
     if (plan_) {
       const DatasetInfo expected = info_of(*plan_);
       const auto compare = [&](const char* name, const auto& found, const auto& right) {
@@ -172,7 +167,8 @@ class DatasetVerifier {
     }
     for (std::uint64_t table = 0; table < info_.table_count(); ++table) {
       const auto hashes = read_table_hashes(folder_, table);
-      if (!hashes || info_.tables[table] == hashes->table) continue;
+      const bool is_of_format_1 = !info_.later_part.empty() && info_.tables[table].empty();
+      if (!hashes || info_.tables[table] == hashes->table || is_of_format_1) continue;
       tell("{}: the hash of the table {} is not that of {}", file, table, table_hashes_path(folder_, table));
     }
     if (check_.faults.size() == before) tell("{}: the file has changed since it was written", file);

@@ -50,10 +50,10 @@ struct DatasetCheck {
 
 /// Checks the data set in a folder. Reads every file of each plant and compares sizes and hashes with the manifest.
 /// Compares each table with its hash, and draws the values of each row again from plan and seed. Compares plan,
-/// documents, data card and arrays with dataset.json, and the files that are there with those that belong to it.
-/// `models` is the folder of shipped models. Neither the plan nor a link in the folder
-/// leads to files outside `root`, unless `root` is empty: throws InputError for such a link. Throws InputError where
-/// the folder holds no data set, Cancelled.
+/// documents, data card and arrays with dataset.json. Finds files in the folder that do not belong to the data set.
+/// `models` is the folder of shipped models. No file outside `root` is read, wherever links in the folder lead; an
+/// empty `root` allows every file. Throws InputError where the folder holds no data set, lies outside `root`, or has a
+/// link that leads there; Cancelled.
 DatasetCheck verify_dataset(const std::string& folder, const Registry& registry, const std::string& models,
                             Progress& progress, const std::string& root = {});
 

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "meristem/dataset/dataset_in_a_test.h"
+#include "meristem/dataset/dataset_links.h"
 #include "meristem/dataset/table_hashes.h"
+#include "meristem/document/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace meristem::verify_dataset_test {
@@ -84,6 +86,15 @@ std::string other_digit(std::string text) {
 // key, document, seed, tall, files, bytes, hashes, version, error, height, triangles
 constexpr std::size_t kTall = 3;
 constexpr std::size_t kHeight = 9;
+
+/// The dataset.json of a whole set as the program wrote it before tables had hashes.
+std::string as_of_format_1(const std::string& plan, const std::string& document) {
+  return fmt::format(
+      "{{\n  \"meristem_dataset_folder\": 1,\n  \"version\": \"0.1.0\",\n  \"name\": \"Rods\",\n"
+      "  \"plan\": \"{}\",\n  \"plants\": 25,\n  \"rows\": 10,\n  \"documents\": [{{\"name\": "
+      "\"rod\", \"document\": \"rod.json\", \"hash\": \"{}\"}}]\n}}\n",
+      plan, document);
+}
 
 /// A way to damage a data set, what is told of it, and how many plants are made again.
 struct Damage {
@@ -226,8 +237,24 @@ std::vector<Damage> damages() {
        [](const std::string& text) {
          return replaced(text, "\"meristem_dataset_folder\": 2", "\"meristem_dataset_folder\": 1");
        },
-       {"dataset.json: the hash of the table 0 is not that of ", "dataset.json: the hash of the table 1 ",
-        "dataset.json: the hash of the table 2 "},
+       {"dataset.json: its format is 1, and 'hash' is of a later one"},
+       0},
+      {"the format in dataset.json and its hash",
+       "dataset.json",
+       [](const std::string& text) {
+         const std::string older = replaced(text, "\"meristem_dataset_folder\": 2", "\"meristem_dataset_folder\": 1");
+         return older.substr(0, older.rfind(",\n  \"hash\"")) + "\n}\n";
+       },
+       {"dataset.json: its format is 1, and 'tables' is of a later one"},
+       0},
+      {"dataset.json as of format 1",
+       "dataset.json",
+       [](const std::string& text) {
+         const Value value = parse_json(text);
+         return as_of_format_1(*value.find("plan")->text(),
+                               *value.find("documents")->list()->front().find("hash")->text());
+       },
+       {"dataset.json: its format is 1, and checks/00000.csv is of a later one"},
        0},
       {"a hash in dataset.json",
        "dataset.json",
@@ -419,12 +446,7 @@ TEST(VerifyDataset, AnUnfinishedSetTellsWhatIsMissing) {
 void make_as_before(const std::string& rods, const DatasetPlan& plan) {
   make_plants(plan, rods);
   fs::remove_all(fs::path(rods) / "checks");
-  const std::string hash = plan.documents[0].bundle.hash();
-  write_content(fs::path(rods) / "dataset.json",
-                fmt::format("{{\n  \"meristem_dataset_folder\": 1,\n  \"version\": \"0.1.0\",\n  \"name\": \"Rods\",\n"
-                            "  \"plan\": \"{}\",\n  \"plants\": 25,\n  \"rows\": 10,\n  \"documents\": [{{\"name\": "
-                            "\"rod\", \"document\": \"rod.json\", \"hash\": \"{}\"}}]\n}}\n",
-                            plan.hash, hash));
+  write_content(fs::path(rods) / "dataset.json", as_of_format_1(plan.hash, plan.documents[0].bundle.hash()));
 }
 
 TEST(VerifyDataset, AFolderWithoutHashesIsWarnedOfAndGetsThem) {
@@ -450,6 +472,53 @@ TEST(VerifyDataset, AFolderWithoutHashesIsWarnedOfAndGetsThem) {
   EXPECT_EQ(make_plants(plan, rods), 1U);
   EXPECT_EQ(files_below(rods), files_below(folder / "whole"));
   EXPECT_TRUE(checked(rods).warnings.empty());
+}
+
+TEST(VerifyDataset, AFolderWithoutHashesGetsItsFormatBeforeFilesOfThatFormat) {
+  const TemporaryFolder folder;
+  const std::string rods = folder / "rods";
+  const DatasetPlan plan = stem_plan();
+  make_plants(plan, folder / "whole");
+  make_as_before(rods, plan);
+  // A folder that cannot be made stops the program as it goes on.
+  write_content(fs::path(rods) / "checks", "");
+  Progress progress;
+  EXPECT_THROW(DatasetFolder(plan, rods, DatasetOpening::resume, progress), MachineError);
+  fs::remove(fs::path(rods) / "checks");
+  const auto info = read_dataset_info(rods);
+  ASSERT_TRUE(info);
+  EXPECT_EQ(info->format, kDatasetFormat);
+  EXPECT_TRUE(info->is_as_written);
+  EXPECT_EQ(make_plants(plan, rods), 0U);
+  EXPECT_EQ(files_below(rods), files_below(folder / "whole"));
+}
+
+TEST(VerifyDataset, LinksLeadIntoTheRootOrIntoTheFolder) {
+  const TemporaryFolder folder;
+  const std::string rods = folder / "sets/rods";
+  make_plants(stem_plan(), rods);
+  const fs::path plants = fs::path(rods) / "plants";
+  const auto require = [&](const std::string& root) { require_links_within(rods, root); };
+  EXPECT_NO_THROW(require(folder / "sets"));
+  for (const char* const place : {"sets/moved", "sets/rods/moved"}) {
+    fs::rename(plants, folder / place);
+    fs::create_symlink(folder / place, plants);
+    EXPECT_NO_THROW(require(folder / "sets"));
+    fs::remove(plants);
+    fs::rename(folder / place, plants);
+  }
+  fs::create_symlink(folder / "nowhere", fs::path(rods) / "b");
+  fs::create_symlink("../../elsewhere", fs::path(rods) / "a");
+  EXPECT_NO_THROW(require(""));
+  EXPECT_NO_THROW(require_links_within(folder / "no folder", folder / "sets"));
+  try {
+    require(folder / "sets");
+    FAIL() << "a link leads out of the root";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.diagnostics().size(), 1U);
+    EXPECT_EQ(error.diagnostics()[0].message, "this link leads outside the folder that may be read");
+    EXPECT_EQ(error.diagnostics()[0].file, (fs::path(rods) / "a").string());
+  }
 }
 
 TEST(VerifyDataset, PlantsThatFailedAreCounted) {

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "meristem/base/lock_unless_stopped.h"
 #include "meristem/base/name_table.h"
 #include "meristem/document/animation_keys.h"
 #include "meristem/document/instance_variables.h"
@@ -412,17 +415,26 @@ void Source::place(std::vector<Diagnostic>& diagnostics, const Progress* progres
 
 namespace {
 
-/// Reads a document at other times. What its files hold is kept from one time to the next.
-std::function<Document(double)> reading_again(const Document& document, const Registry& registry,
-                                              const ReadOptions& options) {
+/// Results of files that all reads of one document at other times share.
+struct SharedReads {
+  std::timed_mutex mutex;  // one read at a time
+  ReadStore store;
+};
+
+/// Returns a function that reads a document at other times. It reads each file once.
+std::function<Document(double, const Progress*)> reading_again(const Document& document, const Registry& registry,
+                                                               const ReadOptions& options) {
   ReadOptions again = options;
   again.expression_paths = nullptr;
-  again.progress = nullptr;
-  auto store = std::make_shared<ReadStore>();
-  return [text = document.source.text, file = document.source.file, &registry, again, store](double time) mutable {
-    again.time = time;
-    again.store = store.get();
-    return read_document(text, file, registry, again);
+  auto shared = std::make_shared<SharedReads>();
+  return [text = document.source.text, file = document.source.file, &registry, again, shared](
+             double time, const Progress* progress) {
+    const auto lock = lock_unless_stopped(shared->mutex, progress);
+    ReadOptions now = again;
+    now.time = time;
+    now.store = &shared->store;
+    now.progress = progress;
+    return read_document(text, file, registry, now);
   };
 }
 
@@ -465,9 +477,10 @@ Document read_document(std::string text, const std::string& file, const Registry
   return document;
 }
 
-const Document& document_at(const Document& document, double time, std::optional<Document>& other) {
+const Document& document_at(const Document& document, double time, std::optional<Document>& other,
+                            const Progress* progress) {
   if (!document.at_time || time == document.time) return document;
-  return other.emplace(document.at_time(time));
+  return other.emplace(document.at_time(time, progress));
 }
 
 }  // namespace meristem

@@ -89,12 +89,15 @@ struct Document {
   Source source;                     ///< text and files that the document was read from
   std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
   double time = 0;                   ///< seconds: what is one value for the document has the value of its keys then
-  /// The document at another time, where its keys make that another one; else empty. Throws what read_document throws.
-  std::function<Document(double time)> at_time;
+  /// Returns the document at another time. Throws what read_document throws, Cancelled soon after `progress` was asked
+  /// to stop. Empty if no key of the document changes it over time. Many threads may call it at once.
+  std::function<Document(double time, const Progress* progress)> at_time;
 };
 
-/// A document as it stands at a time: itself, or one that is read anew into `other`.
-const Document& document_at(const Document& document, double time, std::optional<Document>& other);
+/// A document as it stands at a time: itself, or one that is read anew into `other`. Throws Cancelled soon after
+/// `progress` was asked to stop; null: it cannot be stopped.
+const Document& document_at(const Document& document, double time, std::optional<Document>& other,
+                            const Progress* progress = nullptr);
 
 /// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for texts without
 /// '=' or a path before it; whether that is well formed, read_document checks.

@@ -91,7 +91,7 @@ std::vector<ReuseCount> reuse_of(const GrowthCache& cache) {
 
 GrownDocument grow_document(const Document& document, Progress& progress, const GrowthOptions& options) {
   std::optional<Document> other;
-  const Document& now = document_at(document, options.time, other);
+  const Document& now = document_at(document, options.time, other, &progress);
   if (&now != &document) return grow_document(now, progress, options);
   GrownDocument grown;
   grown.plant = placing_faults(document, [&] {

@@ -26,7 +26,7 @@ MovingScene grow_moving(const Document& document, Progress& progress, const Movi
     const std::size_t k = step == 0 ? 0 : step == 1 ? options.keys - 1 : step - 1;
     const double time = length * static_cast<double>(k) / static_cast<double>(options.keys - 1);
     std::optional<Document> other;
-    const Document& now = document_at(document, time, other);
+    const Document& now = document_at(document, time, other, &progress);
     GrownDocument grown = grow_document(now, progress, {.time = time, .up_to = GrownPart::plant, .cache = &cache});
     placing_faults(now, [&] {
       paint_plant(now, grown.plant, progress, &cache);

@@ -228,13 +228,14 @@ void require_finished(const py::object& path, std::uint64_t rows) {
                  .file = folder});
 }
 
-py::dict check_of(const py::object& path, int threads, const py::object& progress) {
+py::dict check_of(const py::object& path, const py::object& root, int threads, const py::object& progress) {
   const std::string folder = path_of(path);
+  const std::string own_root = path_of(root);
   // Both ask Python, whose lock the call releases.
   const Registry& types = component_types();
   const std::string models = models_folder();
-  const DatasetCheck check =
-      run_call(progress, threads, [&](Progress& inner) { return verify_dataset(folder, types, models, inner); });
+  const DatasetCheck check = run_call(
+      progress, threads, [&](Progress& inner) { return verify_dataset(folder, types, models, inner, own_root); });
   py::dict made;
   made["plants"] = check.plants;
   made["rows"] = check.rows;
@@ -345,13 +346,14 @@ The folder of a killed process goes when the next one makes a folder with the sa
   module.def("require_finished", &require_finished, py::arg("folder"), py::arg("rows"),
              "Raises InputError unless the data set in a folder has this number of plants.");
   module.def(
-      "verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("threads") = 0,
+      "verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("root") = "", py::arg("threads") = 0,
       py::arg("progress") = py::none(),
       R"(Compares all files of the data set in a folder with the manifest, and the manifest with its hashes and the plan.
 
 Gives a dict of plants, rows, failed, files, bytes, faults and warnings. faults is a list of lines, empty where all is as
-it was written. warnings tells what could not be checked.
-Raises InputError where the folder holds no data set.)");
+it was written. warnings tells what could not be checked. With a `root`, no file outside that folder is read, wherever
+links in the folder lead. Raises InputError where the folder holds no data set, lies outside the root, or has a link that
+leads there.)");
 }
 
 }  // namespace meristem::python

@@ -11,6 +11,7 @@
 #include "call.h"
 #include "errors.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/base/lock_unless_stopped.h"
 #include "meristem/document/bundle.h"
 #include "meristem/document/grow_moving.h"
 #include "meristem/document/json.h"
@@ -35,40 +36,52 @@ std::optional<std::uint64_t> optional_seed(const py::object& seed) {
   return seed_of(seed);
 }
 
+/// Reads a document so that Ctrl-C stops it.
+DocumentPointer read_written(WrittenDocument written,
+                             std::shared_ptr<SharedWork> shared = std::make_shared<SharedWork>()) {
+  const NamedByDocuments named;
+  return run_call(py::none(), 0, [&](Progress& progress) {
+    return std::make_shared<DocumentInPython>(std::move(written), named, progress, std::move(shared));
+  });
+}
+
 DocumentPointer document_of(const py::object& content, const py::object& file, const py::object& set,
                             const py::object& seed, const py::object& root) {
   const Value value = to_value(content);
   const std::string* const text = value.text();
   const std::string named = path_of(file);
-  return std::make_shared<DocumentInPython>(text != nullptr ? *text : write_json(value),
-                                            named.empty() ? kFromPython : named, to_overrides(set), optional_seed(seed),
-                                            path_of(root));
+  return read_written({.text = text != nullptr ? *text : write_json(value),
+                       .file = named.empty() ? kFromPython : named,
+                       .overrides = to_overrides(set),
+                       .seed = optional_seed(seed),
+                       .root = path_of(root)});
 }
 
 DocumentPointer read(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {
   const DocumentFile found = find_document_within(path_of(path), models_folder(), path_of(root));
-  return std::make_shared<DocumentInPython>(read_text_file(found.file), found.file, to_overrides(set),
-                                            optional_seed(seed), found.root);
+  return read_written({.text = read_text_file(found.file),
+                       .file = found.file,
+                       .overrides = to_overrides(set),
+                       .seed = optional_seed(seed),
+                       .root = found.root});
 }
 
-/// The overrides of a document with more of them, which replace those of the same paths.
-std::vector<Override> overrides_with(const DocumentInPython& document, std::vector<Override> more) {
-  std::vector<Override> overrides = document.overrides;
+/// Adds overrides to a document. They replace earlier overrides of equal paths.
+WrittenDocument with_overrides(WrittenDocument document, std::vector<Override> more) {
   for (Override& next : more) {
-    std::erase_if(overrides, [&](const Override& old) { return old.path == next.path; });
-    overrides.push_back(std::move(next));
+    std::erase_if(document.overrides, [&](const Override& old) { return old.path == next.path; });
+    document.overrides.push_back(std::move(next));
   }
-  return overrides;
+  return document;
 }
 
 DocumentPointer with_values(const DocumentPointer& document, const py::object& values, const py::object& seed) {
   std::vector<Override> more = to_overrides(values);
-  std::optional<std::uint64_t> kept_seed = document->seed;
-  if (std::ranges::any_of(more, [](const Override& one) { return one.path == "seed"; })) kept_seed.reset();
-  std::vector<Override> overrides = overrides_with(*document, std::move(more));
-  const std::optional<std::uint64_t> other = optional_seed(seed);
-  auto made = std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
-                                                 other ? other : kept_seed, document->root, document->shared);
+  const bool has_other_seed = std::ranges::any_of(more, [](const Override& one) { return one.path == "seed"; });
+  WrittenDocument written = with_overrides(*document, std::move(more));
+  if (has_other_seed) written.seed.reset();
+  if (const auto other = optional_seed(seed)) written.seed = other;
+  const DocumentPointer made = read_written(std::move(written), document->shared);
   made->has_other_values = !values.is_none();
   return made;
 }
@@ -105,10 +118,11 @@ py::dict components_of(const DocumentPointer& document) {
 }
 
 /// The document as it stands at a time.
-DocumentPointer standing_at(const DocumentPointer& document, double time) {
-  if (!document->document.at_time || time == document->document.time) return document;
-  return std::make_shared<DocumentInPython>(document->document.at_time(time), document->overrides, document->seed,
-                                            document->root);
+DocumentPointer standing_at(const DocumentPointer& document, double time, const Progress& progress) {
+  std::optional<Document> other;
+  document_at(document->document, time, other, &progress);
+  if (!other) return document;
+  return std::make_shared<DocumentInPython>(*std::move(other), document->overrides, document->seed, document->root);
 }
 
 std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, double time, const std::optional<int>& step,
@@ -123,7 +137,7 @@ std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, doubl
     GrowthOptions options{.time = time, .up_to = GrownPart::plant, .view = view};
     std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
-    const DocumentPointer now = standing_at(document, time);
+    const DocumentPointer now = standing_at(document, time, inner);
     return std::make_shared<PlantInPython>(now, grow_document(now->document, inner, options));
   });
 }
@@ -143,14 +157,14 @@ PlanRules plan_rules(const py::object& rules) {
 std::shared_ptr<PlantInPython> plan_plant(const DocumentPointer& document, const py::object& rules, bool done,
                                           int threads, const py::object& progress) {
   const PlanRules asked = plan_rules(rules);
-  const auto read_with = [&](std::vector<Override> more) {
-    return std::make_shared<DocumentInPython>(document->text, document->file,
-                                              overrides_with(*document, std::move(more)), document->seed,
-                                              document->root, document->shared);
-  };
-  const DocumentPointer planned = read_with(only_planned(document->document, asked));
-  const DocumentPointer shown = done ? read_with(with_rules(document->document, asked)) : planned;
+  const NamedByDocuments named;
   return run_call(progress, threads, [&](Progress& inner) {
+    const auto read_with = [&](std::vector<Override> more) {
+      return std::make_shared<DocumentInPython>(with_overrides(*document, std::move(more)), named, inner,
+                                                document->shared);
+    };
+    const DocumentPointer planned = read_with(only_planned(document->document, asked));
+    const DocumentPointer shown = done ? read_with(with_rules(document->document, asked)) : planned;
     GrowthOptions options{.up_to = GrownPart::plant, .view = {{}, {TracePart::outcome}, done}};
     std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
     if (growing.try_lock()) options.cache = &document->shared->growth;
@@ -194,40 +208,36 @@ py::tuple document_state(const DocumentPointer& document) {
 
 DocumentPointer document_from_state(const py::tuple& state) {
   if (state.size() != 5) throw py::value_error("the state of a Document has five parts");
-  return std::make_shared<DocumentInPython>(state[0].cast<std::string>(), state[1].cast<std::string>(),
-                                            to_overrides(state[2]), optional_seed(state[3]),
-                                            state[4].cast<std::string>());
+  return read_written({.text = state[0].cast<std::string>(),
+                       .file = state[1].cast<std::string>(),
+                       .overrides = to_overrides(state[2]),
+                       .seed = optional_seed(state[3]),
+                       .root = state[4].cast<std::string>()});
 }
 
 }  // namespace
 
-DocumentInPython::DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                                   std::optional<std::uint64_t> other_seed, std::string folder,
+DocumentInPython::DocumentInPython(WrittenDocument written, const NamedByDocuments& named, const Progress& progress,
                                    std::shared_ptr<SharedWork> shared_work)
-    : text(std::move(given_text)),
-      file(std::move(given_file)),
-      overrides(std::move(values)),
-      seed(other_seed),
-      root(std::move(folder)),
-      shared(std::move(shared_work)) {
-  // Without the interpreter's lock: who waits for the reading must not keep it from who reads.
-  const std::string models = models_folder();
-  const Registry& registry = component_types();
-  const py::gil_scoped_release released;
-  const std::scoped_lock reading(shared->reading);
+    : WrittenDocument(std::move(written)), shared(std::move(shared_work)) {
+  const auto reading = lock_unless_stopped(shared->reading, &progress);
   shared->files.reload();
-  document =
-      read_document(text, file, registry,
-                    {.overrides = overrides, .seed = seed, .root = root, .store = &shared->files, .models = models});
+  document = read_document(text, file, named.types,
+                           {.overrides = overrides,
+                            .seed = seed,
+                            .root = root,
+                            .store = &shared->files,
+                            .models = named.models,
+                            .progress = &progress});
 }
 
 DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
                                    std::string folder)
-    : text(read.source.text),
-      file(read.source.file),
-      overrides(std::move(values)),
-      seed(other_seed),
-      root(std::move(folder)),
+    : WrittenDocument{.text = read.source.text,
+                      .file = read.source.file,
+                      .overrides = std::move(values),
+                      .seed = other_seed,
+                      .root = std::move(folder)},
       document(std::move(read)),
       shared(std::make_shared<SharedWork>()) {}
 
@@ -300,7 +310,7 @@ void bind_document(py::module_& module) {
 `content` is a dict such as a document's JSON would be read into, or the JSON text itself. Numbers may be numpy's, lists
 tuples or arrays. Files that it names are sought from the folder of `file`, or the current one. `set` sets values by
 their paths, as in set(); `seed` (0 to 2^53) replaces the document's. With a `root`, the document cannot read files
-outside that folder. Raises InputError with all that is wrong.)")
+outside that folder. Ctrl-C stops the reading. Raises InputError with all that is wrong.)")
       .def(py::init(&document_of), py::arg("content"), py::kw_only(), py::arg("file") = "", py::arg("set") = py::none(),
            py::arg("seed") = py::none(), py::arg("root") = "")
       .def("set", &with_values, py::arg("values") = py::none(), py::kw_only(), py::arg("seed") = py::none(),
@@ -386,8 +396,9 @@ Gives (name, files): the path of the document below some folder, and (path, byte
              R"(Reads the document in a file (str or path), or a shipped model by its name, such as 'oak'.
 
 `set` and `seed` as in Document. With a `root`, neither the document nor a file that it names is read from outside that
-folder, wherever links and dots lead; the error does not say whether such a file exists. Shipped models may be read. Raises InputError with all that is wrong, each with line and column, and MachineError
-where the file cannot be read.)");
+folder, wherever links and dots lead; the error does not say whether such a file exists. Shipped models may be read. Ctrl-C
+stops the reading. Raises InputError with all that is wrong, each with line and column, and MachineError where the file
+cannot be read.)");
 }
 
 }  // namespace meristem::python

@@ -22,32 +22,45 @@ namespace py = pybind11;
 /// The component types that documents may name: those of the library and of the plug-ins that were loaded.
 const Registry& component_types();
 
+/// The folder of shipped models, which stands beside the package. To be called with the GIL.
+std::string models_folder();
+
 /// What a document and those that set() makes of it share: the textures of the last plant that has been painted, what
 /// reading has made of files, and what the last growth of one of them has left.
 struct SharedWork {
   std::mutex painting;
   GrowthCache textures;
-  std::mutex reading;
+  std::timed_mutex reading;
   ReadStore files;
   std::mutex growing;
   GrowthCache growth;
 };
 
-/// A document and what it was read from, so that it can be read again with other values. It never changes, so calls
-/// that run on other threads may use it.
-struct DocumentInPython {
+/// The text of a document and everything else that reading needs.
+struct WrittenDocument {
   std::string text;
   std::string file;
   std::vector<Override> overrides;
   std::optional<std::uint64_t> seed;
   std::string root;  ///< as of ReadOptions
+};
+
+/// Component types and models that documents may name. Made with the interpreter's lock, used without it.
+struct NamedByDocuments {
+  const Registry& types = component_types();
+  const std::string models = models_folder();
+};
+
+/// A document and what it was read from, so that it can be read again with other values. It never changes, so calls
+/// that run on other threads may use it.
+struct DocumentInPython : WrittenDocument {
   Document document;
   std::shared_ptr<SharedWork> shared;  ///< with the documents that it was made of
   bool has_other_values = false;       ///< than the one that set() made it of, so that growing it may find much done
 
-  /// Throws InputError.
-  DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                   std::optional<std::uint64_t> other_seed, std::string folder,
+  /// Reads the document. Without the interpreter's lock: a thread that waits for another read must not keep that read
+  /// from the interpreter. Throws InputError; Cancelled soon after `progress` was asked to stop.
+  DocumentInPython(WrittenDocument written, const NamedByDocuments& named, const Progress& progress,
                    std::shared_ptr<SharedWork> shared_work = std::make_shared<SharedWork>());
   /// A document that was read already.
   DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
@@ -103,9 +116,6 @@ void refuse_new(const char* where) {
     return nullptr;
   };
 }
-
-/// The folder of shipped models, which stands beside the package. To be called with the GIL.
-std::string models_folder();
 
 /// What was recorded of the growth of a plant; None where nothing was.
 py::object trace_of(const std::shared_ptr<PlantInPython>& plant);

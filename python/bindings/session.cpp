@@ -41,24 +41,47 @@ std::optional<std::uint64_t> optional_seed(const py::object& seed) {
   return seed_of(seed);
 }
 
+/// Runs a call that reads the text. Ctrl-C stops it, and then it has changed nothing.
+template <class Call>
+auto run_reading(const SessionPointer& self, Call call) {
+  const auto lock = self->lock();
+  return run_call(py::none(), 0, [&](const Progress& progress) { return call(self->session, &progress); });
+}
+
+bool read_text(const SessionPointer& self) {
+  return run_reading(self, [](Session& session, const Progress* progress) {
+    session.read(progress);
+    return true;
+  });
+}
+
 SessionPointer make_session(std::string text, std::string file, const py::object& set, const py::object& seed,
                             const py::object& root) {
-  SessionOptions options{
-      .overrides = to_overrides(set), .seed = optional_seed(seed), .root = path_of(root), .models = models_folder()};
+  SessionOptions options{.overrides = to_overrides(set),
+                         .seed = optional_seed(seed),
+                         .root = path_of(root),
+                         .models = models_folder(),
+                         .reads_at_once = false};
   Session session(std::move(text), std::move(file), component_types(), options);
-  return std::make_shared<SessionInPython>(std::move(session), options.seed, options.root);
+  auto made = std::make_shared<SessionInPython>(std::move(session), options.seed, options.root);
+  read_text(made);
+  return made;
 }
 
 /// The text that a document was read from, with the values that were set edited in.
 SessionPointer session_of_document(const DocumentInPython& document, const py::object& root) {
   const std::string own = path_of(root);
-  SessionOptions options{.root = own.empty() ? document.root : own, .models = models_folder()};
+  SessionOptions options{.root = own.empty() ? document.root : own, .models = models_folder(), .reads_at_once = false};
   auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, component_types(), options),
                                                 std::nullopt, options.root);
   std::vector<Edit> edits;
   for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
   if (document.seed) edits.emplace_back(SetValue{"seed", static_cast<double>(*document.seed)});
-  if (!edits.empty()) made->session.edit(edits);
+  if (edits.empty()) {
+    read_text(made);
+  } else {
+    run_reading(made, [&](Session& session, const Progress* progress) { return session.edit(edits, progress); });
+  }
   return made;
 }
 
@@ -97,8 +120,8 @@ py::object to_python(const std::optional<Change>& change) {
 }
 
 py::object edit(const SessionPointer& self, const std::vector<Edit>& edits) {
-  const auto lock = self->lock();
-  return to_python(std::optional(self->session.edit(edits)));
+  return to_python(run_reading(
+      self, [&](Session& session, const Progress* progress) { return std::optional(session.edit(edits, progress)); }));
 }
 
 py::object edit_values(const SessionPointer& self, const py::object& values) {
@@ -109,10 +132,50 @@ py::object edit_values(const SessionPointer& self, const py::object& values) {
 
 py::object edit_text(const SessionPointer& self,
                      const std::vector<std::tuple<std::size_t, std::size_t, std::string>>& splices) {
-  const auto lock = self->lock();
   Patch patch;
   for (const auto& [offset, length, replacement] : splices) patch.push_back({offset, length, replacement});
-  return to_python(std::optional(self->session.edit_text(patch)));
+  return to_python(run_reading(self, [&](Session& session, const Progress* progress) {
+    return std::optional(session.edit_text(patch, progress));
+  }));
+}
+
+py::object undo(const SessionPointer& self) {
+  return to_python(
+      run_reading(self, [](Session& session, const Progress* progress) { return session.undo(progress); }));
+}
+
+py::object redo(const SessionPointer& self) {
+  return to_python(
+      run_reading(self, [](Session& session, const Progress* progress) { return session.redo(progress); }));
+}
+
+void preview(const SessionPointer& self, const py::object& values) {
+  std::vector<Override> overrides = to_overrides(values);
+  run_reading(self, [&](Session& session, const Progress* progress) {
+    session.set_overrides(std::move(overrides), progress);
+    return true;
+  });
+}
+
+void reload(const SessionPointer& self) {
+  run_reading(self, [](Session& session, const Progress* progress) {
+    session.reload(progress);
+    return true;
+  });
+}
+
+std::string part_of_session(const SessionPointer& self, const std::vector<std::string>& components) {
+  return run_reading(self, [&](const Session& session, const Progress* progress) {
+    return plant_part(session.text(), components, progress);
+  });
+}
+
+py::dict notes_of_session(const SessionPointer& self) {
+  const auto found = run_reading(
+      self, [](const Session& session, const Progress* progress) { return component_notes(session.text(), progress); });
+  py::dict notes;
+  for (const auto& [name, note] : found) notes[py::str(name)] = note;
+  return notes;
 }
 
 std::optional<std::size_t> optional_index(const py::object& index) {
@@ -265,7 +328,9 @@ Edits change the text where they must and nowhere else, and can be undone. Where
 faults, and document and growth stay those of the last text without. Growing makes only what has changed. `content`,
 `file`, `set` and `seed` are as those of Document; or `content` is a Document, and the session has its text as it was
 written, with the values that set() gave it edited in. Nothing that the document names is read outside the folder
-`root`, if one is given. One thread at a time; another one that comes meanwhile gets a RuntimeError.)");
+`root`, if one is given. Ctrl-C stops every call
+that reads the text, which then has changed nothing. One thread at a time; another one that comes meanwhile gets a
+RuntimeError.)");
   session.def(py::init(&session_of), py::arg("content"), py::kw_only(), py::arg("file") = "",
               py::arg("set") = py::none(), py::arg("seed") = py::none(), py::arg("root") = "");
   bind_edits(session);
@@ -275,45 +340,16 @@ written, with the values that set() gave it edited in. Nothing that the document
           py::arg("root") = "",
           "A session of the document in a file, or of a shipped model by its name. Raises MachineError where the "
           "file cannot be read.")
-      .def(
-          "undo",
-          [](const SessionPointer& s) {
-            const auto lock = s->lock();
-            return to_python(s->session.undo());
-          },
-          "Takes the last step back. Gives the Change, or None where there is none.")
-      .def(
-          "redo",
-          [](const SessionPointer& s) {
-            const auto lock = s->lock();
-            return to_python(s->session.redo());
-          },
-          "Makes the step again that was taken back last. Gives the Change, or None where there is none.")
-      .def(
-          "preview",
-          [](const SessionPointer& s, const py::object& values) {
-            const auto lock = s->lock();
-            s->session.set_overrides(to_overrides(values));
-          },
-          py::arg("values") = py::none(),
-          "Values that go before those of the text until others are given, as while a hand drags; the text stays.")
-      .def(
-          "reload",
-          [](const SessionPointer& s) {
-            const auto lock = s->lock();
-            s->session.reload();
-          },
-          "Reads the files that have changed since they were read, and the document with them.")
-      .def(
-          "part",
-          [](const SessionPointer& s, const std::vector<std::string>& components) {
-            const auto lock = s->lock();
-            return plant_part(s->session.text(), components);
-          },
-          py::arg("components"),
-          "A part of the document as a text of its own: these components as they are written, the links among them, "
-          "and "
-          "the variables that they name. Raises InputError where there is no such component.")
+      .def("undo", &undo, "Takes the last step back. Gives the Change, or None where there is none.")
+      .def("redo", &redo,
+           "Makes the step again that was taken back last. Gives the Change, or None where there is none.")
+      .def("preview", &preview, py::arg("values") = py::none(),
+           "Values that go before those of the text until others are given, as while a hand drags; the text stays.")
+      .def("reload", &reload, "Reads the files that have changed since they were read, and the document with them.")
+      .def("part", &part_of_session, py::arg("components"),
+           "A part of the document as a text of its own: these components as they are written, the links among them, "
+           "and "
+           "the variables that they name. Raises InputError where there is no such component.")
       .def("save", &save_session, py::arg("path"),
            "Writes the text as it is. Raises InputError where it has faults or would not find a file that it names, "
            "MachineError where it cannot be written.")
@@ -332,15 +368,8 @@ where there was never a document without faults), Cancelled.)")
           "The document's text as it is now.")
       .def_property_readonly(
           "file", [](const SessionPointer& s) { return s->session.file(); }, "Its name, or '<python>'.")
-      .def_property_readonly(
-          "notes",
-          [](const SessionPointer& s) {
-            const auto lock = s->lock();
-            py::dict notes;
-            for (const auto& [name, note] : component_notes(s->session.text())) notes[py::str(name)] = note;
-            return notes;
-          },
-          "The comments on the components, by the components' names: a dict of str.")
+      .def_property_readonly("notes", &notes_of_session,
+                             "The comments on the components, by the components' names: a dict of str.")
       .def_property_readonly("document", &document_of,
                              "The Document of the last text without faults; None before there was one.")
       .def_property_readonly(
@@ -358,10 +387,18 @@ where there was never a document without faults), Cancelled.)")
           },
           "Whether the text has no faults, so that `document` is what it says.")
       .def_property_readonly(
-          "undo_count", [](const SessionPointer& s) { return s->session.undo_count(); },
+          "undo_count",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return s->session.undo_count();
+          },
           "Steps that undo() can take back.")
       .def_property_readonly(
-          "redo_count", [](const SessionPointer& s) { return s->session.redo_count(); },
+          "redo_count",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return s->session.redo_count();
+          },
           "Steps that redo() can make again.")
       .def_property_readonly("difference", &difference_of,
                              R"(How the meshes of the last growth differ from those of the one before.

@@ -13,6 +13,7 @@ namespace meristem::python {
 
 namespace {
 
+constexpr std::size_t kReadBetweenSignals = 4096;     // values of Python between two looks for Ctrl-C
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to here a double holds every whole number
 
 /// Texts that are not UTF-8 have half a character in them.
@@ -40,6 +41,7 @@ class ValueReader {
  public:
   // Nesting is bounded, so recursion over it is safe, also for a list that holds itself.
   Value read(const py::handle& object, const DocumentPath& path, std::uint64_t depth) {
+    if (++read_ % kReadBetweenSignals == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (depth > Limits().nesting) {
       refuse(path, "lists and objects are nested too deeply", fmt::format("at most {} levels", Limits().nesting));
     }
@@ -97,6 +99,8 @@ class ValueReader {
     }
     return number;
   }
+
+  std::size_t read_ = 0;
 };
 
 }  // namespace

@@ -92,12 +92,13 @@ class Dataset:
         with whole_file(Path(path)) as partial:
             _write_parquet(self, partial)
 
-    def verify(self, *, threads: int = 0) -> list[str]:
+    def verify(self, *, root: str | os.PathLike[str] = "", threads: int = 0) -> list[str]:
         """Compares all files with the manifest, and the manifest with its hashes and the plan.
 
-        Gives what is wrong, one line each. Warns of what cannot be checked, such as tables without a hash.
+        Gives what is wrong, one line each. Warns of what cannot be checked, such as tables without a hash. With a
+        `root`, no file outside that folder is read, as in verify_dataset.
         """
-        check = verify_dataset(self.folder, threads=threads)
+        check = verify_dataset(self.folder, root=root, threads=threads)
         for warning in check["warnings"]:
             warnings.warn(warning, stacklevel=2)
         faults: list[str] = check["faults"]

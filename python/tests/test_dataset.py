@@ -130,6 +130,21 @@ def test_tables_without_hashes_are_warned_of(tmp_path: Path) -> None:
     assert made.found == 3 and made.verify() == []
 
 
+def test_a_check_reads_nothing_outside_the_root(tmp_path: Path) -> None:
+    made = meristem.dataset(rod(), plan(3), tmp_path / "sets/rods", processes=1)
+    assert meristem.verify_dataset(made.folder, root=tmp_path / "sets")["faults"] == []
+    assert made.verify(root=tmp_path / "sets") == []
+    with pytest.raises(meristem.InputError, match="lies outside the folder that may be read"):
+        meristem.verify_dataset(made.folder, root=made.folder / "plants")
+    file = made.folder / "plants/0000/000001.csv"
+    shutil.move(file, tmp_path / "moved.csv")
+    file.symlink_to(tmp_path / "moved.csv")
+    assert made.verify() == []
+    with pytest.raises(meristem.InputError, match="leads outside the folder that may be read") as raised:
+        made.verify(root=tmp_path / "sets")
+    assert raised.value.diagnostics[0].file == str(file)
+
+
 def test_a_killed_program_leaves_no_temporary_files(tmp_path: Path) -> None:
     scratch = tmp_path / "scratch"
     scratch.mkdir()

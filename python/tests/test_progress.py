@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
 import sys
 import threading
+from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
@@ -122,6 +124,58 @@ def long_calls() -> dict[str, Callable[[], Callable[[], object]]]:
 @pytest.mark.parametrize("name", long_calls())
 def test_ctrl_c_stops_every_long_call(name: str) -> None:
     press_ctrl_c_during(long_calls()[name]())
+
+
+def large_text() -> str:
+    """A document whose reading takes a second or more."""
+    leaves = ",".join(f'"c{k}":{{"type":"leaf"}}' for k in range(400_000))
+    return f'{{"meristem":1,"components":{{{leaves}}}}}'
+
+
+def test_ctrl_c_stops_reading(tmp_path: Path) -> None:
+    text = large_text()
+    file = tmp_path / "large.json"
+    file.write_text(text, encoding="utf-8")
+    small = meristem.Session(small_tree())
+    document = meristem.Document(small_tree())
+    given: tuple[tuple[Callable[[Any], object], Any], ...] = (
+        (meristem.read, file),
+        (meristem.Document, text),
+        (meristem.Session, text),
+        (meristem.Session.open, file),
+        (small.edit_text, [(0, len(small.text.encode()), text)]),
+        (document.set, {"components": json.loads(text)["components"]}),
+    )
+    for call, argument in given:
+        read: list[object] = []
+        # A call that is not stopped leaves its result in the list before Python sees the interrupt.
+        press_ctrl_c_during(lambda: read.extend(map(call, [argument])))
+        assert read == [], call
+    assert small.is_good and small.undo_count == 0 and len(small.text) < 5000
+
+
+def test_ctrl_c_stops_the_conversion_of_a_large_dict() -> None:
+    large = {"meristem": 1, "components": {f"c{k}": {"type": "leaf"} for k in range(1_000_000)}}
+    press_ctrl_c_during(lambda: meristem.Document(large))
+
+
+def test_other_threads_run_while_a_session_reads() -> None:
+    session = meristem.Session(small_tree())
+    seen: list[str] = []
+
+    def edit() -> None:
+        session.edit_text([(0, len(session.text.encode()), large_text())])
+
+    reader = threading.Thread(target=edit)
+    reader.start()
+    while reader.is_alive():
+        try:
+            seen.append("few" if session.undo_count == 0 else "done")
+        except RuntimeError as error:
+            seen.append(str(error))
+    reader.join()
+    assert "another thread is using the session" in seen
+    assert session.undo_count == 1
 
 
 @pytest.mark.parametrize("callback", ["None", "print_nothing"])

@@ -7,6 +7,7 @@ import io
 import json
 import os
 import pathlib
+import shutil
 import signal
 import struct
 import time
@@ -200,6 +201,34 @@ class DataSets(cli_case.Case):
             self.assertIn("meristem dataset PLAN -o rods --repair", told)
             self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "--repair")
             self.assertEqual(self.content("rods"), whole)
+
+    def test_links_lead_nowhere_outside_the_root(self):
+        os.mkdir(os.path.join(self.folder, "sets"))
+        shutil.copy(os.path.join(self.folder, "rod.json"), os.path.join(self.folder, "sets"))
+        shutil.copy(os.path.join(self.folder, "plan.json"), os.path.join(self.folder, "sets"))
+        rods = "sets/rods"
+        self.assert_ends(DONE, "dataset", "sets/plan.json", "-o", rods, "-q", "--root", "sets")
+        whole = self.content(rods)
+        ways = {"plants/0000/000004.mtg": "a plant", "checks/plan.json": "the copy of the plan", "plants": "all plants",
+                "manifest/00001.csv": "a table", "documents/rod": "a document"}
+        for name, what in ways.items():
+            with self.subTest(what):
+                inside, outside = os.path.join(self.folder, rods, name), os.path.join(self.folder, "outside")
+                shutil.move(inside, outside)
+                os.symlink(outside, inside)
+                before = self.content(rods)
+                for arguments in ([rods, "--verify"], [rods, "--repair"], [rods],
+                                  ["sets/plan.json", "-o", rods, "--repair"]):
+                    told = self.assert_ends(WRONG_INPUT, "dataset", *arguments, "--root", "sets")
+                    self.assertIn(f"{rods}/{name}: this link leads outside the folder that may be read", told)
+                self.assertEqual(self.content(rods), before)
+                os.remove(inside)
+                shutil.move(outside, inside)
+                os.symlink(inside, os.path.join(self.folder, rods, "partial", "inside"))
+                self.assertIn("all as written", self.assert_ends(DONE, "dataset", rods, "--verify", "--root", "sets"))
+                self.assert_ends(DONE, "dataset", rods, "--repair", "--root", "sets")
+                os.remove(os.path.join(self.folder, rods, "partial", "inside"))
+        self.assertEqual(self.content(rods), whole)
 
     def test_says_how_many_plants_have_failed(self):
         self.write("some.json", """{"meristem": 1, "variables": {"q": {"value": 10}}, "limits": {"nodes": 33},

@@ -15,6 +15,7 @@ run("configure the consumer" ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G $
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 run("build the consumer" ${CMAKE_COMMAND} --build ${WORK}/build)
 run("grow a document" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./grow_document ${MODELS}/oak.json age=10)
+run("edit a document" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./edit_document ${MODELS}/oak.json)
 run("grow into points" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./grow_points)
 run("grow a component of one's own" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./own_component)
 # The starter project of plug-ins: built as its page says, listed and grown by the installed program, and refused where
@@ -35,7 +36,7 @@ execute_process(COMMAND ${program} check ${PLUGIN}/thorns.json --plugin ${WORK}/
 if(NOT result EQUAL 2 OR NOT errors MATCHES "there is already a component type 'thorn'")
   message(FATAL_ERROR "a plug-in may be loaded twice: ${errors}")
 endif()
-foreach(name plugin.glb plant.glb plant.png measures.json skeleton.csv thorns.obj)
+foreach(name plugin.glb plant.glb plant.png measures.json edited.json skeleton.csv thorns.obj)
   if(NOT EXISTS ${WORK}/build/${name})
     message(FATAL_ERROR "the programs did not write ${name}")
   endif()

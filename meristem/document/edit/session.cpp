@@ -11,8 +11,8 @@
 
 namespace meristem {
 
-std::string plant_part(const std::string& text, const std::vector<std::string>& components) {
-  return part_text(LocatedTree(text), components);
+std::string plant_part(const std::string& text, const std::vector<std::string>& components, const Progress* progress) {
+  return part_text(LocatedTree(text, progress), components);
 }
 
 std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text, const Progress* progress) {

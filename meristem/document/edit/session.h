@@ -73,8 +73,10 @@ using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, Rename
                           InsertPart>;  ///< any kind of edit
 
 /// A part of a document: a text that is a document too, with these components, the links among them and the variables
-/// that they name, all as they are written. Throws an InputError where the text is not JSON or has no such component.
-std::string plant_part(const std::string& text, const std::vector<std::string>& components);
+/// that they name, all as they are written. Throws an InputError where the text is not JSON or has no such component;
+/// Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+std::string plant_part(const std::string& text, const std::vector<std::string>& components,
+                       const Progress* progress = nullptr);
 
 /// The comments on a document's components, by their names, as SetNote sets them; none where the text is not JSON.
 /// Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.

@@ -6,23 +6,16 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/math.h"
+#include "tests/support/check_mesh.h"
 
 namespace meristem::polygon_mesh_test {
-
-double area_of(const Mesh& mesh) {
-  double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    area += 0.5 * glm::length(glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
-  }
-  return area;
-}
 
 TEST(MakePolygon, KeepsTheCornersAndLooksUp) {
   const std::vector<Vec3> hexagon{{0, 0, 0}, {-1, 1, 0}, {-1, 2, 0}, {0, 3, 0}, {1, 2, 0}, {1, 1, 0}};
   const Mesh mesh = make_polygon(hexagon);
   EXPECT_EQ(mesh.vertex_count(), 6U);
   EXPECT_EQ(mesh.triangle_count(), 4U);
-  EXPECT_NEAR(area_of(mesh), 4, 1e-6);
+  EXPECT_NEAR(surface_area(mesh), 4, 1e-6);
   for (const Vec3 normal : mesh.normals) EXPECT_GT(normal.z, 0.999F);
   for (const auto& [a, b, c] : mesh.triangles) {
     EXPECT_GT(glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]).z, 0);
@@ -39,7 +32,7 @@ TEST(MakePolygon, HasNothingWithoutArea) {
 TEST(MakePolygon, CountsRepeatedCornersOnce) {
   const Mesh mesh = make_polygon(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}});
   EXPECT_EQ(mesh.vertex_count(), 4U);
-  EXPECT_NEAR(area_of(mesh), 1, 1e-6);
+  EXPECT_NEAR(surface_area(mesh), 1, 1e-6);
 }
 
 TEST(MakePolygon, BendsWithItsCorners) {
@@ -58,7 +51,7 @@ TEST(MakePolygon, FillsALargeStarWithoutGaps) {
     star.emplace_back(radius * math::cos(angle), radius * math::sin(angle), 0);
   }
   const Mesh mesh = make_polygon(star);
-  EXPECT_NEAR(area_of(mesh), kPoints * 0.6 * std::sin(kPi / kPoints), 1e-4);
+  EXPECT_NEAR(surface_area(mesh), kPoints * 0.6 * std::sin(kPi / kPoints), 1e-4);
 }
 
 }  // namespace meristem::polygon_mesh_test

@@ -169,7 +169,7 @@ TEST(ColonizeComponent, EmptyAndFaultyCrownsAreRejected) {
   EXPECT_EQ(fault({{"crown", crown({{0, 0}, {0, 2}})}}).path, "components.tree.crown.profile");
   EXPECT_EQ(fault({{"crown", crown({{1, 0}})}}).path, "components.tree.crown.profile");
   EXPECT_EQ(fault({{"crown", crown({{1, 2}, {1, 1}})}}).path, "components.tree.crown.profile[1]");
-  EXPECT_EQ(fault({{"crown", crown({{1, 0}, {-1, 1}})}}).path, "components.tree.crown.profile[1]");
+  EXPECT_EQ(fault({{"crown", crown({{1, 0}, {-1, 1}})}}).path, "components.tree.crown.profile[1][0]");
   EXPECT_EQ(fault({}).message, "a colonize has no 'crown'");
 }
 

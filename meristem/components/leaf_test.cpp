@@ -160,7 +160,7 @@ TEST(LeafComponent, FaultyBladesAreRejected) {
   EXPECT_EQ(path_of({{"length", 0}}), "components.leaf.length");
   EXPECT_EQ(path_of({{"rows", "i"}}), "components.leaf.rows");
   const auto pair = [](double a, double b) { return Value(Value::List{a, b}); };
-  EXPECT_EQ(path_of({{"polygon", Value::List{pair(0.5, 0.2), pair(1.5, 0.5)}}}), "components.leaf.polygon[1]");
+  EXPECT_EQ(path_of({{"polygon", Value::List{pair(0.5, 0.2), pair(1.5, 0.5)}}}), "components.leaf.polygon[1][0]");
   EXPECT_EQ(path_of({{"polygon", Value::List{pair(0, 0.2)}}}), "components.leaf.polygon");
   EXPECT_EQ(path_of({{"polygon", Value::List{pair(1, 0.2), pair(0, 0.5), pair(1, 0.8)}}}), "components.leaf.polygon");
   EXPECT_EQ(path_of({{"polygon", Value::List{pair(1, 0.5)}}, {"outline", outline(0, 1)}}), "components.leaf.outline");

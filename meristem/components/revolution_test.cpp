@@ -60,7 +60,7 @@ TEST(RevolutionComponent, FaultySilhouettesAreRejectedAtTheirPlace) {
     return faults.size() == 1 ? faults[0].path : "not one fault";
   };
   EXPECT_EQ(path_of(pairs({{1, 0}})), "components.body.silhouette");
-  EXPECT_EQ(path_of(pairs({{0, 0}, {-1, 1}, {0, 2}})), "components.body.silhouette[1]");
+  EXPECT_EQ(path_of(pairs({{0, 0}, {-1, 1}, {0, 2}})), "components.body.silhouette[1][0]");
   EXPECT_EQ(path_of(pairs({{0, 0}, {0, 2}})), "components.body.silhouette");
   EXPECT_EQ(path_of(pairs({{0, 0}, {1, 1}, {1, 1}, {0, 2}})), "components.body.silhouette[2]");
   EXPECT_EQ(path_of(pairs({{0, 2}, {1, 1}, {0, 0}})), "components.body.silhouette");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds what rays meet in a mesh scene: the first surface, or whether any surface lies in the way. Wraps Embree 3. The
-// instances of small scenes are copied out into one tree of triangles; those of larger scenes stay instances. Rays pass
+// Finds what rays meet in a mesh scene: the first surface, or whether any surface lies in the way. Wraps Embree.
+// Instances of small scenes are copied into one tree of triangles. Instances of larger scenes stay instances. Rays pass
 // through the holes of masked textures.
 #pragma once
 

@@ -14,7 +14,6 @@
 #include <span>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/base/embree_device.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/plant_bounds.h"
 
@@ -152,11 +151,8 @@ RTCRay ray_to(const Ray& ray, float within) {
 }  // namespace
 
 /// A ray's context, in which a list of instances stores which of them was hit.
-struct RayTrees::HitContext {
-  RTCIntersectContext embree{};  // first, because Embree hands on a pointer to it
+struct RayTrees::HitContext : EmbreeRayContext {
   std::uint32_t frame = 0;
-
-  HitContext() { rtcInitIntersectContext(&embree); }
 };
 
 RayTrees::MaskedMesh::MaskedMesh(const Mesh& mesh, const AlphaMask& holes) : mask(&holes) {
@@ -221,15 +217,14 @@ void RayTrees::meet_instance(const RTCIntersectFunctionNArguments* arguments) {
     if (list.in_a_box > 1 && !may_meet(list.box, local.ray)) continue;
     local.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(list.tree, &context, &local);
+    EmbreeRayContext context;
+    find_first_hit(list.tree, context, local);
     if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
     query.ray.tfar = local.ray.tfar;
     query.hit = local.hit;
     query.hit.geomID = arguments->geomID;
     query.hit.instID[0] = arguments->context->instID[0];
-    reinterpret_cast<HitContext*>(arguments->context)->frame = static_cast<std::uint32_t>(f);
+    static_cast<HitContext*>(arguments->context)->frame = static_cast<std::uint32_t>(f);
   }
 }
 
@@ -243,9 +238,8 @@ void RayTrees::block_by_instance(const RTCOccludedFunctionNArguments* arguments)
     RTCRay local = query;
     if (!enter_frame(list.part->frames[f], local)) continue;
     if (list.in_a_box > 1 && !may_meet(list.box, local)) continue;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(list.tree, &context, &local);
+    EmbreeRayContext context;
+    find_any_hit(list.tree, context, local);
     if (!(local.tfar < 0)) continue;
     query.tfar = -std::numeric_limits<float>::infinity();
     return;
@@ -479,7 +473,7 @@ std::optional<RayHit> RayTrees::first_hit(const Ray& ray) const {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   HitContext context;
-  rtcIntersect1(top_.get(), &context.embree, &query);
+  find_first_hit(top_.get(), context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const bool is_placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const TopGeometry& top = geometries_[is_placed ? query.hit.instID[0] : query.hit.geomID];
@@ -497,7 +491,7 @@ std::optional<RayHit> RayTrees::first_hit(const Ray& ray) const {
 bool RayTrees::is_blocked(const Ray& ray, float within) const {
   RTCRay query = ray_to(ray, within);
   HitContext context;
-  rtcOccluded1(top_.get(), &context.embree, &query);
+  find_any_hit(top_.get(), context, query);
   return query.tfar < 0;
 }
 

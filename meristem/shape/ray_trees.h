@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
+#include "meristem/base/embree.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/material.h"
 #include "meristem/shape/mesh_scene.h"

@@ -13,10 +13,8 @@
 #include <string>
 #include <utility>
 
-#include <embree3/rtcore.h>
-
 #include "meristem/base/diagnostic.h"
-#include "meristem/base/embree_device.h"
+#include "meristem/base/embree.h"
 #include "meristem/scene/obstacle/watertight_ray.h"
 
 namespace meristem {
@@ -97,10 +95,8 @@ std::optional<Part> part_within(const Facets& facets, DVec3 origin, DVec3 unit, 
 }
 
 /// The state of a ray query in the tree.
-struct Query : RTCIntersectContext {
-  Query(const WatertightRay& asked, double metres, double reach) : ray(asked), length(metres), within(reach) {
-    rtcInitIntersectContext(this);
-  }
+struct Query : EmbreeRayContext {
+  Query(const WatertightRay& asked, double metres, double reach) : ray(asked), length(metres), within(reach) {}
 
   /// Returns the tree's distance for this number of metres along the ray; never too small.
   float in_tree_distance(double metres) const { return static_cast<float>(metres - skipped + margin); }
@@ -270,7 +266,7 @@ std::optional<ObstacleTree::Hit> ObstacleTree::first_hit(DVec3 origin, DVec3 dir
   if (!query) return std::nullopt;
   RTCRayHit asked{query->in_tree, {}};
   asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(tree_->scene.get(), &*query, &asked);
+  find_first_hit(tree_->scene.get(), *query, asked);
   return query->is_met ? std::optional(Hit{query->within, query->body}) : std::nullopt;
 }
 
@@ -294,7 +290,7 @@ std::optional<ObstacleTree::Near> ObstacleTree::nearest(DVec3 position) const {
 bool ObstacleTree::is_met(DVec3 origin, DVec3 direction, double within) const {
   auto query = begin_query(tree_->facets, origin, direction, within);
   if (!query) return false;
-  rtcOccluded1(tree_->scene.get(), &*query, &query->in_tree);
+  find_any_hit(tree_->scene.get(), *query, query->in_tree);
   return query->is_met;
 }
 

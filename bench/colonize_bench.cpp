@@ -15,7 +15,6 @@
 
 #include <benchmark/benchmark.h>
 #include <nanoflann.hpp>
-#include <sys/resource.h>
 
 #include "bench/harness.h"
 #include "meristem/base/hash.h"
@@ -149,11 +148,9 @@ void measure(benchmark::State& state, const std::string& name, Grow grow_tree) {
     run.seconds.push_back(seconds.count());
   }
   run.form = form_hash(skeleton);
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   state.counters["nodes"] = static_cast<double>(skeleton.node_count());
   state.counters["steps"] = *std::max_element(skeleton.birth.begin(), skeleton.birth.end());
-  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+  state.counters["peak_MB"] = meristem::bench::peak_megabytes();
   state.counters["median_ms"] = 1000 * run.median();
   state.SetLabel(run.form);
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace meristem::bench {
@@ -33,6 +34,13 @@ Size sized(Size whole, Size small) {
 }
 inline std::vector<std::int64_t> sized(std::vector<std::int64_t> whole, std::vector<std::int64_t> small) {
   return is_small() ? small : whole;
+}
+
+/// Returns the largest memory that the process has had so far, in megabytes (2^20 bytes).
+inline double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 /// What is asked of a figure.

@@ -24,7 +24,6 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include "bench/dense_isosurface.h"
 #include "bench/harness.h"
@@ -103,12 +102,6 @@ Mesh extract_own_boxes(const ImplicitBody& body) {
   DenseGrid grid = dense_grid(body, cell_size(body, kResolution));
   DenseTree(body).fill_boxes(grid, body);
   return DenseMesher(grid).run();
-}
-
-double peak_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 /// The least time of a thing's runs and what it made.
@@ -228,7 +221,7 @@ void scaling(benchmark::State& state) {
   const auto resolution = static_cast<int>(state.range(0));
   const ImplicitBody body = stem_body(honda_tree(), resolution);
   measure(state, "scaling", resolution, [&] { return extract(body, resolution, true); });
-  state.counters["peak_MB"] = peak_mb();
+  state.counters["peak_MB"] = meristem::bench::peak_megabytes();
 }
 BENCHMARK(scaling)
     ->ArgName("resolution")

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include "bench/harness.h"
 #include "meristem/base/degrees.h"
@@ -312,9 +311,7 @@ void hundred_million(benchmark::State& state) {
     modules = derive(grammar, kLongSteps, RandomKey(1), Limits(), progress).module_count();
   }
   state.counters["modules"] = static_cast<double>(modules);
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  state.counters["peak_GB"] = static_cast<double>(usage.ru_maxrss) / 1e6;
+  state.counters["peak_GB"] = meristem::bench::peak_megabytes() / 1024;
 }
 
 BENCHMARK(derived_hard_coded)->Unit(benchmark::kMillisecond);

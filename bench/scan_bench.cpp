@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scans of shipped models. Counters: pulses that could meet the plant, per second, of 19 rays each on two threads; the
 // points whose labels differ from those of the first triangle found by asking all; the greatest distance in metres
-// between points on fine meshes of a ball, a cylinder and a cone and their closed forms; and by how much the footprint
-// of a beam, led across the edge of a plate, differs from the instrument's.
+// between points on fine meshes of a ball, a cylinder and a cone and their closed forms; by how much the footprint
+// of a beam, led across the edge of a plate, differs from the instrument's; and the memory that a stand of different
+// trees takes from growth to the last point: the peak of the process, and what rays need.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,11 +12,13 @@
 #include <string>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include "bench/harness.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
+#include "meristem/measure/foliage.h"
 #include "meristem/measure/scan/scan.h"
 #include "meristem/shape/solid/primitives.h"
 
@@ -247,12 +250,55 @@ void footprint(benchmark::State& state) {
 }
 BENCHMARK(footprint)->ArgName("metres")->Arg(5)->Arg(10)->Arg(50)->Unit(benchmark::kMillisecond)->Iterations(1);
 
+/// Different oaks in rows, old ones in a whole run.
+std::string stand_of_oaks(std::int64_t trees) {
+  return fmt::format(R"({{
+    "meristem": 1,
+    "limits": {{"triangles": 1000000000, "instances": 100000000, "nodes": 100000000, "mesh_bytes": 8000000000}},
+    "components": {{
+      "stand": {{"type": "field", "rows": {}, "plants": 10, "row_spacing": 12, "spacing": 12}},
+      "oak": {{"type": "document", "file": "oak", "set": {{"age": {}, "leafiness": 1.25}}}}
+    }},
+    "links": [["stand", "oak"]]
+  }})",
+                     trees / 10, sized(155, 8));
+}
+
+/// As `meristem scan` does it: memory is that of what it keeps.
+void stand(benchmark::State& state) {
+  const ThreadLimit threads(2);
+  const std::string models = std::string(MERISTEM_SOURCE_DIR) + "/models";
+  const Document document =
+      read_document(stand_of_oaks(state.range(0)), "stand.json", builtin_components(), {.models = models});
+  Instrument scanner = instrument_of(ScannerClass::terrestrial);
+  scanner.step = radians(sized(0.4, 8.0));
+  Progress progress;
+  for (auto _ : state) {
+    GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::plant});
+    if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress);
+    PlantLabels labels(grown.plant, document.graph.limits, progress);
+    const MeshScene meshes = mesh_for_rays(document, std::move(grown.plant), progress);
+    const Scanner ready(std::move(labels), meshes, {.instrument = scanner}, progress);
+    std::uint64_t points = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    ready.run([&](std::span<const ScanPoint> some) { points += some.size(); }, progress);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    state.counters["pulses_per_s"] = static_cast<double>(ready.pulse_count()) / seconds.count();
+    state.counters["points"] = static_cast<double>(points);
+    state.counters["triangles"] = static_cast<double>(meshes.triangle_count());
+    state.counters["rays_MB"] = static_cast<double>(ready.ray_bytes()) / (1 << 20);
+  }
+  state.counters["peak_MB"] = meristem::bench::peak_megabytes();
+}
+BENCHMARK(stand)->ArgName("trees")->Arg(sized(100, 10))->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+
 }  // namespace
 
 int main(int count, char** arguments) {
   using meristem::bench::Asked;
   return meristem::bench::run(count, arguments,
                               {{"pulses/oak", "pulses_per_s", Asked::at_least, 3e5},
+                               {"stand/trees:100", "peak_MB", Asked::at_most, 3800},
                                {"labels", "differ", Asked::at_most, 0},
                                {"closed_forms", "metres", Asked::at_most, 1e-5},
                                {"footprint/metres:5", "error", Asked::at_most, 0.01},

@@ -20,7 +20,6 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include "bench/harness.h"
 #include "meristem/base/hash.h"
@@ -137,12 +136,10 @@ void measure(benchmark::State& state, const std::string& name,
     hashes += skeleton_hash(skeleton);
   }
   const std::string hash = meristem::hash128_hex(std::as_bytes(std::span(hashes))).substr(0, 16);
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   state.counters["nodes"] = nodes;
   state.counters["nodes/s"] = nodes / best;
   state.counters["us/tree"] = 1e6 * best / static_cast<double>(trees);
-  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+  state.counters["peak_MB"] = meristem::bench::peak_megabytes();
   state.SetLabel(hash);
   // How cost grows with the number of trees, from the fewest of this name on.
   const auto fewest = runs().lower_bound({name, 0});

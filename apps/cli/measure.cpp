@@ -54,20 +54,23 @@ struct MeasureCommand {
   std::string unit;
   std::string diameter_unit;
 
-  /// Whether anything that is asked for needs the meshes of the plant. A table for each tree without --only is one of
-  /// skeletons and leaves.
-  bool needs_meshes() const {
-    if (measures.organ_light || !organs.empty()) return true;
-    if (report.only.empty()) return !report.each;
-    return std::ranges::any_of(measure_rows(), [&](const MeasureRow& row) {
-      return row.needs_meshes && std::ranges::find(report.only, row.name) != report.only.end();
-    });
+  bool needs_light() const { return measures.organ_light || !organs.empty() || names_any(&MeasureRow::needs_light); }
+  /// Without --only, a table for each tree is one of skeletons and leaves.
+  bool needs_geometry() const {
+    if (report.only.empty()) return !report.each || needs_light();
+    return names_any(&MeasureRow::is_geometry);
   }
   bool reads_mtg() const { return has_ending(".mtg"); }
   bool reads_table() const { return has_ending(".csv") || has_ending(".txt") || has_ending(".tsv"); }
   bool reads_skeleton() const { return reads_mtg() || reads_table(); }
 
  private:
+  /// Returns true if --only names a measure that has the flag.
+  bool names_any(bool MeasureRow::*flag) const {
+    return std::ranges::any_of(measure_rows(), [&](const MeasureRow& row) {
+      return row.*flag && std::ranges::find(report.only, row.name) != report.only.end();
+    });
+  }
   bool has_ending(std::string_view ending) const { return lower_case(document.path).ends_with(ending); }
 };
 
@@ -131,24 +134,21 @@ StandMeasures measure_document(const MeasureCommand& command) {
   {
     TerminalProgress terminal(command.document.quiet);
     MeasureOptions options = command.measures;
-    options.organ_light |= !command.organs.empty();
-    for (const MeasureRow& row : measure_rows()) {
-      const auto& only = command.report.only;
-      options.organ_light |= row.needs_light && std::ranges::find(only, row.name) != only.end();
-    }
+    options.organ_light = command.needs_light();
+    options.organ_list = !command.organs.empty();
     Progress& progress = terminal.progress();
-    const bool needs_meshes = command.needs_meshes();
-    GrownDocument grown =
-        grow_document(document, progress, {.time = time, .up_to = needs_meshes ? GrownPart::meshes : GrownPart::plant});
+    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::plant});
     // Holes of textures are no leaf, and light falls through them.
-    if (has_holes(grown.plant)) {
-      if (needs_meshes) complete_growth(document, grown, progress, {.time = time});
-      if (!needs_meshes) paint_plant(document, grown.plant, progress);
-    }
+    if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress);
     warnings = grown.warnings;
     const Limits& limits = document.graph.limits;
-    stand = needs_meshes ? measure_plant(grown.plant, limits, grown.meshes, scene, options, progress)
-                         : measure_plant(grown.plant, limits, scene, options, progress);
+    if (options.organ_light) {
+      const MeshScene meshes = mesh_for_rays(document, grown.plant, progress);
+      stand = measure_plant(grown.plant, limits, meshes, scene, options, progress);
+    } else {
+      stand = measure_plant(grown.plant, limits, scene, options, progress);
+    }
+    if (command.needs_geometry()) stand.whole.set_geometry(count_geometry(document, grown.plant, progress));
     if (!command.organs.empty()) write_organ_csv(grown.plant, limits, stand.organs, command.organs, progress);
   }
   if (!command.document.quiet) print_diagnostics(warnings);

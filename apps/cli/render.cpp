@@ -197,6 +197,7 @@ class PictureTaker {
   /// Those of a film that are there already are left as they are.
   std::vector<Diagnostic> take(const std::vector<Picture>& pictures, bool keeps_earlier) {
     const PictureFileOptions file = keeps_earlier ? PictureFileOptions() : chosen_file(chosen_);
+    is_still_ = std::ranges::all_of(pictures, [&](const Picture& one) { return one.time == pictures[0].time; });
     grow_at(pictures.back().time);
     std::vector<Diagnostic> warnings = grown_.warnings;
     const Vec3 middle = grown_.meshes.bounds().centre();
@@ -222,8 +223,7 @@ class PictureTaker {
       if (chosen_.fingerprint) {
         fmt::print("{}\n", picture_fingerprint(grown_, now().graph.limits, now().scene, options_));
       } else if (!picture.path.empty()) {
-        write_picture(take_picture(grown_, now().graph.limits, now().scene, options_, terminal_.progress()),
-                      picture.path, file);
+        write_picture(take(k + 1 == pictures.size()), picture.path, file);
       }
       if (!picture.truths.empty()) write_truth(picture);
     }
@@ -233,6 +233,16 @@ class PictureTaker {
  private:
   double aspect() const { return static_cast<double>(options_.still.width) / options_.still.height; }
   const Document& now() const { return other_ ? *other_ : document_; }
+
+  Image take(bool is_last) {
+    const Limits& limits = now().graph.limits;
+    Progress& progress = terminal_.progress();
+    if (is_last && !keeps_plant()) return take_last_picture(grown_, limits, now().scene, options_, progress);
+    return take_picture(grown_, limits, now().scene, options_, progress);
+  }
+
+  /// Returns true if more than meshes is needed of what has grown, or if it grows again.
+  bool keeps_plant() const { return !is_still_ || !shows_meshes_alone(options_) || chosen_.wants_truth(); }
 
   /// One side for all pictures, also while the camera turns.
   View from_free_side(const MeshScene& plants, const View& view) {
@@ -257,7 +267,11 @@ class PictureTaker {
     const Document& document = document_at(document_, time, other_, &terminal_.progress());
     const GrowthView view{checked_step(chosen_.step), wish_for_overlays(options_.overlays)};
     grown_ = grow_document(document, terminal_.progress(),
-                           {.time = time, .detail = chosen_.detail, .cache = &cache_, .view = view});
+                           {.time = time,
+                            .detail = chosen_.detail,
+                            .cache = is_still_ ? nullptr : &cache_,
+                            .view = view,
+                            .keeps_plant = keeps_plant()});
     if (chosen_.cards) grown_.meshes = make_cards(grown_.meshes, {.cards = *chosen_.cards}, terminal_.progress());
   }
 
@@ -265,7 +279,8 @@ class PictureTaker {
   PictureOptions options_;
   const RenderOptions& chosen_;
   TerminalProgress& terminal_;
-  GrowthCache cache_;  // what does not change with time is made once
+  GrowthCache cache_;     // what does not change with time is made once
+  bool is_still_ = true;  // all pictures show one time
   double grown_time_ = 0;
   std::optional<Document> other_;
   GrownDocument grown_;

@@ -139,9 +139,10 @@ void scan(ScanCommand command) {
     // Pulses pass through the holes of textures.
     if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress);
     warnings = grown.warnings;
+    PlantLabels labels(grown.plant, document.graph.limits, progress);
     const MeshScene meshes =
-        scanned_meshes(mesh_for_rays(document, grown.plant, progress), document.scene.obstacles, plan);
-    const Scanner scanner(std::move(grown.plant), document.graph.limits, meshes, plan.options, progress);
+        scanned_meshes(mesh_for_rays(document, std::move(grown.plant), progress), document.scene.obstacles, plan);
+    const Scanner scanner(std::move(labels), meshes, plan.options, progress);
     const std::uint64_t points = write_scan(scanner, command.outputs, provenance_of(document), progress);
     summary = fmt::format("{}: {} points of {} pulses from {} {}", fmt::join(command.outputs, ", "), points,
                           scanner.pulse_count(), scanner.stations().size(),

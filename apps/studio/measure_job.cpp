@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "meristem/document/document.h"
+#include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
 #include "written_values.h"
@@ -16,12 +17,27 @@ MeasureOptions options_of(const MeasuresRequest& request) {
   return {.organ_light = request.light, .layer_height = request.layer_height};
 }
 
-/// Textures are painted where the light or the area of leaves depends on their holes.
-Value measured_plant(const Document& document, const GrownDocument& grown, const MeasuresRequest& request,
-                     Progress& progress) {
-  return measures_value(
-      measure_plant(grown.plant, document.graph.limits, grown.meshes, document.scene, options_of(request), progress),
-      {});
+/// `plant` has painted textures if these have holes, on which the light and the area of leaves depend. Meshes are made
+/// for light alone.
+Value measured_plant(const Document& document, const Plant& plant, const MeasuresRequest& request, Progress& progress) {
+  const MeasureOptions options = options_of(request);
+  const Limits& limits = document.graph.limits;
+  StandMeasures stand;
+  if (options.organ_light) {
+    const MeshScene meshes = mesh_for_rays(document, plant, progress);
+    stand = measure_plant(plant, limits, meshes, document.scene, options, progress);
+  } else {
+    stand = measure_plant(plant, limits, document.scene, options, progress);
+  }
+  stand.whole.set_geometry(count_geometry(document, plant, progress));
+  return measures_value(stand, {});
+}
+
+/// Grows a plant to be measured.
+Plant grown_plant(const Document& document, double time, GrowthCache* cache, Progress& progress) {
+  GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::plant, .cache = cache});
+  if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress, cache);
+  return std::move(grown.plant);
 }
 
 }  // namespace
@@ -37,12 +53,8 @@ Value measure_rows_value() {
 
 Value measured(const MeasureSource& source, const MeasuresRequest& request, Progress& progress) {
   const Document& document = *source.document;
-  if (source.grown == nullptr) {
-    return measured_plant(document, grow_document(document, progress, {.time = source.time}), request, progress);
-  }
-  GrownDocument grown{.plant = source.grown->plant};
-  grown.meshes = mesh_detail(document, grown.plant, {}, progress);
-  return measured_plant(document, grown, request, progress);
+  if (source.grown != nullptr) return measured_plant(document, source.grown->plant, request, progress);
+  return measured_plant(document, grown_plant(document, source.time, nullptr, progress), request, progress);
 }
 
 Value SweepMaker::one(const SweepSource& source, const SweepRequest& request, double value, const Registry& registry,
@@ -53,8 +65,8 @@ Value SweepMaker::one(const SweepSource& source, const SweepRequest& request, do
     const Document document = read_document(
         source.text, source.file, registry,
         {.overrides = values, .time = source.time, .root = source.root, .store = &store_, .models = source.models});
-    const GrownDocument grown = grow_document(document, progress, {.time = source.time, .cache = &cache_});
-    told.emplace_back("measures", measured_plant(document, grown, {.light = request.light}, progress));
+    const Plant plant = grown_plant(document, source.time, &cache_, progress);
+    told.emplace_back("measures", measured_plant(document, plant, {.light = request.light}, progress));
   } catch (const InputError& error) {
     told.emplace_back("faults", faults_value(error.diagnostics(), {}, ""));
   }

@@ -11,8 +11,8 @@
 
 namespace meristem {
 
-/// The configuration of Embree's device. Embree's threads belong to TBB, which the thread sanitizer misreads. Under that
-/// sanitizer Embree builds its trees on the calling thread.
+/// The configuration of Embree's device. Embree's threads belong to TBB, which the thread sanitizer misreads. Under
+/// that sanitizer Embree builds its trees on the calling thread.
 #ifdef __SANITIZE_THREAD__
 inline constexpr const char* kEmbreeDevice = "threads=1,user_threads=1";
 #else

@@ -59,8 +59,8 @@ bool stays_below(const DatasetDocument& document) {
                                           [&name](const auto& file) { return stays_below(name / file.first); });
 }
 
-/// Returns a part of the folder that data sets of format 1 do not have: somebody has edited the number. Returns an empty
-/// text if the folder has no such part.
+/// Returns a part of the folder that data sets of format 1 do not have: somebody has edited the number. Returns an
+/// empty text if the folder has no such part.
 std::string part_of_later_format(const Value& value, const std::string& folder) {
   for (const char* const name : {"hash", "tables", "files"}) {
     if (value.find(name) != nullptr) return fmt::format("'{}'", name);

@@ -33,7 +33,7 @@ bool has_any(const std::vector<std::string>& measures, bool MeasureRow::*flag) {
 
 /// What a plan needs of each plant before its files are written.
 GrownPart part_for(const DatasetPlan& plan) {
-  GrownPart part = has_any(plan.measures, &MeasureRow::needs_meshes) ? GrownPart::meshes : GrownPart::plant;
+  GrownPart part = has_any(plan.measures, &MeasureRow::needs_light) ? GrownPart::meshes : GrownPart::plant;
   for (const PlannedFile& file : plan.files) part = std::max(part, file.output->needs);
   if (plan.pictures) part = GrownPart::textures;
   return part;
@@ -56,9 +56,12 @@ std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& docu
   }
   const Limits& limits = document.graph.limits;
   const MeasureOptions measures{.organ_light = has_any(plan.measures, &MeasureRow::needs_light)};
-  const StandMeasures stand = has_meshes
-                                  ? measure_plant(grown.plant, limits, grown.meshes, document.scene, measures, progress)
-                                  : measure_plant(grown.plant, limits, document.scene, measures, progress);
+  StandMeasures stand = has_meshes
+                            ? measure_plant(grown.plant, limits, grown.meshes, document.scene, measures, progress)
+                            : measure_plant(grown.plant, limits, document.scene, measures, progress);
+  if (!has_meshes && has_any(plan.measures, &MeasureRow::is_geometry)) {
+    stand.whole.set_geometry(count_geometry(document, grown.plant, progress));
+  }
   std::vector<MeasureValue> values;
   for (const std::string& name : plan.measures) {
     for (const MeasureRow& row : measure_rows()) {

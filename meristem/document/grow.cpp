@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "meristem/base/large_memory.h"
 #include "meristem/document/obstacle_warnings.h"
 #include "meristem/document/placing_faults.h"
 #include "meristem/graph/batch.h"
@@ -100,7 +101,16 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
   });
   grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);
   document.source.place(grown.warnings);
-  complete_growth(document, grown, progress, options);
+  if (options.keeps_plant || options.up_to < GrownPart::meshes) {
+    complete_growth(document, grown, progress, options);
+    return grown;
+  }
+  if (options.up_to >= GrownPart::textures) paint_plant(document, grown.plant, progress, options.cache);
+  grown.meshes = placing_faults(document, [&] {
+    return make_mesh_scene(std::exchange(grown.plant, Plant()), document.graph.limits, progress, options.detail);
+  });
+  grown.up_to = options.up_to;
+  give_back_memory();
   return grown;
 }
 
@@ -128,6 +138,17 @@ MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail
 
 MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress) {
   return placing_faults(document, [&] { return make_ray_meshes(plant, document.graph.limits, progress); });
+}
+
+MeshScene mesh_for_rays(const Document& document, Plant&& plant, Progress& progress) {
+  MeshScene meshes =
+      placing_faults(document, [&] { return make_ray_meshes(std::move(plant), document.graph.limits, progress); });
+  give_back_memory();
+  return meshes;
+}
+
+GeometryCount count_geometry(const Document& document, const Plant& plant, Progress& progress) {
+  return placing_faults(document, [&] { return count_geometry(plant, document.graph.limits, progress); });
 }
 
 ViewMeshes view_meshes(const Document& document, const Plant& plant, const ViewMeshOptions& options, Progress& progress,

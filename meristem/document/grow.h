@@ -8,6 +8,7 @@
 #include "meristem/document/document.h"
 #include "meristem/graph/growth_traces.h"
 #include "meristem/plant/plant.h"
+#include "meristem/shape/geometry_count.h"
 #include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/view_meshes.h"
 
@@ -51,6 +52,9 @@ struct GrowthOptions {
   GrownPart up_to = GrownPart::textures;  ///< the last stage that is made
   GrowthCache* cache = nullptr;           ///< results of the last growth; null: everything is made anew
   GrowthView view;                        ///< the step of growth that is shown, and what is recorded of growth
+  /// If false and meshes are made, the plant is freed while they are made, and GrownDocument::plant is empty. A large
+  /// stand then takes half of the memory. What a cache holds is not freed.
+  bool keeps_plant = true;
 };
 
 /// Grows a document: the one call that all programs make. The same document gives the same bytes on any number of
@@ -75,6 +79,12 @@ MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail
 /// Returns the meshes that a plant which has grown from the document has for rays alone (ray_meshes.h), at level 0.
 /// Textures with holes must be painted (paint_plant). Throws what grow_document throws.
 MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress);
+/// Returns these meshes, and frees the plant while they are made.
+MeshScene mesh_for_rays(const Document& document, Plant&& plant, Progress& progress);
+
+/// Counts the geometry of the meshes of level 0 of a plant that has grown from the document, and makes none
+/// (geometry_count.h). Throws what grow_document throws.
+GeometryCount count_geometry(const Document& document, const Plant& plant, Progress& progress);
 
 /// The meshes of a plant that has grown from the document, for a view that draws a limited number of triangles
 /// (view_meshes.h), with the plant's textures. Throws what grow_document throws.

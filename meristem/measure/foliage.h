@@ -45,6 +45,8 @@ struct LeafLayers {
 
 /// Whether organs of this prototype are leaves.
 bool is_leaf(const Plant& plant, const OrganPrototype& prototype);
+/// Whether an organ of the plant is a leaf.
+bool is_leaf(const Plant& plant, const Organ& organ);
 
 /// Whether textures of the plant, or of plants placed in it, cut holes: then they must be painted before leaves are
 /// measured and rays are asked.

@@ -180,6 +180,26 @@ TEST(Foliage, LayersSumUpToTheLeafAreaOnAnyNumberOfThreads) {
   }
 }
 
+TEST(Foliage, PlacedLeavesAreMeasuredAsTheirCopies) {
+  const auto leaves = [](int count) {
+    Plant plant = leaves_and_fruits();
+    plant.organs.resize(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) {
+      plant.organs[k].frame.axes = rotation(glm::normalize(Vec3(1, k % 7, 3)), 0.1 * k);
+      plant.organs[k].frame.origin.y = 0.001F * static_cast<float>(k);
+    }
+    return plant;
+  };
+  auto variant = std::make_shared<PlantVariant>();
+  variant->plant = std::make_shared<const Plant>(leaves(900));
+  Plant plant = leaves(700);  // so that runs of organs begin in one plant and end in the next one
+  plant.plantings.push_back({"tree", variant, std::vector<Planting::Place>(3)});
+  const Plant copies = expanded(plant, {}, Progress());
+  EXPECT_EQ(layers_of(plant, 0.1).area, layers_of(copies, 0.1).area);
+  EXPECT_EQ(measured(plant).leaves, 3400U);
+  EXPECT_EQ(measured(plant).area, measured(copies).area);
+}
+
 TEST(Foliage, TheSameSumOnAnyNumberOfThreads) {
   Plant plant = leaves_and_fruits();
   for (int k = 0; k < 30'000; ++k) {

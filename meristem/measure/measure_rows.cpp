@@ -161,11 +161,11 @@ constexpr std::array kRows = {
     MeasureRow{"leaf_exposure", "",
                "Share of the scene's light that reaches the leaves past stems, organs and obstacles, averaged over "
                "their area (`--light`).",
-               member<&Measures::leaf_exposure>, false, true, true},
+               member<&Measures::leaf_exposure>, false, true},
     MeasureRow{"leaf_irradiance", "",
                "Light that matt leaves take up, relative to leaves that face all light unshaded, averaged over their "
                "area (`--light`).",
-               member<&Measures::leaf_irradiance>, false, true, true},
+               member<&Measures::leaf_irradiance>, false, true},
     MeasureRow{"thickened_below", "m",
                "Radius below which twigs of blended surfaces are thickened, since their cells could not hold them.",
                member<&Measures::thickened_below>, true},

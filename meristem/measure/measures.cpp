@@ -2,149 +2,23 @@
 #include "meristem/measure/measures.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
-#include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
-#include "meristem/measure/forks.h"
-#include "meristem/measure/strahler.h"
-#include "meristem/measure/tree_form.h"
+#include "meristem/measure/block_light.h"
+#include "meristem/measure/masked_surfaces.h"
+#include "meristem/measure/stand_sum.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/plant/split_trees.h"
 #include "meristem/shape/body_meshes.h"
 
 namespace meristem {
 namespace {
 
-/// What is kept of a tree until stands are summed up.
-struct TreeRecord {
-  TreeForm form;
-  ForkSamples forks;
-  std::vector<std::uint64_t> streams;
-  std::optional<double> lit_share;
-  TreeOrigin origin;
-};
-
-TreeRecord record_tree(const Skeleton& skeleton, const Scene* scene, const MeasureOptions& options,
-                       const Progress& progress) {
-  const Children children(skeleton);
-  TreeRecord record;
-  if (skeleton.node_count() > 0) record.origin.position = skeleton.position[0];
-  record.form = measure_form(skeleton, children, &progress);
-  if (scene != nullptr && !record.form.crown_hull.triangles.empty()) {
-    record.lit_share = measure_crown_light(record.form.crown_hull, *scene, options.crown_rays, &progress).lit_share;
-  }
-  record.form.crown_hull = {};
-  progress.check();
-  record.forks = sample_forks(skeleton, children, options.fork_diameter);
-  progress.check();
-  record.streams = strahler_streams(skeleton, strahler_numbers(skeleton, children));
-  return record;
-}
-
-template <class T>
-void add_columns(std::vector<T>& to, const std::vector<T>& from) {
-  if (to.size() < from.size()) to.resize(from.size(), T{0});
-  for (std::size_t k = 0; k < from.size(); ++k) to[k] += from[k];
-}
-
-/// From north over east, in [0, 2 pi); none for a vertical vector.
-std::optional<double> azimuth_of(DVec3 vector) {
-  if (vector.x == 0 && vector.z == 0) return {};
-  const double azimuth = math::atan2(vector.x, -vector.z);
-  return azimuth < 0 ? azimuth + 2 * kPi : azimuth;
-}
-
-double horizontal(DVec3 vector) { return glm::length(glm::dvec2(vector.x, vector.z)); }
-
-void add_sums(const TreeForm& form, Measures& sums) {
-  ++sums.trees;
-  sums.nodes += form.nodes;
-  sums.metamers += form.metamers;
-  sums.tips += form.tips;
-  sums.forks += form.forks;
-  sums.crown_ground_area += form.crown_ground_area;
-  sums.crown_hull_area += form.crown_hull_area;
-  sums.crown_hull_volume += form.crown_hull_volume;
-  sums.stem_count += form.stems;
-  sums.basal_area += kPi / 4 * form.diameter_squares;
-  add_columns(sums.axes_by_order, form.axes_by_order);
-  add_columns(sums.length_by_order, form.length_by_order);
-}
-
-void copy_size(const TreeForm& tallest, Measures& measures) {
-  measures.height = tallest.height;
-  measures.crown_height = tallest.crown_height;
-  measures.crown_width = tallest.crown_width;
-  measures.crown_mean_width = tallest.crown_mean_width;
-  if (tallest.base_diameter > 0) measures.base_diameter = tallest.base_diameter;
-  measures.stem_diameter = tallest.diameter;
-  if (tallest.stems > 0) measures.stem_equivalent_diameter = std::sqrt(tallest.diameter_squares);
-  if (tallest.diameter) measures.slenderness = tallest.height / *tallest.diameter;
-}
-
-void set_directions(DVec3 segment_sum, DVec3 centroid, Measures& measures) {
-  measures.inclination_azimuth = azimuth_of(segment_sum);
-  if (glm::length(segment_sum) > 0) {
-    measures.inclination_altitude = math::atan2(segment_sum.y, horizontal(segment_sum));
-  }
-  measures.centroid_azimuth = azimuth_of(centroid);
-  measures.centroid_radius = horizontal(centroid);
-}
-
-/// The lit share of all hulls together.
-std::optional<double> mean_lit_share(std::span<const TreeRecord> records) {
-  double area = 0;
-  double lit = 0;
-  for (const TreeRecord& record : records) {
-    if (!record.lit_share) continue;
-    area += record.form.crown_hull_area;
-    lit += record.form.crown_hull_area * *record.lit_share;
-  }
-  return area > 0 ? std::optional(lit / area) : std::nullopt;
-}
-
-/// The measures of a stand; of one tree, if there is one.
-Measures summarise(std::span<const TreeRecord> records) {
-  Measures measures;
-  if (records.empty()) return measures;
-  const TreeRecord* tallest = &records.front();
-  DVec3 segment_sum(0);
-  DVec3 node_sum(0);
-  ForkSamples samples;
-  for (const TreeRecord& record : records) {
-    add_sums(record.form, measures);
-    add_columns(measures.strahler_streams, record.streams);
-    segment_sum += record.form.segment_sum;
-    node_sum += record.form.node_sum;
-    samples.append(record.forks);
-    if (record.form.height > tallest->form.height) tallest = &record;
-  }
-  measures.axes = std::accumulate(measures.axes_by_order.begin(), measures.axes_by_order.end(), std::uint64_t{0});
-  measures.length = std::accumulate(measures.length_by_order.begin(), measures.length_by_order.end(), 0.0);
-  copy_size(tallest->form, measures);
-  measures.lit_share = mean_lit_share(records);
-  set_directions(segment_sum, node_sum / static_cast<double>(std::max<std::uint64_t>(measures.nodes, 1)), measures);
-  measures.bifurcation_ratios = bifurcation_ratios(measures.strahler_streams);
-  if (measures.strahler_streams.size() > 1) {
-    measures.bifurcation_ratio = mean_bifurcation_ratio(measures.strahler_streams);
-  }
-  measures.branching_angle = distribution(std::move(samples.branching_angles));
-  measures.pipe_exponent = distribution(std::move(samples.pipe_exponents));
-  measures.pipe_unsolved = samples.pipe_unsolved;
-  measures.area_ratio = distribution(std::move(samples.area_ratios));
-  return measures;
-}
-
-bool has_one_root(const Skeleton& skeleton) {
-  return std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode) == 1;
-}
-
-/// The individual of each tree: of each root of each stem.
-std::vector<std::uint32_t> individuals_of_trees(const Plant& plant) {
-  std::vector<std::uint32_t> individuals;
+/// Adds the individual of each tree of a plant: of each root of each stem.
+void append_individuals_of_trees(const Plant& plant, std::vector<std::uint32_t>& individuals) {
   for (const Stem& stem : plant.stems) {
     const auto& parents = stem.skeleton.parent;
     const auto roots = static_cast<std::size_t>(std::count(parents.begin(), parents.end(), kNoNode));
@@ -152,12 +26,10 @@ std::vector<std::uint32_t> individuals_of_trees(const Plant& plant) {
       individuals.push_back(root < stem.individual_of_root.size() ? stem.individual_of_root[root] : 0);
     }
   }
-  return individuals;
 }
 
-/// The tree of each individual, which is kNoTree where it has none or several.
-std::vector<std::uint32_t> trees_of_individuals(const Plant& plant, const std::vector<std::uint32_t>& of_trees) {
-  const std::size_t count = std::max<std::size_t>(plant.individuals.size(), 1);
+/// The tree of each of `count` individuals, which is kNoTree where it has none or several.
+std::vector<std::uint32_t> trees_of_individuals(std::size_t count, const std::vector<std::uint32_t>& of_trees) {
   std::vector<std::uint32_t> tree(count, kNoTree);
   std::vector<std::uint32_t> trees(count, 0);
   for (std::uint32_t k = 0; k < of_trees.size(); ++k) {
@@ -169,6 +41,11 @@ std::vector<std::uint32_t> trees_of_individuals(const Plant& plant, const std::v
     if (trees[k] != 1) tree[k] = kNoTree;
   }
   return tree;
+}
+
+/// The number of individuals that organs may belong to: a plant without a list of them is one.
+std::size_t individual_count(const std::vector<Individual>& individuals) {
+  return std::max<std::size_t>(individuals.size(), 1);
 }
 
 /// Leaves, and the light on them if it is known.
@@ -188,117 +65,193 @@ struct Leaves {
   }
 };
 
-/// Measures the leaves of all trees together, and of each tree unless leaves belong to several trees.
-void measure_leaves(const Plant& plant, const Limits& limits, StandMeasures& stand, Progress& progress) {
-  const std::vector<OrganArea> areas = organ_areas(plant, progress);
-  const std::vector<std::uint32_t> tree_of_organ = trees_of_organs(plant, limits, progress);
-  Leaves whole;
-  std::vector<Leaves> of_tree(stand.trees.size());
-  bool are_apart = true;
-  for (std::size_t k = 0; k < areas.size(); ++k) {
-    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
+/// The trees of a stand, in the order of their skeletons.
+class TreeList {
+ public:
+  /// Counts nodes into the caller's stage of `progress`.
+  void add(std::span<const Skeleton* const> skeletons, const Scene* scene, const MeasureOptions& options,
+           Progress& progress) {
+    std::vector<std::vector<TreeRecord>> of_skeleton(skeletons.size());
+    parallel_for(skeletons.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        of_skeleton[k] = record_trees(*skeletons[k], scene, options, progress);
+        progress.advance(skeletons[k]->node_count());
+      }
+    });
+    for (const std::vector<TreeRecord>& records : of_skeleton) {
+      for (const TreeRecord& record : records) add(record);
+      ++skeletons_;
+    }
+  }
+
+  std::vector<TreeOrigin>& origins() { return stand_.origins; }
+
+  StandMeasures finish() {
+    stand_.whole = whole_.finish();
+    return std::move(stand_);
+  }
+
+ private:
+  void add(const TreeRecord& record) {
+    whole_.add(record);
+    StandSum alone;
+    alone.add(record);
+    stand_.trees.push_back(alone.finish());
+    stand_.origins.push_back({.skeleton = skeletons_, .position = record.position});
+  }
+
+  StandMeasures stand_;
+  StandSum whole_;
+  std::size_t skeletons_ = 0;
+};
+
+/// Measures the stems and organs of a plant that comes in blocks.
+class PlantMeasurer {
+ public:
+  /// `meshes` are null if no light is measured. All must outlive this.
+  PlantMeasurer(const Scene& scene, const MeasureOptions& options, const MeshScene* meshes, Progress& progress)
+      : scene_(scene), options_(options), meshes_(meshes), progress_(progress) {}
+
+  /// Counts nodes and organs into the caller's stage of progress.
+  void add(const Plant& block) {
+    add_trees(block);
+    add_organs(block);
+    add_thickening(block, thickening_);
+  }
+
+  /// To be called once, with all individuals of the plant.
+  StandMeasures finish(const std::vector<Individual>& individuals) {
+    for (std::size_t k = 0; k < trees_.origins().size(); ++k) {
+      const std::uint32_t individual = individual_of_tree_[k];
+      if (individual < individuals.size()) trees_.origins()[k].row = individuals[individual].row;
+    }
+    StandMeasures stand = trees_.finish();
+    stand.organs = std::move(lit_);
+    tell_leaves(individual_count(individuals), stand);
+    tell_thickening(stand.whole);
+    return stand;
+  }
+
+ private:
+  void add_trees(const Plant& block) {
+    std::vector<const Skeleton*> skeletons;
+    for (const Stem& stem : block.stems) skeletons.push_back(&stem.skeleton);
+    const std::size_t before = trees_.origins().size();
+    trees_.add(skeletons, &scene_, options_, progress_);
+    for (std::size_t k = before; k < trees_.origins().size(); ++k) {
+      TreeOrigin& origin = trees_.origins()[k];
+      const StemPart& root = block.stems[origin.skeleton - stems_].parts.front();
+      origin.component = root.component;
+      origin.instance = root.instance;
+    }
+    stems_ += block.stems.size();
+    append_individuals_of_trees(block, individual_of_tree_);
+  }
+
+  void add_organs(const Plant& block) {
+    if (block.organs.empty()) return;
+    surfaces_.add_new(block);
+    Progress silent(&progress_);
+    const std::vector<OrganArea> areas = surfaces_.areas(block, meshes_ == nullptr ? progress_ : silent);
+    std::vector<LitOrgan> lit;
+    if (meshes_ != nullptr) {
+      if (!light_) light_.emplace(*meshes_, scene_, progress_);
+      lit = light_->measure(block, areas, progress_);
+    }
+    of_individual_.resize(std::max(of_individual_.size(), individual_count(block.individuals)));
+    for (std::size_t k = 0; k < areas.size(); ++k) {
+      if (is_leaf(block, block.organs[k])) add_leaf(block.organs[k], areas[k], lit.empty() ? nullptr : &lit[k]);
+    }
+    if (options_.organ_list) lit_.insert(lit_.end(), lit.begin(), lit.end());
+  }
+
+  void add_leaf(const Organ& leaf, const OrganArea& area, const LitOrgan* lit) {
     const auto add_to = [&](Leaves& leaves) {
-      leaves.foliage.add(areas[k]);
-      if (!stand.organs.empty()) leaves.light.add(stand.organs[k]);
+      leaves.foliage.add(area);
+      if (lit != nullptr) leaves.light.add(*lit);
     };
-    add_to(whole);
-    if (tree_of_organ[k] != kNoTree) add_to(of_tree[tree_of_organ[k]]);
-    are_apart = are_apart && plant.organs[k].individual != kNoIndividual;
+    add_to(leaves_);
+    if (leaf.individual < of_individual_.size()) add_to(of_individual_[leaf.individual]);
+    are_apart_ = are_apart_ && leaf.individual != kNoIndividual;
   }
-  whole.tell(stand.whole);
-  if (!are_apart) return;
-  for (const std::uint32_t tree : trees_of_individuals(plant, individuals_of_trees(plant))) {
-    if (tree != kNoTree) of_tree[tree].tell(stand.trees[tree]);
+
+  /// All leaves, and those of each tree unless leaves belong to several trees.
+  void tell_leaves(std::size_t individuals, StandMeasures& stand) {
+    leaves_.tell(stand.whole);
+    if (!are_apart_) return;
+    const std::vector<std::uint32_t> trees = trees_of_individuals(individuals, individual_of_tree_);
+    of_individual_.resize(individuals);
+    for (std::size_t k = 0; k < individuals; ++k) {
+      if (trees[k] != kNoTree) of_individual_[k].tell(stand.trees[trees[k]]);
+    }
   }
-}
+
+  void tell_thickening(Measures& whole) const {
+    if (!(thickening_.length > 0)) return;
+    whole.thickened_below = thickening_.least_radius;
+    whole.thickened_length = thickening_.thickened / thickening_.length;
+    if (thickening_.volume > 0) whole.thickened_volume = thickening_.added / thickening_.volume;
+  }
+
+  const Scene& scene_;
+  const MeasureOptions& options_;
+  const MeshScene* meshes_;
+  Progress& progress_;
+  TreeList trees_;
+  std::size_t stems_ = 0;  // of earlier blocks
+  std::vector<std::uint32_t> individual_of_tree_;
+  MaskedSurfaces surfaces_;
+  std::optional<BlockLight> light_;  // made once the limits are known to hold
+  std::vector<LitOrgan> lit_;
+  Leaves leaves_;
+  std::vector<Leaves> of_individual_;
+  bool are_apart_ = true;
+  Thickening thickening_;
+};
 
 }  // namespace
+
+void Measures::set_geometry(const GeometryCount& count) {
+  triangles = count.triangles;
+  instances = count.instances;
+  bytes = count.bytes;
+}
 
 StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
                                 const MeasureOptions& options, Progress& progress) {
   std::uint64_t nodes = 0;
   for (const Skeleton* skeleton : skeletons) nodes += skeleton->node_count();
   progress.begin("measuring", nodes);
-  std::vector<std::vector<TreeRecord>> of_skeleton(skeletons.size());
-  parallel_for(skeletons.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      if (has_one_root(*skeletons[k])) {
-        of_skeleton[k].push_back(record_tree(*skeletons[k], scene, options, progress));
-        progress.advance(skeletons[k]->node_count());
-        continue;
-      }
-      for (const Skeleton& tree : split_trees(*skeletons[k])) {
-        of_skeleton[k].push_back(record_tree(tree, scene, options, progress));
-        progress.advance(tree.node_count());
-      }
-    }
-  });
-  std::vector<TreeRecord> records;
-  for (std::size_t k = 0; k < skeletons.size(); ++k) {
-    for (TreeRecord& record : of_skeleton[k]) {
-      record.origin.skeleton = k;
-      records.push_back(std::move(record));
-    }
-  }
-  StandMeasures stand;
-  stand.whole = summarise(records);
-  for (const TreeRecord& record : records) {
-    stand.trees.push_back(summarise(std::span(&record, 1)));
-    stand.origins.push_back(record.origin);
-  }
-  return stand;
+  TreeList trees;
+  trees.add(skeletons, scene, options, progress);
+  return trees.finish();
 }
 
-std::vector<std::uint32_t> trees_of_organs(const Plant& grown, const Limits& limits, const Progress& progress) {
-  const ExpandedPlant plant(grown, limits, progress);
-  const std::vector<std::uint32_t> tree = trees_of_individuals(*plant, individuals_of_trees(*plant));
-  std::vector<std::uint32_t> trees;
-  trees.reserve(plant->organs.size());
-  for (const Organ& organ : plant->organs) {
-    trees.push_back(organ.individual < tree.size() ? tree[organ.individual] : kNoTree);
-  }
-  return trees;
+std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Limits& limits, const Progress& progress) {
+  std::vector<std::uint32_t> individual_of_tree;
+  std::vector<std::uint32_t> individual_of_organ;
+  const std::vector<Individual> individuals = expand_in_blocks(plant, limits, progress, [&](const Plant& block) {
+    append_individuals_of_trees(block, individual_of_tree);
+    for (const Organ& organ : block.organs) individual_of_organ.push_back(organ.individual);
+  });
+  const std::vector<std::uint32_t> tree = trees_of_individuals(individual_count(individuals), individual_of_tree);
+  for (std::uint32_t& number : individual_of_organ) number = number < tree.size() ? tree[number] : kNoTree;
+  return individual_of_organ;
 }
 
 namespace {
 
-void count_geometry(const MeshScene& meshes, Measures& whole) {
-  whole.triangles = meshes.triangle_count();
-  whole.instances = meshes.instance_count();
-  std::uint64_t bytes = 0;
-  for (const MeshInstances& mesh : meshes.meshes)
-    bytes +=
-        mesh.mesh->bytes() + (mesh.frames.size() + (mesh.places == nullptr ? 0 : mesh.places->size())) * sizeof(Frame);
-  whole.bytes = bytes;
-}
-
 /// Measures a plant, without meshes if `meshes` is null.
-StandMeasures measured(const Plant& grown, const Limits& limits, const MeshScene* meshes, const Scene& scene,
+StandMeasures measured(const Plant& plant, const Limits& limits, const MeshScene* meshes, const Scene& scene,
                        const MeasureOptions& options, Progress& progress) {
-  const ExpandedPlant expanded(grown, limits, progress);
-  const Plant& plant = *expanded;
-  std::vector<const Skeleton*> skeletons;
-  for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
-  StandMeasures stand = measure_skeletons(skeletons, &scene, options, progress);
-  const std::vector<std::uint32_t> individuals = individuals_of_trees(plant);
-  for (std::size_t k = 0; k < stand.origins.size(); ++k) {
-    TreeOrigin& origin = stand.origins[k];
-    const StemPart& root = plant.stems[origin.skeleton].parts.front();
-    origin.component = root.component;
-    origin.instance = root.instance;
-    if (individuals[k] < plant.individuals.size()) origin.row = plant.individuals[individuals[k]].row;
-  }
-  if (options.organ_light) stand.organs = measure_organ_light(plant, limits, *meshes, scene, progress);
-  measure_leaves(plant, limits, stand, progress);
-  Measures& whole = stand.whole;
+  const PlantTotals totals = totals_of(plant);
+  progress.begin(options.organ_light ? "measuring light" : "measuring", totals.nodes + totals.organs);
+  PlantMeasurer measurer(scene, options, options.organ_light ? meshes : nullptr, progress);
+  const std::vector<Individual> individuals =
+      expand_in_blocks(plant, limits, progress, [&](const Plant& block) { measurer.add(block); });
+  StandMeasures stand = measurer.finish(individuals);
   if (options.layer_height > 0) stand.layers = measure_leaf_layers(plant, limits, options.layer_height, progress);
-  const Thickening thickening = find_thickening(plant);
-  if (thickening.length > 0) {
-    whole.thickened_below = thickening.least_radius;
-    whole.thickened_length = thickening.thickened / thickening.length;
-    if (thickening.volume > 0) whole.thickened_volume = thickening.added / thickening.volume;
-  }
-  if (meshes != nullptr) count_geometry(*meshes, whole);
+  if (meshes != nullptr) stand.whole.set_geometry(count_geometry(*meshes));
   return stand;
 }
 

@@ -17,6 +17,7 @@
 #include "meristem/measure/samples.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
+#include "meristem/shape/geometry_count.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
@@ -76,6 +77,9 @@ struct Measures {
   std::optional<std::uint64_t> triangles;  ///< triangles of all instances
   std::optional<std::uint64_t> instances;  ///< surfaces and organs
   std::optional<std::uint64_t> bytes;      ///< memory of the geometry
+
+  /// Sets triangles, instances and bytes.
+  void set_geometry(const GeometryCount& count);
 };
 
 /// What a tree is of.
@@ -92,7 +96,7 @@ struct StandMeasures {
   Measures whole;                    ///< measures of the stand as a whole
   std::vector<Measures> trees;       ///< measures of each tree
   std::vector<TreeOrigin> origins;   ///< origin of each tree
-  std::vector<LitOrgan> organs;      ///< in the plant's order; empty unless options ask for them
+  std::vector<LitOrgan> organs;      ///< in the order of expanded(); empty unless options ask for the list
   std::optional<LeafLayers> layers;  ///< unset unless options ask for them
 };
 
@@ -108,6 +112,7 @@ struct MeasureOptions {
   double fork_diameter = 0.02;            ///< metres: area ratios count from forks at least that thick
   std::uint64_t crown_rays = kCrownRays;  ///< for the lit share of each tree, see crown_light.h
   bool organ_light = false;               ///< measures the light on every organ, which takes longer than all else
+  bool organ_list = false;                ///< with organ_light: also lists the light on each organ, 24 bytes each
   double layer_height = 0;                ///< metres: height of the layers for leaf area by height; 0: none
 };
 
@@ -117,12 +122,15 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
                                 const MeasureOptions& options, Progress& progress);
 
 /// Measures a plant with its leaves and meshes, where it stands; `scene` is that of the light, which need not be the
-/// one that it grew in. Where leaves have textures with holes, these must be painted (has_holes, foliage.h).
+/// one that it grew in. Where leaves have textures with holes, these must be painted (has_holes, foliage.h). `meshes`
+/// are those of make_mesh_scene, or of make_ray_meshes, which light needs alone; geometry is theirs. Placed plants are
+/// measured in blocks (expand_in_blocks), so memory does not grow with their places. Begins stages of `progress`.
+/// Throws InputError past `limits`, Cancelled.
 StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 
-/// Measures a plant without meshes: measures that need meshes (MeasureRow::needs_meshes) have no value. Throws
-/// std::invalid_argument if options ask for the light on organs.
+/// Measures a plant without meshes, whose limits then do not matter. Its geometry has no value until
+/// Measures::set_geometry. Throws as above, and std::invalid_argument if options ask for the light on organs.
 StandMeasures measure_plant(const Plant& plant, const Limits& limits, const Scene& scene, const MeasureOptions& options,
                             Progress& progress);
 
@@ -137,8 +145,8 @@ struct MeasureRow {
   std::string_view doc;                    ///< one sentence
   MeasureValue (*value)(const Measures&);  ///< reads the measure
   bool only_whole = false;                 ///< not known of each tree
-  bool needs_light = false;   ///< the light on organs, which takes longer than all else (MeasureOptions::organ_light)
-  bool needs_meshes = false;  ///< has a value only if the meshes of the plant are made
+  bool needs_light = false;  ///< the light on organs, which takes longer than all else (MeasureOptions::organ_light)
+  bool is_geometry = false;  ///< of all meshes (Measures::set_geometry)
 };
 
 /// All measures in the order in which they are shown: the one table behind text, JSON, Python and manual.

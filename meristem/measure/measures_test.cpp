@@ -12,6 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/plant/pipe_radii.h"
+#include "meristem/plant/plant_variant.h"
 #include "tests/support/check_sentence.h"
 
 namespace meristem::measures_test {
@@ -235,7 +236,7 @@ TEST(Measures, LightOnOrgansIsMeasuredIfAskedFor) {
     if (!row.needs_light) continue;
     EXPECT_TRUE(std::holds_alternative<std::monostate>(row.value(without.whole))) << row.name;
   }
-  const StandMeasures with = measure_plant(plant, {}, meshes, {}, {.organ_light = true}, progress);
+  const StandMeasures with = measure_plant(plant, {}, meshes, {}, {.organ_light = true, .organ_list = true}, progress);
   ASSERT_EQ(with.organs.size(), 2U);
   EXPECT_EQ(with.organs[1].exposure, 1);
   // The upper one shades the lower.
@@ -286,6 +287,72 @@ TEST(Measures, EachTreeHasItsRowAndItsLeaves) {
   EXPECT_NEAR(*stand.whole.leaf_exposure, (3 * *stand.trees[0].leaf_exposure + *stand.trees[1].leaf_exposure) / 4,
               1e-12);
   EXPECT_EQ(trees_of_organs(leafy_trees(3, 1), {}, Progress()), (std::vector<std::uint32_t>{0, 0, 0, 1}));
+}
+
+/// Leafy trees that stand in several places, also within each other.
+Plant placed_trees() {
+  const auto variant_of = [](Plant plant) {
+    auto variant = std::make_shared<PlantVariant>();
+    variant->plant = std::make_shared<const Plant>(std::move(plant));
+    return variant;
+  };
+  const auto at = [](float x, std::uint32_t row) {
+    Planting::Place place;
+    place.frame = {Mat3(1.5F), {x, 0, 2}};
+    place.row = row;
+    return place;
+  };
+  Plant group = leafy_trees(2, 1);
+  group.plantings.push_back({"inner", variant_of(leafy_trees(1, 0)), {at(100, 3), at(200, 4)}});
+  Plant plant = leafy_trees(3, 1);
+  plant.plantings.push_back({"group", variant_of(std::move(group)), {at(1000, 5), at(2000, kNoRow)}});
+  plant.plantings[0].places[1].instance = 1;
+  return plant;
+}
+
+TEST(Measures, PlacedPlantsAreMeasuredAsTheirCopies) {
+  const Plant plant = placed_trees();
+  Progress progress;
+  const Plant copies = expanded(plant, {}, progress);
+  const MeasureOptions options{.organ_light = true, .organ_list = true, .layer_height = 0.5};
+  Scene scene;
+  scene.light.sky = {{kUp, 0.5}};
+  const StandMeasures wanted =
+      measure_plant(copies, {}, make_mesh_scene(copies, {}, progress), scene, options, progress);
+  const StandMeasures stand = measure_plant(plant, {}, make_mesh_scene(plant, {}, progress), scene, options, progress);
+  const auto skeleton_values = [](const Measures& measures) {
+    std::vector<MeasureValue> values;
+    for (const MeasureRow& row : measure_rows()) {
+      if (!row.is_geometry) values.push_back(row.value(measures));
+    }
+    return values;
+  };
+  EXPECT_EQ(skeleton_values(stand.whole), skeleton_values(wanted.whole));
+  ASSERT_EQ(stand.trees.size(), copies.stems.size());
+  for (std::size_t k = 0; k < stand.trees.size(); ++k) {
+    EXPECT_EQ(skeleton_values(stand.trees[k]), skeleton_values(wanted.trees[k]));
+    EXPECT_EQ(stand.origins[k].skeleton, k);
+    EXPECT_EQ(stand.origins[k].component, wanted.origins[k].component);
+    EXPECT_EQ(stand.origins[k].instance, wanted.origins[k].instance);
+    EXPECT_EQ(stand.origins[k].row, wanted.origins[k].row);
+    EXPECT_EQ(stand.origins[k].position, wanted.origins[k].position);
+  }
+  ASSERT_EQ(stand.organs.size(), copies.organs.size());
+  for (std::size_t k = 0; k < stand.organs.size(); ++k) EXPECT_EQ(stand.organs[k].area, wanted.organs[k].area);
+  ASSERT_TRUE(stand.layers && wanted.layers);
+  EXPECT_EQ(stand.layers->area, wanted.layers->area);
+  EXPECT_EQ(trees_of_organs(plant, {}, progress), trees_of_organs(copies, {}, progress));
+}
+
+TEST(Measures, SkeletonsNeedNoRoomForMeshes) {
+  const Plant plant = placed_trees();
+  Limits limits;
+  limits.triangles = limits.mesh_bytes = 1;
+  Progress progress;
+  const StandMeasures stand = measure_plant(plant, limits, {}, {}, progress);
+  EXPECT_EQ(stand.trees.size(), 14U);
+  EXPECT_EQ(stand.whole.leaf_count, 14U);
+  EXPECT_FALSE(stand.whole.triangles);
 }
 
 TEST(Measures, LeavesOfATreeAreUnknownWhereTreesShareThem) {

@@ -10,9 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "meristem/base/parallel.h"
+#include "meristem/measure/block_light.h"
 #include "meristem/measure/foliage.h"
+#include "meristem/measure/masked_surfaces.h"
 #include "meristem/measure/surface_points.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/shape/ray_scene.h"
@@ -72,9 +75,11 @@ class OrganSurface {
 /// The surfaces of all prototypes, with the masks of their textures.
 class OrganSurfaces {
  public:
-  explicit OrganSurfaces(const Plant& plant) {
-    for (const OrganPrototype& prototype : plant.prototypes) {
-      const Texture* texture = texture_with_holes(plant.materials[prototype.material], *prototype.mesh);
+  /// Finds the surfaces of the prototypes that `block` has and earlier blocks did not have.
+  void add_new(const Plant& block) {
+    for (std::size_t k = surfaces_.size(); k < block.prototypes.size(); ++k) {
+      const OrganPrototype& prototype = block.prototypes[k];
+      const Texture* texture = texture_with_holes(block.materials[prototype.material], *prototype.mesh);
       const AlphaMask* mask = nullptr;
       if (texture != nullptr) mask = &masks_.try_emplace(texture, texture->colour).first->second;
       surfaces_.emplace_back(*prototype.mesh, mask);
@@ -144,30 +149,60 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
 
 }  // namespace
 
-std::vector<LitOrgan> measure_organ_light(const Plant& grown, const Limits& limits, const MeshScene& meshes,
-                                          const Scene& scene, Progress& progress) {
-  const ExpandedPlant expanded(grown, limits, progress);
-  const Plant& plant = *expanded;
-  const std::vector<OrganArea> areas = organ_areas(plant, progress);
+struct BlockLight::Parts {
+  Parts(const MeshScene& meshes, const Scene& scene, Progress& progress) : shade(meshes, scene, progress) {
+    const Light& light = scene.light;
+    const std::size_t rays = kLeastPlaces * (light.sun.size() + light.sky.size() + light.lamps.size());
+    grain = std::max<std::size_t>(1, kRaysPerBlock / std::max<std::size_t>(rays, 1));
+  }
+
+  Shade shade;
+  OrganSurfaces surfaces;
+  std::size_t grain = 1;   // organs of a task
+  std::size_t organs = 0;  // of earlier blocks
+};
+
+BlockLight::BlockLight(const MeshScene& meshes, const Scene& scene, Progress& progress)
+    : parts_(std::make_unique<Parts>(meshes, scene, progress)) {}
+
+BlockLight::~BlockLight() = default;
+
+std::vector<LitOrgan> BlockLight::measure(const Plant& block, std::span<const OrganArea> areas, Progress& progress) {
+  Parts& parts = *parts_;
+  parts.surfaces.add_new(block);
   std::vector<LitOrgan> lit(areas.size());
-  if (areas.empty()) return lit;
-  const OrganSurfaces surfaces(plant);
-  progress.begin("measuring light", areas.size());
-  const Shade shade(meshes, scene, progress);
-  const Light& light = scene.light;
-  const std::size_t rays = kLeastPlaces * (light.sun.size() + light.sky.size() + light.lamps.size());
-  const std::size_t grain = std::max<std::size_t>(1, kRaysPerBlock / std::max<std::size_t>(rays, 1));
-  parallel_for(areas.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(areas.size(), parts.grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       lit[k].area = areas[k].blade;
-      const OrganSurface& surface = surfaces.of(plant.organs[k]);
+      const Organ& organ = block.organs[k];
+      const OrganSurface& surface = parts.surfaces.of(organ);
       if (surface.is_empty()) continue;
-      const LightSum sum = light_on(plant.organs[k], surface, place_count(areas[k].blade), k, shade, progress);
+      const LightSum sum =
+          light_on(organ, surface, place_count(areas[k].blade), parts.organs + k, parts.shade, progress);
       if (!(sum.sent > 0)) continue;
       lit[k].exposure = sum.arrived / sum.sent;
       lit[k].irradiance = sum.taken_up / sum.sent;
     }
     progress.advance(end - begin);
+  });
+  parts.organs += block.organs.size();
+  return lit;
+}
+
+std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limits, const MeshScene& meshes,
+                                          const Scene& scene, Progress& progress) {
+  const std::uint64_t organs = totals_of(plant).organs;
+  progress.begin("measuring light", organs);
+  std::vector<LitOrgan> lit;
+  if (organs == 0) return lit;
+  std::optional<BlockLight> light;  // made once the limits are known to hold
+  MaskedSurfaces surfaces;
+  expand_in_blocks(plant, limits, progress, [&](const Plant& block) {
+    if (!light) light.emplace(meshes, scene, progress);
+    surfaces.add_new(block);
+    Progress silent(&progress);
+    const std::vector<LitOrgan> of_block = light->measure(block, surfaces.areas(block, silent), progress);
+    lit.insert(lit.end(), of_block.begin(), of_block.end());
   });
   return lit;
 }
@@ -175,7 +210,7 @@ std::vector<LitOrgan> measure_organ_light(const Plant& grown, const Limits& limi
 LitOrgan mean_leaf_light(const Plant& plant, const std::vector<LitOrgan>& organs) {
   MeanLight light;
   for (std::size_t k = 0; k < organs.size(); ++k) {
-    if (is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) light.add(organs[k]);
+    if (is_leaf(plant, plant.organs[k])) light.add(organs[k]);
   }
   return light.mean();
 }

@@ -20,13 +20,13 @@ struct LitOrgan {
                           ///< takes up, against one that faces all light unshaded
 };
 
-/// The light on each organ, in the plant's order. Organs, itself included, stems and obstacles shade it; holes of
-/// masked textures let light through. `meshes` is what make_mesh_scene makes of the plant.
+/// The light on each organ, in the order of expanded() (plant_variant.h). Organs, itself included, stems and obstacles
+/// shade it; holes of masked textures let light through. `meshes` is what make_mesh_scene makes of the plant.
 ///
 /// Each organ is asked at one position in 10 cm² of its surface, at least 4 and at most 64, and not on its petiole; a
 /// closed one at positions on its dark side too. The scene need not be the one that the plant grew in. About a
-/// microsecond per position and light. Results are equal on any number of threads. Begins two stages of `progress`,
-/// which count organs. Throws Cancelled, MachineError (memory).
+/// microsecond per position and light. Results are equal on any number of threads. Begins one stage of `progress`,
+/// which counts organs. Throws InputError past `limits`, Cancelled, MachineError (memory).
 std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limits, const MeshScene& meshes,
                                           const Scene& scene, Progress& progress);
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <glm/matrix.hpp>
@@ -18,6 +19,7 @@
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/plant/segment_tree.h"
+#include "meristem/shape/body_meshes.h"
 
 namespace meristem {
 
@@ -40,7 +42,6 @@ struct OrganFacts {
 
 /// What is known of one plant without its plantings.
 struct PlantFacts {
-  const Plant* plant = nullptr;
   std::vector<std::uint32_t> first_shoot{};  // of each stem, and the end
   std::vector<ShootFacts> shoots{};
   std::uint32_t trees = 0;
@@ -49,8 +50,8 @@ struct PlantFacts {
   std::vector<std::vector<OrganFacts>> of_prototype{};  // its organs
   std::vector<std::uint32_t> stem_instances{};          // of each component: one more than the highest number
   std::vector<std::uint32_t> organ_instances{};         // of each component
-  std::optional<SegmentTree> segments{};
-  std::vector<std::string> labels{};  // of each shoot
+  std::optional<SegmentTree> segments{};                // once organs are known, only for bodies, whose axes it finds
+  std::vector<std::string> labels{};                    // of each shoot
 
   std::uint32_t number_of(const std::string& component) {
     const auto found = std::find(components.begin(), components.end(), component);
@@ -90,8 +91,8 @@ void add_shoots(const Stem& stem, PlantFacts& facts) {
   facts.trees = next_tree;
 }
 
-PlantFacts facts_of(const Plant& plant, const Progress& progress) {
-  PlantFacts facts{.plant = &plant};
+PlantFacts shoots_of(const Plant& plant, const Progress& progress) {
+  PlantFacts facts;
   std::vector<RoundSegment> segments;
   for (const Stem& stem : plant.stems) {
     progress.check();
@@ -111,8 +112,7 @@ PlantFacts facts_of(const Plant& plant, const Progress& progress) {
 }
 
 /// The shoots of a plant's organs, which are told by prototype.
-void find_shoots_of_organs(PlantFacts& facts, Progress& progress) {
-  const Plant& plant = *facts.plant;
+void find_shoots_of_organs(const Plant& plant, PlantFacts& facts, Progress& progress) {
   std::vector<std::uint32_t> shoots(plant.organs.size(), kNoShoot);
   parallel_for(shoots.size(), kOrgansPerSearch, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -129,13 +129,18 @@ void find_shoots_of_organs(PlantFacts& facts, Progress& progress) {
   }
 }
 
-/// Returns true if any mesh is a body about several axes.
-bool has_bodies(const MeshScene& scene) {
-  return std::ranges::any_of(scene.meshes, [](const MeshInstances& part) {
-    const MeshOrigin* origin = part.origin.get();
-    while (origin != nullptr && origin->inner != nullptr) origin = origin->inner.get();
-    return origin != nullptr && origin->stem != kNoStem && origin->tubes == nullptr;
-  });
+PlantFacts facts_of(const Plant& plant, Progress& progress) {
+  PlantFacts facts = shoots_of(plant, progress);
+  find_shoots_of_organs(plant, facts, progress);
+  if (!has_bodies(plant)) facts.segments.reset();
+  return facts;
+}
+
+/// Appends a plant, and those that stand in it, each once.
+void gather(const Plant& plant, std::unordered_set<const Plant*>& known, std::vector<const Plant*>& plants) {
+  if (!known.insert(&plant).second) return;
+  plants.push_back(&plant);
+  for (const Planting& planting : plant.plantings) gather(*planting.variant->plant, known, plants);
 }
 
 /// What stands on one site, by what comes before it.
@@ -150,7 +155,7 @@ struct PlaceFacts {
 
 }  // namespace
 
-struct SurfaceLabels::Facts {
+struct LabelFacts {
   const MeshScene* scene = nullptr;
   std::unordered_map<const Plant*, PlantFacts> of_plant;
   PlaceFacts root;
@@ -180,10 +185,14 @@ struct SurfaceLabels::Facts {
     std::map<std::string, std::uint32_t, std::less<>> organ_instances;
   };
 
-  void gather(const Plant& own, const Progress& progress) {
-    if (of_plant.contains(&own)) return;
-    of_plant.emplace(&own, facts_of(own, progress));
-    for (const Planting& planting : own.plantings) gather(*planting.variant->plant, progress);
+  void find(const Plant& plant, Progress& progress) {
+    std::unordered_set<const Plant*> known;
+    std::vector<const Plant*> plants;
+    gather(plant, known, plants);
+    std::uint64_t organs = 0;
+    for (const Plant* own : plants) organs += own->organs.size();
+    progress.begin("labelling", organs);
+    for (const Plant* own : plants) of_plant.emplace(own, facts_of(*own, progress));
   }
 
   /// The depth of plantings in plantings is bounded where documents are read.
@@ -225,28 +234,29 @@ struct SurfaceLabels::Facts {
   }
 };
 
-SurfaceLabels::SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress) {
-  auto facts = std::make_unique<Facts>();
-  facts->scene = &scene;
+PlantLabels::PlantLabels(const Plant& plant, const Limits& limits, Progress& progress)
+    : facts_(std::make_unique<LabelFacts>()) {
   std::optional<Plant> copied;
-  // The meshes have been made of this plant as well.
+  // The meshes are made of this plant as well.
   if (has_deformed_plantings(plant)) copied = with_deformed_copies(plant, limits, progress);
   const Plant& labelled = copied ? *copied : plant;
-  facts->gather(labelled, progress);
-  std::uint64_t organs = 0;
-  for (const auto& [own, of] : facts->of_plant) organs += own->organs.size();
-  progress.begin("labelling", organs);
-  for (auto& [own, of] : facts->of_plant) find_shoots_of_organs(of, progress);
-  Facts::Counts counts;
-  facts->root = facts->place(labelled, std::make_shared<const std::string>(), counts, progress);
-  facts->shoots = counts.shoots;
-  facts->name_components();
-  for (auto& [own, of] : facts->of_plant) {
-    of.plant = nullptr;
-    if (!has_bodies(scene)) of.segments.reset();  // they find the axes of bodies only
-  }
-  facts_ = std::move(facts);
+  facts_->find(labelled, progress);
+  LabelFacts::Counts counts;
+  facts_->root = facts_->place(labelled, std::make_shared<const std::string>(), counts, progress);
+  facts_->shoots = counts.shoots;
 }
+
+PlantLabels::PlantLabels(PlantLabels&&) noexcept = default;
+PlantLabels::~PlantLabels() = default;
+
+SurfaceLabels::SurfaceLabels(PlantLabels&& labels, const MeshScene& scene) {
+  labels.facts_->scene = &scene;
+  labels.facts_->name_components();
+  facts_ = std::move(labels.facts_);
+}
+
+SurfaceLabels::SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress)
+    : SurfaceLabels(PlantLabels(plant, limits, progress), scene) {}
 
 SurfaceLabels::~SurfaceLabels() = default;
 
@@ -309,12 +319,12 @@ const std::vector<std::string>& SurfaceLabels::components() const { return facts
 std::uint32_t SurfaceLabels::shoot_count() const { return facts_->shoots; }
 
 const std::string& SurfaceLabels::shoot_label(std::uint32_t shoot) const {
-  const Facts::Owner& owner = facts_->owner(shoot);
+  const LabelFacts::Owner& owner = facts_->owner(shoot);
   return owner.facts->labels[shoot - owner.first];
 }
 
 ShootOrigin SurfaceLabels::shoot_origin(std::uint32_t shoot) const {
-  const Facts::Owner& owner = facts_->owner(shoot);
+  const LabelFacts::Owner& owner = facts_->owner(shoot);
   const ShootFacts& facts = owner.facts->shoots[shoot - owner.first];
   return {*owner.prefix + owner.facts->components[facts.component], facts.order};
 }

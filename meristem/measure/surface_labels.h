@@ -48,6 +48,22 @@ struct ShootOrigin {
   std::uint16_t order = 0;  ///< branching order
 };
 
+struct LabelFacts;
+
+/// What a plant has to say about the surfaces of its meshes, which may be made later.
+class PlantLabels {
+ public:
+  /// `plant` need not outlive it. Begins a stage of `progress`, which counts organs. Throws InputError past `limits`,
+  /// Cancelled.
+  PlantLabels(const Plant& plant, const Limits& limits, Progress& progress);
+  PlantLabels(PlantLabels&&) noexcept;
+  ~PlantLabels();
+
+ private:
+  friend class SurfaceLabels;
+  std::unique_ptr<LabelFacts> facts_;
+};
+
 /// The labels of all surfaces of a mesh scene.
 ///
 /// Numbers are those of the tables of skeletons and organs: a shoot is an `axis` of SkeletonTable, a tree a root of a
@@ -60,6 +76,8 @@ class SurfaceLabels {
   /// `scene` must outlive it; `plant` need not. Begins a stage of `progress`, which counts organs. Throws InputError
   /// past `limits`, Cancelled.
   SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress);
+  /// Like the constructor above, for the labels of the plant. The meshes may be those of make_ray_meshes.
+  SurfaceLabels(PlantLabels&& labels, const MeshScene& scene);
   ~SurfaceLabels();
   SurfaceLabels(const SurfaceLabels&) = delete;
   SurfaceLabels& operator=(const SurfaceLabels&) = delete;
@@ -80,8 +98,7 @@ class SurfaceLabels {
   ShootOrigin shoot_origin(std::uint32_t shoot) const;
 
  private:
-  struct Facts;
-  std::unique_ptr<const Facts> facts_;
+  std::unique_ptr<const LabelFacts> facts_;
 };
 
 }  // namespace meristem

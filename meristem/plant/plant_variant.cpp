@@ -74,13 +74,23 @@ void move(Stem& stem, const Frame& frame) {
   }
 }
 
+/// Who takes the blocks of an expansion; for the length of one call.
+struct BlockTaker {
+  FunctionRef<void(const Plant& block)> take;
+  std::size_t block_size = kExpandedBlock;
+};
+
 class Expander {
  public:
-  Expander(Plant& to, const Limits& limits, const Progress& progress) : to_(to), limits_(limits), progress_(progress) {
-    for (const Stem& stem : to.stems) {
+  /// Adds to `to`, which has all of `own` but its plantings. With `blocks`, `to` has no stems and organs of `own`, and
+  /// loses those of each block that was taken.
+  Expander(const Plant& own, Plant& to, const Limits& limits, const Progress& progress,
+           const BlockTaker* blocks = nullptr)
+      : to_(to), limits_(limits), progress_(progress), blocks_(blocks) {
+    for (const Stem& stem : own.stems) {
       for (const StemPart& part : stem.parts) count(part.component, part.instance);
     }
-    const bool is_bare = to.stems.empty() && to.organs.empty();
+    const bool is_bare = own.stems.empty() && own.organs.empty();
     // the individual of everything outside plantings
     if (to.individuals.empty() && !is_bare) to.individuals.emplace_back();
     for (std::uint32_t k = 0; k < to.individuals.size(); ++k) {
@@ -102,10 +112,24 @@ class Expander {
         Vec3 foot = (frame * place.frame).origin;
         if (deformation != nullptr) deformation->map(std::span(&foot, 1), own);
         individual_ = individual_at(own, place.instance, foot, from);
+        if (deformation != nullptr) ++deforming_;
         add(*planting.variant, frame * place.frame, own + ".", place.birth, from, name.child(place.name));
-        if (deformation != nullptr) deform_from(stems, organs, deformation);
+        if (deformation != nullptr) {
+          deform_from(stems, organs, deformation);
+          --deforming_;
+        }
+        if (blocks_ != nullptr && deforming_ == 0 && size_ >= blocks_->block_size) give_block();
       }
     }
+  }
+
+  /// Hands out what was added since the last block.
+  void give_block() {
+    if (size_ == 0) return;
+    blocks_->take(to_);
+    to_.stems.clear();
+    to_.organs.clear();
+    size_ = 0;
   }
 
  private:
@@ -145,6 +169,7 @@ class Expander {
       organ.name = name.child(organ.name).bits();
       to_.organs.push_back(organ);
     }
+    size_ += plant.node_count() + plant.organs.size();
     add_plantings(plant.plantings, frame, prefix, row, name);
   }
 
@@ -195,6 +220,9 @@ class Expander {
   Plant& to_;
   const Limits& limits_;
   const Progress& progress_;
+  const BlockTaker* blocks_;      // null: all stays in the plant
+  std::uint64_t size_ = 0;        // nodes and organs since the last block
+  int deforming_ = 0;             // number of deformed places around what is added
   std::uint64_t mesh_bytes_ = 0;  // bytes of the deformed meshes
   std::map<std::pair<const PlantVariant*, std::string>, Numbers> numbers_;
   std::map<std::string, std::uint32_t> instances_;                              // the next number of each component
@@ -224,8 +252,24 @@ Plant expanded(const Plant& plant, const Limits& limits, const Progress& progres
   const PlantTotals totals = totals_of(plant);
   all.stems.reserve(totals.stems);
   all.organs.reserve(totals.organs);
-  Expander(all, limits, progress).add_plantings(plant.plantings, Frame{}, "");
+  Expander(plant, all, limits, progress).add_plantings(plant.plantings, Frame{}, "");
   return all;
+}
+
+std::vector<Individual> expand_in_blocks(const Plant& plant, const Limits& limits, const Progress& progress,
+                                         FunctionRef<void(const Plant& block)> take, std::size_t block_size) {
+  if (has_plantings(plant)) check_totals(plant, limits);
+  take(plant);
+  if (!has_plantings(plant)) return plant.individuals;
+  Plant block;
+  block.materials = plant.materials;
+  block.prototypes = plant.prototypes;
+  block.individuals = plant.individuals;
+  const BlockTaker blocks{take, block_size};
+  Expander expander(plant, block, limits, progress, &blocks);
+  expander.add_plantings(plant.plantings, Frame{}, "");
+  expander.give_block();
+  return std::move(block.individuals);
 }
 
 namespace {

@@ -2,12 +2,14 @@
 // Whole plants that stand in several places. Each is grown once, from its own document.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "meristem/base/cache.h"
+#include "meristem/base/function_ref.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/material.h"
@@ -46,6 +48,18 @@ bool has_plantings(const Plant& plant);
 /// instances are numbered on from place to place. Throws InputError before copying if the copies exceed the limits of
 /// nodes or instances. Throws Cancelled.
 Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress);
+
+/// The number of nodes and organs that a block of expand_in_blocks has, about. Raised, blocks take more memory.
+inline constexpr std::size_t kExpandedBlock = 1'000'000;
+
+/// Calls `take` with the stems and organs of expanded() in their order, in blocks, and returns all individuals. The
+/// first block is `plant` itself, which is not copied. A later block is a copy of one or several placed plants. It ends
+/// after the plant with which it reaches `block_size` nodes and organs; a deformed planting's place is not divided.
+/// Materials, prototypes and individuals of a block have the indices that expanded() gives them; later blocks have more
+/// of them. Memory: one block, and all deformed geometry. Throws as expanded(), and what `take` throws.
+std::vector<Individual> expand_in_blocks(const Plant& plant, const Limits& limits, const Progress& progress,
+                                         FunctionRef<void(const Plant& block)> take,
+                                         std::size_t block_size = kExpandedBlock);
 
 /// Returns true if the plant has plantings whose places are deformed, each in its own way.
 bool has_deformed_plantings(const Plant& plant);

@@ -101,6 +101,67 @@ TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
   EXPECT_EQ(expanded(plant, limits, Progress()).stems.size(), 1000U);
 }
 
+/// A plant with a stem of its own, a clump of twigs that stands twice, and a twig.
+Plant nested_plant() {
+  auto clump = std::make_shared<Plant>(*twig()->plant);
+  clump->plantings.push_back({"twig", twig(), {{at({1, 0, 0}), 0, 0, 8}, {at({-1, 0, 0}), 1, 0}}});
+  auto variant = std::make_shared<PlantVariant>();
+  variant->plant = clump;
+  Plant plant = *twig()->plant;
+  plant.plantings.push_back({"clump", variant, {{at({0, 0, 5}), 0, 0, 2}, {at({0, 0, 9}), 1, 0}}});
+  plant.plantings.push_back({"oak", twig(), {{at({3, 0, 0}, 2), 0, 0}}});
+  return plant;
+}
+
+TEST(Planting, BlocksAreTheExpansionInItsOrder) {
+  const Plant plant = nested_plant();
+  const Plant all = expanded(plant, {}, Progress());
+  for (const std::size_t block_size : {std::size_t{1}, std::size_t{7}, kExpandedBlock}) {
+    std::vector<std::size_t> sizes;
+    std::size_t stems = 0, organs = 0;
+    const auto compare = [&](const Plant& block) {
+      sizes.push_back(block.stems.size());
+      EXPECT_EQ(&block == &plant, sizes.size() == 1) << "the plant itself is not copied";
+      for (const Stem& stem : block.stems) {
+        const Stem& wanted = all.stems.at(stems++);
+        EXPECT_EQ(stem.skeleton.position, wanted.skeleton.position);
+        EXPECT_EQ(stem.skeleton.radius, wanted.skeleton.radius);
+        EXPECT_EQ(stem.parts[0].component, wanted.parts[0].component);
+        EXPECT_EQ(stem.parts[0].instance, wanted.parts[0].instance);
+        EXPECT_EQ(stem.individual(), wanted.individual());
+      }
+      for (const Organ& organ : block.organs) {
+        const Organ& wanted = all.organs.at(organs++);
+        EXPECT_EQ(organ.frame.origin, wanted.frame.origin);
+        EXPECT_EQ(organ.prototype, wanted.prototype);
+        EXPECT_EQ(organ.individual, wanted.individual);
+        EXPECT_EQ(block.prototypes.at(organ.prototype).component, all.prototypes[organ.prototype].component);
+        EXPECT_LT(block.prototypes[organ.prototype].material, block.materials.size());
+      }
+    };
+    const std::vector<Individual> individuals = expand_in_blocks(plant, {}, Progress(), compare, block_size);
+    EXPECT_EQ(stems, all.stems.size());
+    EXPECT_EQ(organs, all.organs.size());
+    ASSERT_EQ(individuals.size(), all.individuals.size());
+    for (std::size_t k = 0; k < individuals.size(); ++k) EXPECT_EQ(individuals[k].row, all.individuals[k].row);
+    const std::vector<std::size_t> in_small_blocks{1, 2, 1, 2, 1, 1};
+    const std::vector<std::size_t> in_large_blocks{1, 7};
+    if (block_size == 1) {
+      EXPECT_EQ(sizes, in_small_blocks);
+    }
+    if (block_size == kExpandedBlock) {
+      EXPECT_EQ(sizes, in_large_blocks);
+    }
+  }
+}
+
+TEST(Planting, BlocksStopAtTheLimitsBeforeTheFirst) {
+  Limits limits;
+  limits.instances = 7;
+  const auto fail = [](const Plant&) { FAIL() << "8 organs passed a limit of 7"; };
+  EXPECT_THROW(expand_in_blocks(nested_plant(), limits, Progress(), fail), InputError);
+}
+
 /// Moves each point to the side by half its height.
 std::shared_ptr<const Deformation> lean(DeformedPart part) {
   auto map = std::make_shared<const FunctionMap>(functions("x + y/2", "", ""));
@@ -129,6 +190,22 @@ TEST(Planting, DeformedOnesAreCopiedOutAndDeformedAtEachPlace) {
     EXPECT_EQ(found->stems[1].undeformed->position[1], Vec3(0, 4, 4));
     EXPECT_EQ(found->individuals.at(1).foot, Vec3(1, 2, 4));
   }
+}
+
+TEST(Planting, ADeformedPlaceIsOneBlock) {
+  Plant plant = nested_plant();
+  plant.plantings[0].deformation = lean(DeformedPart::geometry);
+  const Plant all = expanded(plant, {}, Progress());
+  std::vector<std::size_t> sizes;
+  std::size_t stems = 0;
+  const auto compare = [&](const Plant& block) {
+    sizes.push_back(block.stems.size());
+    for (const Stem& stem : block.stems) {
+      EXPECT_EQ(stem.skeleton.position, all.stems.at(stems++).skeleton.position);
+    }
+  };
+  expand_in_blocks(plant, {}, Progress(), compare, 1);
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 3, 3, 1}));
 }
 
 TEST(Planting, WhatIsDeformedWithinAPlacedPlantIsDeformedInItsWorld) {

@@ -226,8 +226,7 @@ double about_body_triangles(const Plant& plant) {
   return triangles;
 }
 
-Thickening find_thickening(const Plant& plant) {
-  Thickening whole;
+void add_thickening(const Plant& plant, Thickening& whole) {
   for (const BodyTask& task : tasks_of(plant)) {
     if (task.is_crown) continue;
     const Thickening thickening = find_thickening(task.stem->skeleton_of_surface(), task.axes(), task.surface());
@@ -237,7 +236,15 @@ Thickening find_thickening(const Plant& plant) {
     whole.volume += thickening.volume;
     whole.added += thickening.added;
   }
-  return whole;
+}
+
+bool has_bodies(const Plant& plant) {
+  return std::ranges::any_of(plant.stems, [](const Stem& stem) {
+    return std::ranges::any_of(stem.parts, [](const StemPart& part) {
+      const Surface& surface = part.surface;
+      return surface.style == Surface::Style::blend || (surface.crown && !surface.crown->hidden);
+    });
+  });
 }
 
 std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progress) {

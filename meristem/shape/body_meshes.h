@@ -13,9 +13,10 @@
 
 namespace meristem {
 
-/// What the blended bodies of all stems are thickened by, summed up; the least radius is the largest of theirs.
-/// All 0 without such bodies.
-Thickening find_thickening(const Plant& plant);
+/// Adds by how much the blended bodies of all stems are thickened; the least radius is the largest of all bodies.
+void add_thickening(const Plant& plant, Thickening& whole);
+/// Returns true if any stem has a blended body or a crown body that is seen.
+bool has_bodies(const Plant& plant);
 
 /// About how many triangles the blended bodies and crowns of a plant have. A guess by their resolution, unless the
 /// document says how many. Linear in nodes.

@@ -2,6 +2,9 @@
 #include "meristem/shape/mesh_scene.h"
 
 #include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <glm/vector_relational.hpp>
 
@@ -53,34 +56,51 @@ Box MeshScene::bounds() const {
 
 namespace {
 
-MeshScene make_meshes(const Plant& plant, const OwnMeshOptions& options, Progress& progress) {
+/// Lets go of the plant once its own meshes are made, and then of each variant that stands in it.
+MeshScene make_meshes(std::shared_ptr<const Plant> plant, const OwnMeshOptions& options, Progress& progress) {
   const auto& [limits, detail, cache, use] = options;
-  if (has_deformed_plantings(plant)) {
-    return make_meshes(with_deformed_copies(plant, limits, progress), options, progress);
-  }
   check_detail(detail);
-  MeshScene scene = make_own_meshes(plant, options, progress);
-  if (!has_plantings(plant)) return scene;
+  if (has_deformed_plantings(*plant)) {
+    plant = std::make_shared<const Plant>(with_deformed_copies(*plant, limits, progress));
+  }
+  MeshScene scene = make_own_meshes(*plant, options, progress);
+  std::vector<Planting> plantings = plant->plantings;
+  plant.reset();
+  if (plantings.empty()) return scene;
   const PlantingRecipe recipe{
       .make =
-          [&](const PlantVariant& variant, Progress& part) {
+          [&](std::shared_ptr<const PlantVariant> variant, Progress& part) {
             const OwnMeshOptions of_variant{options.limits, options.detail, nullptr, options.use};
-            return VariantMeshes{make_meshes(*variant.plant, of_variant, part), options.detail.level == 0};
+            std::shared_ptr<const Plant> placed = variant->plant;
+            variant.reset();
+            return VariantMeshes{make_meshes(std::move(placed), of_variant, part), options.detail.level == 0};
           },
       .add_key = [&](const PlantVariant&, Fingerprint& key) { add_detail(options.detail, key); }};
-  add_plantings(scene, plant, recipe, limits, progress, cache);
+  add_plantings(scene, std::move(plantings), recipe, limits, progress, cache);
   return scene;
 }
+
+/// A plant that somebody else holds.
+std::shared_ptr<const Plant> borrowed(const Plant& plant) { return {std::shared_ptr<const Plant>(), &plant}; }
 
 }  // namespace
 
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
                           Cache* cache) {
-  return make_meshes(plant, {limits, detail, cache}, progress);
+  return make_meshes(borrowed(plant), {limits, detail, cache}, progress);
+}
+
+MeshScene make_mesh_scene(Plant&& plant, const Limits& limits, Progress& progress, const Detail& detail) {
+  return make_meshes(std::make_shared<const Plant>(std::move(plant)), {limits, detail}, progress);
 }
 
 MeshScene make_ray_meshes(const Plant& plant, const Limits& limits, Progress& progress) {
-  return make_meshes(plant, {limits, Detail(), nullptr, MeshUse::rays}, progress);
+  return make_meshes(borrowed(plant), {limits, Detail(), nullptr, MeshUse::rays}, progress);
+}
+
+MeshScene make_ray_meshes(Plant&& plant, const Limits& limits, Progress& progress) {
+  return make_meshes(std::make_shared<const Plant>(std::move(plant)), {limits, Detail(), nullptr, MeshUse::rays},
+                     progress);
 }
 
 }  // namespace meristem

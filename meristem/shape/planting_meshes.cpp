@@ -30,41 +30,59 @@ constexpr std::size_t kFewPlaces = 16;  // of a planting, that are always shown
 /// The meshes of plantings, each variant's made once.
 class PlantingClothier {
  public:
-  PlantingClothier(const PlantingRecipe& recipe, const Limits& limits, Progress& progress, Cache* cache)
-      : recipe_(recipe), limits_(limits), progress_(progress), results_(cache, {typeid(VariantMeshes)}) {}
+  PlantingClothier(std::vector<Planting> plantings, const PlantingRecipe& recipe, const Limits& limits,
+                   Progress& progress, Cache* cache)
+      : plantings_(std::move(plantings)),
+        recipe_(recipe),
+        limits_(limits),
+        progress_(progress),
+        results_(cache, {typeid(VariantMeshes)}) {}
 
-  bool add_to(MeshScene& scene, const Plant& plant) {
-    find_variants(plant);
+  bool add_to(MeshScene& scene) {
+    take_variants();
     clothe_variants();
-    for (std::uint32_t k = 0; k < plant.plantings.size(); ++k) add(plant.plantings[k], k, scene);
-    check_limits(scene, plant);
+    for (std::uint32_t k = 0; k < plantings_.size(); ++k) add(k, scene);
+    check_limits(scene);
     scene.meshes = grouped(std::move(scene.meshes));
     results_.end();
     return is_whole_;
   }
 
  private:
-  void find_variants(const Plant& plant) {
-    for (const Planting& planting : plant.plantings) {
-      const auto [known, is_new] = number_.try_emplace(planting.variant.get(), variants_.size());
-      if (is_new) variants_.push_back(planting.variant);
+  /// Takes the distinct variants out of the plantings.
+  void take_variants() {
+    std::unordered_map<const PlantVariant*, std::size_t> number;
+    for (Planting& planting : plantings_) {
+      const auto [known, is_new] = number.try_emplace(planting.variant.get(), variants_.size());
+      variant_of_.push_back(known->second);
+      std::shared_ptr<const PlantVariant> variant = std::move(planting.variant);
+      if (is_new) {
+        pictured_.push_back(variant->materials());
+        variants_.push_back(std::move(variant));
+      }
       uses_.resize(variants_.size());
       ++uses_[known->second];
     }
   }
 
+  /// Lets go of a variant, unless its places are still to be chosen.
+  std::shared_ptr<const PlantVariant> take_variant(std::size_t k) {
+    return recipe_.shown_places ? variants_[k] : std::move(variants_[k]);
+  }
+
   /// Side by side; which of several faults is thrown does not depend on threads.
   void clothe_variants() {
     meshes_.resize(variants_.size());
-    const auto key_of_variant = [&](std::size_t k) {
-      return results_.key([&] {
-        Fingerprint key;
-        recipe_.add_key(*variants_[k], key.add(variants_[k]->key));
-        return key.hash();
-      });
-    };
+    std::vector<CacheKey> keys(variants_.size());  // none for variants whose content is unknown
     for (std::size_t k = 0; k < variants_.size(); ++k) {
-      if (variants_[k]->key != 0) meshes_[k] = results_.find<const VariantMeshes>(key_of_variant(k));
+      if (variants_[k]->key != 0) {
+        keys[k] = results_.key([&] {
+          Fingerprint key;
+          recipe_.add_key(*variants_[k], key.add(variants_[k]->key));
+          return key.hash();
+        });
+        meshes_[k] = results_.find<const VariantMeshes>(keys[k]);
+      }
       results_.count<VariantMeshes>(meshes_[k] != nullptr);
     }
     std::vector<std::exception_ptr> faults(variants_.size());
@@ -75,10 +93,10 @@ class PlantingClothier {
         if (meshes_[k] == nullptr) {
           Progress part(&progress_);
           try {
-            auto made = std::make_shared<VariantMeshes>(recipe_.make(*variants_[k], part));
+            auto made = std::make_shared<VariantMeshes>(recipe_.make(take_variant(k), part));
             meshes_[k] = made;
             const std::lock_guard lock(storing);
-            if (variants_[k]->key != 0) results_.store(key_of_variant(k), std::move(made));
+            results_.store(keys[k], std::move(made));
           } catch (const InputError&) {
             faults[k] = std::current_exception();
           }
@@ -91,13 +109,15 @@ class PlantingClothier {
     }
   }
 
-  void add(const Planting& planting, std::uint32_t number, MeshScene& scene) {
-    const std::size_t variant = number_.at(planting.variant.get());
+  void add(std::uint32_t number, MeshScene& scene) {
+    const Planting& planting = plantings_[number];
+    const std::size_t variant = variant_of_[number];
     MeshScene& own = std::const_pointer_cast<VariantMeshes>(meshes_[variant])->scene;
     // Its last planting takes the frames of the variant without a copy, unless a cache keeps them.
     const bool is_last = --uses_[variant] == 0 && meshes_[variant].use_count() == 1;
     auto places = std::make_shared<std::vector<Frame>>();
-    for (const std::size_t place : shown_places(planting, own)) places->push_back(planting.places[place].frame);
+    for (const std::size_t place : shown_places(planting, variant, own))
+      places->push_back(planting.places[place].frame);
     const bool shows_all = places->size() == planting.places.size();
     is_whole_ = is_whole_ && shows_all && meshes_[variant]->is_whole;
     const std::vector<std::uint32_t>& materials = materials_of(variant, planting.component, scene);
@@ -122,11 +142,11 @@ class PlantingClothier {
   }
 
   /// An even choice of a planting's places, in their order.
-  std::vector<std::size_t> shown_places(const Planting& planting, const MeshScene& made) const {
+  std::vector<std::size_t> shown_places(const Planting& planting, std::size_t variant, const MeshScene& made) const {
     std::vector<std::size_t> shown(planting.places.size());
     std::iota(shown.begin(), shown.end(), 0);
     if (!recipe_.shown_places || shown.size() < kFewPlaces) return shown;
-    const double share = recipe_.shown_places(*planting.variant, made.triangle_count());
+    const double share = recipe_.shown_places(*variants_[variant], made.triangle_count());
     if (share >= 1) return shown;
     const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(shown.size())));
     const std::vector<std::uint32_t> order =
@@ -150,7 +170,7 @@ class PlantingClothier {
   const std::vector<std::uint32_t>& materials_of(std::size_t variant, const std::string& component, MeshScene& scene) {
     const auto [known, is_new] = materials_.try_emplace({variant, component});
     if (!is_new) return known->second;
-    const std::vector<Material>& pictured = variants_[variant]->materials();
+    const std::vector<Material>& pictured = pictured_[variant];
     const std::vector<Material>& all = meshes_[variant]->scene.materials;
     for (std::size_t m = 0; m < all.size(); ++m) {
       Material material = all[m];
@@ -179,7 +199,7 @@ class PlantingClothier {
   }
 
   /// Each variant counts once: no memory is spent on its copies.
-  void check_limits(const MeshScene& scene, const Plant& plant) const {
+  void check_limits(const MeshScene& scene) const {
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
     std::set<const Mesh*> known;
@@ -188,7 +208,7 @@ class PlantingClothier {
       if (known.insert(instances.mesh.get()).second) bytes += instances.mesh->bytes();
       bytes += instances.frames.size() * sizeof(Frame) + instances.place_count() * sizeof(Frame);
     }
-    const std::string path = "components." + plant.plantings.front().component;
+    const std::string path = "components." + plantings_.front().component;
     if (triangles > limits_.triangles) {
       throw_limit("triangles", static_cast<double>(triangles), limits_.triangles, "triangles", path);
     }
@@ -197,13 +217,15 @@ class PlantingClothier {
     }
   }
 
+  std::vector<Planting> plantings_;  // without their variants
   const PlantingRecipe& recipe_;
   const Limits& limits_;
   Progress& progress_;
   CacheRun results_;
   bool is_whole_ = true;
-  std::vector<std::shared_ptr<const PlantVariant>> variants_;
-  std::unordered_map<const PlantVariant*, std::size_t> number_;
+  std::vector<std::shared_ptr<const PlantVariant>> variants_;  // null once they are not needed any more
+  std::vector<std::vector<Material>> pictured_;                // materials of each variant, with pictures
+  std::vector<std::size_t> variant_of_;                        // of each planting
   std::vector<std::size_t> uses_;  // of each variant: the plantings that are not yet in the scene
   std::vector<std::shared_ptr<const VariantMeshes>> meshes_;
   std::map<std::pair<std::size_t, std::string>, std::vector<std::uint32_t>> materials_;
@@ -212,9 +234,9 @@ class PlantingClothier {
 
 }  // namespace
 
-bool add_plantings(MeshScene& scene, const Plant& plant, const PlantingRecipe& recipe, const Limits& limits,
-                   Progress& progress, Cache* cache) {
-  return PlantingClothier(recipe, limits, progress, cache).add_to(scene, plant);
+bool add_plantings(MeshScene& scene, std::vector<Planting> plantings, const PlantingRecipe& recipe,
+                   const Limits& limits, Progress& progress, Cache* cache) {
+  return PlantingClothier(std::move(plantings), recipe, limits, progress, cache).add_to(scene);
 }
 
 }  // namespace meristem

@@ -4,13 +4,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <vector>
 
 #include "meristem/base/cache.h"
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
-#include "meristem/plant/plant.h"
 #include "meristem/plant/plant_variant.h"
+#include "meristem/plant/planting.h"
 #include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/mesh_scene.h"
 
@@ -18,8 +20,8 @@ namespace meristem {
 
 /// How the meshes of placed plants are made.
 struct PlantingRecipe {
-  /// Makes the meshes of a variant. Called on several threads at once.
-  std::function<VariantMeshes(const PlantVariant& variant, Progress& progress)> make;
+  /// Makes the meshes of a variant, and may let go of it. Called on several threads at once.
+  std::function<VariantMeshes(std::shared_ptr<const PlantVariant> variant, Progress& progress)> make;
   /// Adds everything that the result of `make` depends on besides the variant.
   std::function<void(const PlantVariant& variant, Fingerprint& key)> add_key;
   /// Returns the share of a variant's places that are shown, above 0, if its meshes have `made` triangles. Null: all
@@ -27,11 +29,12 @@ struct PlantingRecipe {
   std::function<double(const PlantVariant& variant, std::uint64_t made)> shown_places{};
 };
 
-/// Adds the meshes of the plant's plantings to `scene`. Each variant's meshes are made once; the cache gets them as
-/// soon as they are made, so a call that was cancelled leaves them for the next one. Returns true if all places of all
-/// plantings are shown with whole meshes. Throws InputError if limits would be passed; if several variants fail, the
-/// fault of the first one. Throws Cancelled.
-bool add_plantings(MeshScene& scene, const Plant& plant, const PlantingRecipe& recipe, const Limits& limits,
-                   Progress& progress, Cache* cache);
+/// Adds the meshes of a plant's plantings to `scene`. Each variant's meshes are made once; the cache gets them as
+/// soon as they are made, so a call that was cancelled leaves them for the next one. A variant that nobody else holds
+/// is freed when its meshes are made, unless `shown_places` needs it. Returns true if all places of all plantings are
+/// shown with whole meshes. Throws InputError if limits would be passed; if several variants fail, the fault of the
+/// first one. Throws Cancelled.
+bool add_plantings(MeshScene& scene, std::vector<Planting> plantings, const PlantingRecipe& recipe,
+                   const Limits& limits, Progress& progress, Cache* cache);
 
 }  // namespace meristem

@@ -13,4 +13,7 @@ namespace meristem {
 /// memory. The textures with holes must be painted before. Throws as make_mesh_scene does.
 MeshScene make_ray_meshes(const Plant& plant, const Limits& limits, Progress& progress);
 
+/// Makes the same meshes, and frees the plant while it makes them, as make_mesh_scene does.
+MeshScene make_ray_meshes(Plant&& plant, const Limits& limits, Progress& progress);
+
 }  // namespace meristem

@@ -194,9 +194,9 @@ ViewMeshes meshes_within(const Plant& plant, const Limits& limits, const ViewMes
     };
     const PlantingRecipe recipe{
         .make =
-            [&](const PlantVariant& variant, Progress& part) {
-              const ViewMeshOptions of_variant{static_cast<std::uint64_t>(std::ceil(granted(variant))), options.work};
-              ViewMeshes placed = make_view_meshes(*variant.plant, limits, of_variant, part);
+            [&](const std::shared_ptr<const PlantVariant>& variant, Progress& part) {
+              const ViewMeshOptions of_variant{static_cast<std::uint64_t>(std::ceil(granted(*variant))), options.work};
+              ViewMeshes placed = make_view_meshes(*variant->plant, limits, of_variant, part);
               return VariantMeshes{std::move(placed.scene), placed.is_whole};
             },
         .add_key = [&](const PlantVariant& variant, Fingerprint& key) { key.add_text("view").add(granted(variant)); },
@@ -205,7 +205,7 @@ ViewMeshes meshes_within(const Plant& plant, const Limits& limits, const ViewMes
               const double most = claim_of.at(&variant)->granted;
               return static_cast<double>(triangles) <= kAboutPart * most ? 1 : most / static_cast<double>(triangles);
             }};
-    const bool are_whole = add_plantings(meshes.scene, plant, recipe, limits, progress, cache);
+    const bool are_whole = add_plantings(meshes.scene, plant.plantings, recipe, limits, progress, cache);
     meshes.is_whole = meshes.is_whole && are_whole;
   }
   meshes.triangles =

@@ -17,6 +17,7 @@
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "meristem/document/plan.h"
+#include "meristem/measure/foliage.h"
 #include "meristem/output/moving_file.h"
 #include "meristem/output/output_files.h"
 #include "meristem/plant/plant_variant.h"
@@ -263,11 +264,38 @@ const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
   const std::scoped_lock lock(mutex_);
   complete_growth(origin->document, grown_, progress, {.up_to = std::min(part, GrownPart::meshes)});
   has_meshes_ = grown_.up_to >= GrownPart::meshes;
+  if (has_meshes_) ray_meshes_.reset();
   if (part <= grown_.up_to) return grown_;
   // The plants of a batch have their textures in common, not their meshes.
   const std::scoped_lock painting(origin->shared->painting);
   complete_growth(origin->document, grown_, progress, {.up_to = part, .cache = &origin->shared->textures});
   return grown_;
+}
+
+void PlantInPython::paint_holes(Progress& progress) {
+  if (has_painted_holes_ || grown_.up_to >= GrownPart::textures || !has_holes(grown_.plant)) return;
+  const std::scoped_lock painting(origin->shared->painting);
+  paint_plant(origin->document, grown_.plant, progress, &origin->shared->textures);
+  has_painted_holes_ = true;
+}
+
+const Plant& PlantInPython::with_holes(Progress& progress) {
+  const std::scoped_lock lock(mutex_);
+  paint_holes(progress);
+  return grown_.plant;
+}
+
+std::shared_ptr<const MeshScene> PlantInPython::ray_meshes(Progress& progress) {
+  const std::scoped_lock lock(mutex_);
+  // Meshes whose materials have sketches let no ray through holes.
+  if (has_meshes_ && (grown_.up_to >= GrownPart::textures || !has_holes(grown_.plant))) {
+    return {std::shared_ptr<const MeshScene>(), &grown_.meshes};
+  }
+  paint_holes(progress);
+  if (ray_meshes_ == nullptr) {
+    ray_meshes_ = std::make_shared<const MeshScene>(mesh_for_rays(origin->document, grown_.plant, progress));
+  }
+  return ray_meshes_;
 }
 
 Value DocumentInPython::tree() const {

@@ -94,12 +94,22 @@ class PlantInPython {
   const GrowthTraces& traces() const { return grown_.traces; }
   /// What has grown, with all up to a part. On a thread without the interpreter's lock. Throws as complete_growth does.
   const GrownDocument& up_to(GrownPart part, Progress& progress);
+  /// As it has grown, with pictures in place of sketches if textures cut holes: what measures of leaves need. Throws
+  /// Cancelled.
+  const Plant& with_holes(Progress& progress);
+  /// The meshes for rays alone (mesh_for_rays), or all meshes if they have been made. Throws as mesh_for_rays does.
+  std::shared_ptr<const MeshScene> ray_meshes(Progress& progress);
   /// The meshes if they have been made, else null.
   const MeshScene* present_meshes() const { return has_meshes_ ? &grown_.meshes : nullptr; }
 
  private:
+  /// Paints textures if they cut holes. The caller holds the mutex.
+  void paint_holes(Progress& progress);
+
   GrownDocument grown_;
-  mutable std::mutex mutex_;  // guards what is being made; what there is does not change
+  bool has_painted_holes_ = false;
+  std::shared_ptr<const MeshScene> ray_meshes_;  // null: not made, or all meshes are made
+  mutable std::mutex mutex_;                     // guards what is being made; what there is does not change
   std::atomic<bool> has_meshes_{false};
   mutable std::once_flag is_expanded_;
   mutable std::unique_ptr<const Plant> expanded_;  // null where nothing is placed

@@ -108,8 +108,9 @@ const Scene& measured_scene(const PlantPointer& plant, const std::shared_ptr<Sce
 py::dict organ_light(const PlantPointer& plant, const std::shared_ptr<Scene>& scene, int threads,
                      const py::object& progress) {
   std::vector<LitOrgan> organs = run_call(progress, threads, [&](Progress& inner) {
-    const GrownDocument& grown = plant->up_to(GrownPart::textures, inner);
-    return measure_organ_light(grown.plant, limits_of(plant), grown.meshes, measured_scene(plant, scene), inner);
+    const std::shared_ptr<const MeshScene> meshes = plant->ray_meshes(inner);
+    return measure_organ_light(plant->with_holes(inner), limits_of(plant), *meshes, measured_scene(plant, scene),
+                               inner);
   });
   const auto owner = std::make_shared<const std::vector<LitOrgan>>(std::move(organs));
   const auto column = [&](double LitOrgan::*member) -> py::object {
@@ -168,11 +169,6 @@ py::dict operations_of(const PlantPointer& plant) {
   return columns;
 }
 
-/// Holes of textures are no leaf, so those are painted where there are any.
-GrownPart measured_part(const PlantPointer& plant) {
-  return has_holes(plant->plant()) ? GrownPart::textures : GrownPart::meshes;
-}
-
 void check_options(double fork_diameter, std::uint64_t crown_rays) {
   if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
   if (crown_rays < 1 || crown_rays > kMostRays) {
@@ -215,8 +211,18 @@ py::object measures_of(const PlantPointer& plant, bool light, bool each, const s
   check_options(fork_diameter, crown_rays);
   const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays, .organ_light = light};
   const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
-    const GrownDocument& grown = plant->up_to(measured_part(plant), inner);
-    return measure_plant(grown.plant, limits_of(plant), grown.meshes, measured_scene(plant, scene), options, inner);
+    const Plant& grown = plant->with_holes(inner);
+    StandMeasures stand;
+    if (light) {
+      const std::shared_ptr<const MeshScene> meshes = plant->ray_meshes(inner);
+      stand = measure_plant(grown, limits_of(plant), *meshes, measured_scene(plant, scene), options, inner);
+    } else {
+      stand = measure_plant(grown, limits_of(plant), measured_scene(plant, scene), options, inner);
+    }
+    const MeshScene* const present = plant->present_meshes();
+    stand.whole.set_geometry(present != nullptr ? count_geometry(*present)
+                                                : count_geometry(plant->origin->document, grown, inner));
+    return stand;
   });
   return measures_in_python(measures, each);
 }
@@ -224,7 +230,7 @@ py::object measures_of(const PlantPointer& plant, bool light, bool each, const s
 py::dict leaf_layers(const PlantPointer& plant, double height, int threads, const py::object& progress) {
   if (!(height > 0)) throw py::value_error("height must be above 0 metres");
   const LeafLayers layers = run_call(progress, threads, [&](Progress& inner) {
-    return measure_leaf_layers(plant->up_to(measured_part(plant), inner).plant, limits_of(plant), height, inner);
+    return measure_leaf_layers(plant->with_holes(inner), limits_of(plant), height, inner);
   });
   std::vector<double> low;
   std::vector<double> high;

@@ -11,7 +11,6 @@
 #include "arrays.h"
 #include "call.h"
 #include "document.h"
-#include "meristem/measure/foliage.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/scan/scan_files.h"
@@ -51,11 +50,12 @@ void with_scanner(const PlantPointer& plant, const ScanArguments& arguments, int
   const Document& document = plant->origin->document;
   const ScanPlan plan = plan_scan(arguments.request(), document.graph.seed);
   watch_of(progress)->run(threads, [&](Progress& inner) {
-    // Pulses pass through the holes of textures.
-    const GrownPart part = has_holes(plant->unexpanded()) ? GrownPart::textures : GrownPart::meshes;
-    const GrownDocument& grown = plant->up_to(part, inner);
-    const MeshScene meshes = scanned_meshes(grown.meshes, document.scene.obstacles, plan);
-    use(Scanner(grown.plant, plant->origin->document.graph.limits, meshes, plan.options, inner), inner);
+    const std::shared_ptr<const MeshScene> meshes = plant->ray_meshes(inner);
+    MeshScene among_obstacles;
+    const bool is_alone = !sees_obstacles(document.scene.obstacles, plan);
+    if (!is_alone) among_obstacles = scanned_meshes(*meshes, document.scene.obstacles, plan);
+    use(Scanner(plant->unexpanded(), document.graph.limits, is_alone ? *meshes : among_obstacles, plan.options, inner),
+        inner);
   });
 }
 

@@ -48,8 +48,7 @@ struct PairRows {
 };
 
 /// Reads a pair [x, y] of plain numbers.
-bool read_pair(const PairRows& rows, const Value& value, const DocumentPath& path, ParameterReader& reader,
-               Vec2& out) {
+bool read_pair(const PairRows& rows, const Value& value, const DocumentPath& path, ParameterReader& reader, Vec2& out) {
   const Value::List* pair = value.list();
   if (pair == nullptr || pair->size() != 2) {
     reader.fault(path, fmt::format("a point of '{}' cannot be {}", rows.first.name, value.description()),

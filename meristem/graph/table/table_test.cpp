@@ -210,8 +210,7 @@ TEST(Table, NumbersOutOfRangeAreRejected) {
 TEST(Table, SecondNumbersOfPointsHaveARangeOfTheirOwn) {
   const auto points = [](double first, double second) { return Value::List{Value(Value::List{first, second})}; };
   EXPECT_EQ(good("side", points(1, -2)).side[0], Vec2(1, -2));
-  EXPECT_EQ(fault("side", points(1.445, 0), "flower.side[0][0]").message,
-            "the value 1.445 is out of range for 'side'");
+  EXPECT_EQ(fault("side", points(1.445, 0), "flower.side[0][0]").message, "the value 1.445 is out of range for 'side'");
   fault("side", points(-0.1, 0), "flower.side[0][0]");
   EXPECT_EQ(fault("side", points(1, 2.5), "flower.side[0][1]").expected, "a number from -2 to 2");
   EXPECT_EQ(flower_table().find("side")->expectation(),

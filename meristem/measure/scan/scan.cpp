@@ -21,7 +21,6 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/base/large_memory.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
@@ -64,6 +63,34 @@ Box bounds_of_plants(const MeshScene& meshes, const Box& whole) {
     plants.add(alone.bounds());
   }
   return plants.is_empty() ? whole : plants;
+}
+
+/// Where the pulses go.
+struct Layout {
+  Box box;  // around all meshes
+  ScanPattern pattern;
+};
+
+/// Throws InputError if there are too many pulses, or if a drone would fly into the scene.
+Layout layout_of(const MeshScene& meshes, const ScanOptions& options) {
+  const Box box = meshes.bounds();
+  if (options.instrument.kind == ScannerClass::drone && !box.is_empty() && options.instrument.altitude <= box.high.y) {
+    throw InputError(
+        Diagnostic{.message = fmt::format("the drone would fly into the scene, which is {:.4g} m high", box.high.y),
+                   .expected = "an altitude above it",
+                   .path = "instrument.altitude"});
+  }
+  const Box plants = bounds_of_plants(meshes, box);
+  ScanPattern pattern(
+      options.instrument,
+      options.stations.empty() ? stations_around(plants, options.around, options.instrument) : options.stations,
+      options.target.value_or(plants.is_empty() ? Vec3(0) : plants.centre()), plants);
+  if (pattern.pulse_count() > kMostPulses) {
+    throw InputError(Diagnostic{.message = fmt::format("{} pulses are too many", pattern.pulse_count()),
+                                .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
+                                .path = "instrument.step"});
+  }
+  return {box, std::move(pattern)};
 }
 
 /// Mean distance, and the label with most of the strength. The echoes are sorted.
@@ -109,13 +136,11 @@ struct Scanner::Parts {
   double reach = 0;     // of the outermost ray, in radii
   double aperture = 0;  // metres: radius of the beam where it leaves
 
-  /// `whole` is the box around all meshes.
-  Parts(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& given, const Box& whole,
-        ScanPattern ways, Progress& progress)
+  Parts(PlantLabels&& plant, const MeshScene& meshes, const ScanOptions& given, Layout layout)
       : options(given),
-        box(whole),
-        pattern(std::move(ways)),
-        labels(plant, limits, meshes, progress),
+        box(layout.box),
+        pattern(std::move(layout.pattern)),
+        labels(std::move(plant), meshes),
         has_meshes(!meshes.meshes.empty()),
         offsets(beam_offsets(given.instrument.rays)),
         turn_key(RandomKey(given.seed).child("scan").child("turn")),
@@ -237,40 +262,16 @@ struct Scanner::Parts {
   }
 };
 
-std::unique_ptr<Scanner::Parts> Scanner::labelled(const Plant& plant, const Limits& limits, const MeshScene& meshes,
-                                                  const ScanOptions& options, Progress& progress) {
-  const Box box = meshes.bounds();
-  if (options.instrument.kind == ScannerClass::drone && !box.is_empty() && options.instrument.altitude <= box.high.y) {
-    throw InputError(
-        Diagnostic{.message = fmt::format("the drone would fly into the scene, which is {:.4g} m high", box.high.y),
-                   .expected = "an altitude above it",
-                   .path = "instrument.altitude"});
-  }
-  const Box plants = bounds_of_plants(meshes, box);
-  ScanPattern pattern(
-      options.instrument,
-      options.stations.empty() ? stations_around(plants, options.around, options.instrument) : options.stations,
-      options.target.value_or(plants.is_empty() ? Vec3(0) : plants.centre()), plants);
-  if (pattern.pulse_count() > kMostPulses) {
-    throw InputError(Diagnostic{.message = fmt::format("{} pulses are too many", pattern.pulse_count()),
-                                .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
-                                .path = "instrument.step"});
-  }
-  return std::make_unique<Parts>(plant, limits, meshes, options, box, std::move(pattern), progress);
-}
-
 Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
                  Progress& progress) {
-  std::unique_ptr<Parts> parts = labelled(plant, limits, meshes, options, progress);
+  Layout layout = layout_of(meshes, options);  // what is wrong comes before any work
+  auto parts = std::make_unique<Parts>(PlantLabels(plant, limits, progress), meshes, options, std::move(layout));
   parts->rays.emplace(meshes, progress);
   parts_ = std::move(parts);
 }
 
-Scanner::Scanner(Plant&& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
-                 Progress& progress) {
-  std::unique_ptr<Parts> parts = labelled(plant, limits, meshes, options, progress);
-  plant = Plant();
-  give_back_memory();
+Scanner::Scanner(PlantLabels&& labels, const MeshScene& meshes, const ScanOptions& options, Progress& progress) {
+  auto parts = std::make_unique<Parts>(std::move(labels), meshes, options, layout_of(meshes, options));
   parts->rays.emplace(meshes, progress);
   parts_ = std::move(parts);
 }
@@ -281,6 +282,7 @@ std::uint64_t Scanner::pulse_count() const { return parts_->pattern.pulse_count(
 const std::vector<Vec3>& Scanner::stations() const { return parts_->pattern.stations(); }
 const SurfaceLabels& Scanner::labels() const { return parts_->labels; }
 const ScanOptions& Scanner::options() const { return parts_->options; }
+std::uint64_t Scanner::ray_bytes() const { return parts_->rays->bytes(); }
 
 void Scanner::run(FunctionRef<void(std::span<const ScanPoint>)> take, Progress& progress) const {
   const std::uint64_t pulses = pulse_count();

@@ -57,8 +57,8 @@ class Scanner {
   /// would fly into the scene, Cancelled, MachineError (memory).
   Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
           Progress& progress);
-  /// Like the constructor above. Frees the memory of the plant before it takes memory for the rays.
-  Scanner(Plant&& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
+  /// Like the constructor above, with what labels say of the plant, which need not exist any more.
+  Scanner(PlantLabels&& labels, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
   ~Scanner();
   Scanner(const Scanner&) = delete;
   Scanner& operator=(const Scanner&) = delete;
@@ -67,6 +67,8 @@ class Scanner {
   const std::vector<Vec3>& stations() const;  ///< positions of the scanner, metres
   const SurfaceLabels& labels() const;        ///< labels of all surfaces that the scanner sees
   const ScanOptions& options() const;         ///< options of the scan
+  /// Returns the bytes that rays need to find surfaces, without the meshes.
+  std::uint64_t ray_bytes() const;
 
   /// Calls `take` with the points of the scan, some at a time, in the order of the pulses; equal on any number of
   /// threads. Memory stays below 200 MB, whatever the number of points. Begins a stage of `progress`, which counts
@@ -75,8 +77,6 @@ class Scanner {
 
  private:
   struct Parts;
-  static std::unique_ptr<Parts> labelled(const Plant& plant, const Limits& limits, const MeshScene& meshes,
-                                         const ScanOptions& options, Progress& progress);
   std::unique_ptr<const Parts> parts_;
 };
 

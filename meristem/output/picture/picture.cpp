@@ -2,6 +2,7 @@
 #include "meristem/output/picture/picture.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "meristem/base/math.h"
 #include "meristem/output/overlay/overlay_meshes.h"
@@ -51,9 +52,19 @@ PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, con
   return picture;
 }
 
+bool shows_meshes_alone(const PictureOptions& options) {
+  return options.overlays.empty() && !options.crown_hulls && options.plants;
+}
+
+Image take_last_picture(GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
+                        Progress& progress) {
+  if (!shows_meshes_alone(options)) return take_picture(grown, limits, scene, options, progress);
+  return render_still(std::move(grown.meshes), scene, options.view, options.still, progress);
+}
+
 Image take_picture(const GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
                    Progress& progress) {
-  if (options.overlays.empty() && !options.crown_hulls && options.plants) {
+  if (shows_meshes_alone(options)) {
     return render_still(grown.meshes, scene, options.view, options.still, progress);
   }
   const PictureScene picture = picture_scene(grown, limits, scene, options, progress);

@@ -36,4 +36,11 @@ PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, con
 Image take_picture(const GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
                    Progress& progress);
 
+/// Takes the last picture of what has grown, and frees its meshes.
+Image take_last_picture(GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
+                        Progress& progress);
+
+/// Returns true if a picture shows plants as their meshes alone: then it needs no GrownDocument::plant.
+bool shows_meshes_alone(const PictureOptions& options);
+
 }  // namespace meristem

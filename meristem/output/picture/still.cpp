@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <immintrin.h>
@@ -120,28 +122,45 @@ void check_still_options(const StillOptions& options) {
   check_range("output.samples", options.samples, 65536);
 }
 
-Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
-                   Progress& progress) {
-  check_still_options(options);
+namespace {
+
+/// Where the picture is taken from, and the ground below the plants. It is made for the plants; obstacles stand in it.
+struct Framing {
+  Camera camera;
+  Ground ground;
+};
+
+bool shows_obstacles(const Scene& scene, const StillOptions& options) {
+  return !options.transparent && has_visible(scene.obstacles);
+}
+
+double aspect_of(const StillOptions& options) { return static_cast<double>(options.width) / options.height; }
+
+/// Frames the plants, or obstacles where there are none.
+Framing framing_of(const MeshScene& plants, const Scene& scene, const View& view, const StillOptions& options,
+                   const Progress& progress) {
+  const bool has_obstacles = shows_obstacles(scene, options);
+  const MeshScene alone = plants.meshes.empty() && has_obstacles ? with_obstacles({}, scene.obstacles) : MeshScene();
+  const MeshScene& framed = plants.meshes.empty() ? alone : plants;
+  const double aspect = aspect_of(options);
+  const View seen = has_obstacles ? view_past_obstacles(plants, scene.obstacles, view, aspect, progress) : view;
+  return {place_camera(framed, seen, aspect), ground_below(framed, scene)};
+}
+
+/// A picture of all that is shown.
+Image exposed(const MeshScene& shown, const Framing& framing, const Scene& scene, const View& view,
+              const StillOptions& options, Progress& progress) {
   Image image{options.width, options.height, {}};
   image.rgba.resize(std::size_t{4} * options.width * options.height);
-  progress.begin("rendering", std::uint64_t{1} * options.width * options.height);
 
-  // Set up light, ground and camera. Obstacles stand in the picture, but it is made for the plants.
-  const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
-  const MeshScene meshes_around = shows_obstacles ? with_obstacles(meshes, scene.obstacles) : MeshScene();
-  const MeshScene& shown = shows_obstacles ? meshes_around : meshes;
-  const MeshScene& framed = meshes.meshes.empty() ? shown : meshes;
+  // Set up light and ground.
   const RayScene rays(shown, progress);
   const Sky sky(scene.sun);
-  const Ground ground = ground_below(framed, scene);
   const bool shows_ground = options.ground && !options.transparent;
   const Lamplight lamps(scene.light.lamps);
+  const auto& [camera, ground] = framing;
   const PathTracer tracer(shown, rays, Daylight(sky, ground.colour),
                           shows_ground ? std::optional(ground) : std::nullopt, lamps, air_of(view, sky));
-  const double aspect = static_cast<double>(options.width) / options.height;
-  const View seen = shows_obstacles ? view_past_obstacles(meshes, scene.obstacles, view, aspect, progress) : view;
-  const Camera camera = place_camera(framed, seen, aspect);
   const float brightness = exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera));
   const Developer developer(view, options, brightness);
   const Photographer photographer(tracer, camera,
@@ -189,6 +208,29 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
     developed = ready;
   }
   return image;
+}
+
+void begin(const StillOptions& options, Progress& progress) {
+  check_still_options(options);
+  progress.begin("rendering", std::uint64_t{1} * options.width * options.height);
+}
+
+}  // namespace
+
+Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
+                   Progress& progress) {
+  if (shows_obstacles(scene, options)) return render_still(MeshScene(meshes), scene, view, options, progress);
+  begin(options, progress);
+  return exposed(meshes, framing_of(meshes, scene, view, options, progress), scene, view, options, progress);
+}
+
+Image render_still(MeshScene&& meshes, const Scene& scene, const View& view, const StillOptions& options,
+                   Progress& progress) {
+  begin(options, progress);
+  const Framing framing = framing_of(meshes, scene, view, options, progress);
+  MeshScene shown = std::move(meshes);
+  if (shows_obstacles(scene, options)) shown = with_obstacles(std::move(shown), scene.obstacles);
+  return exposed(shown, framing, scene, view, options, progress);
 }
 
 }  // namespace meristem

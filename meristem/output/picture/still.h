@@ -32,4 +32,8 @@ void check_still_options(const StillOptions& options);
 Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
                    Progress& progress);
 
+/// Renders the same picture, and frees `meshes` with it; they are not copied to stand among obstacles.
+Image render_still(MeshScene&& meshes, const Scene& scene, const View& view, const StillOptions& options,
+                   Progress& progress);
+
 }  // namespace meristem

@@ -162,9 +162,12 @@ ScanPlan plan_scan(const Value& request, std::uint64_t seed) {
   return plan;
 }
 
+bool sees_obstacles(const Obstacles& obstacles, const ScanPlan& plan) {
+  return plan.obstacles && has_visible(obstacles);
+}
+
 MeshScene scanned_meshes(MeshScene meshes, const Obstacles& obstacles, const ScanPlan& plan) {
-  const bool sees_obstacles = plan.obstacles && has_visible(obstacles);
-  return sees_obstacles ? with_obstacles(std::move(meshes), obstacles) : std::move(meshes);
+  return sees_obstacles(obstacles, plan) ? with_obstacles(std::move(meshes), obstacles) : std::move(meshes);
 }
 
 }  // namespace meristem

@@ -26,6 +26,8 @@ const ParameterTable& scan_table();        ///< of ScanPlan
 /// each with a path from the request on, such as instrument.step.
 ScanPlan plan_scan(const Value& request, std::uint64_t seed);
 
+/// Whether such a scan sees any of the scene's obstacles.
+bool sees_obstacles(const Obstacles& obstacles, const ScanPlan& plan);
 /// The meshes that such a scan sees: those of the plant, and the obstacles if they are wanted.
 MeshScene scanned_meshes(MeshScene meshes, const Obstacles& obstacles, const ScanPlan& plan);
 

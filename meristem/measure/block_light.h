@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light on the organs of a plant that comes in blocks (expand_in_blocks, plant_variant.h).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/measure/foliage.h"
+#include "meristem/measure/organ_light.h"
+#include "meristem/plant/plant.h"
+#include "meristem/scene/scene.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+class BlockLight {
+ public:
+  /// `meshes` are those of the whole plant, and `scene` has the light; both must outlive this. Throws Cancelled,
+  /// MachineError (memory).
+  BlockLight(const MeshScene& meshes, const Scene& scene, Progress& progress);
+  ~BlockLight();
+
+  /// The light on the organs of the next block, whose areas are known. Its meshes and textures must outlive this.
+  /// Counts organs into the caller's stage of `progress`.
+  std::vector<LitOrgan> measure(const Plant& block, std::span<const OrganArea> areas, Progress& progress);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace meristem

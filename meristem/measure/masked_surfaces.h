@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surfaces that the organs of a prototype share, without the holes of their textures.
+#pragma once
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
+#include "meristem/measure/foliage.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/texture/alpha_mask.h"
+
+namespace meristem {
+
+/// Areas of triangles under a frame: area vectors turn and scale by the cofactors of its axes.
+class AreaInFrame {
+ public:
+  explicit AreaInFrame(const Frame& frame) {
+    const DVec3 x(frame.axes[0]);
+    const DVec3 y(frame.axes[1]);
+    const DVec3 z(frame.axes[2]);
+    yz_ = glm::cross(y, z);
+    zx_ = glm::cross(z, x);
+    xy_ = glm::cross(x, y);
+  }
+  double twice(const DVec3& vector) const { return glm::length(vector.x * yz_ + vector.y * zx_ + vector.z * xy_); }
+
+ private:
+  DVec3 yz_, zx_, xy_;
+};
+
+/// What the organs of a prototype have in common.
+struct MaskedSurface {
+  const Mesh* mesh = nullptr;
+  std::vector<DVec3> vectors;   ///< twice the area vector of each triangle, in its own frame
+  std::vector<double> covered;  ///< share of each triangle that is no hole
+};
+
+/// The surfaces of the prototypes of a plant, or of a plant that comes in blocks (plant_variant.h).
+class MaskedSurfaces {
+ public:
+  /// Finds the surfaces of the prototypes that `block` has and earlier blocks did not have. The meshes and textures of
+  /// `block` must outlive this. Throws std::invalid_argument if a texture with holes is a sketch.
+  void add_new(const Plant& block);
+  const MaskedSurface& of(const Organ& organ) const { return surfaces_[organ.prototype]; }
+  /// The area of each organ of a block. Counts organs into the caller's stage of `progress`.
+  std::vector<OrganArea> areas(const Plant& block, Progress& progress) const;
+
+ private:
+  using Key = std::pair<const Texture*, std::array<float, 6>>;  // of a triangle on a texture
+
+  std::vector<double> covered(const Mesh& mesh, const Texture* texture);
+
+  std::map<const Texture*, AlphaMask> masks_;
+  std::map<Key, double> shares_;  // which meshes with the same uvs have in common
+  std::vector<MaskedSurface> surfaces_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures of the trees of a stand, one tree after another.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/measure/forks.h"
+#include "meristem/measure/measures.h"
+#include "meristem/measure/tree_form.h"
+#include "meristem/plant/skeleton.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// What is measured on one tree.
+struct TreeRecord {
+  TreeForm form;  ///< without the crown's hull
+  ForkSamples forks;
+  std::vector<std::uint64_t> streams;
+  std::optional<double> lit_share;
+  Vec3 position{0};  ///< of the root, metres
+};
+
+/// The record of each tree of a skeleton, in the order of the roots. Throws Cancelled.
+std::vector<TreeRecord> record_trees(const Skeleton& skeleton, const Scene* scene, const MeasureOptions& options,
+                                     const Progress& progress);
+
+/// The measures of a stand of all trees that were added.
+class StandSum {
+ public:
+  void add(const TreeRecord& tree);
+  /// To be called once, after the last tree.
+  Measures finish();
+
+ private:
+  Measures sums_;
+  std::optional<TreeForm> tallest_;  // the first of several
+  ForkSamples forks_;
+  DVec3 segment_sum_{0};
+  DVec3 node_sum_{0};
+  double hull_area_ = 0;  // of the trees whose lit share is known
+  double lit_area_ = 0;
+};
+
+}  // namespace meristem

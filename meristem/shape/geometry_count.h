@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much geometry a plant has.
+#pragma once
+
+#include <cstdint>
+
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// The geometry of a mesh scene.
+struct GeometryCount {
+  std::uint64_t triangles = 0;  ///< after instancing
+  std::uint64_t instances = 0;
+  std::uint64_t bytes = 0;  ///< of meshes, frames and places; a mesh counts once for each part that shows it
+};
+
+GeometryCount count_geometry(const MeshScene& scene);
+
+/// The geometry of the mesh scene that make_mesh_scene makes of a plant at level 0, which is not made: tubes are
+/// planned, and each closed body is made and dropped. Limits on triangles and on bytes of geometry hold for bodies
+/// alone. Begins a stage of `progress`, which counts plants. Throws InputError past limits, Cancelled.
+GeometryCount count_geometry(const Plant& plant, const Limits& limits, Progress& progress);
+
+}  // namespace meristem

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# `cmake --install`: public headers, static libraries, the package that find_package(meristem) reads, and the program.
+# `cmake --install`: public headers, static libraries, what find_package(meristem) and pkg-config read, and the program.
+# Components: development, program, licence, and python, which is installed only if it is named.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/meristem)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 get_property(exported_targets GLOBAL PROPERTY MERISTEM_EXPORTED_TARGETS)
 foreach(target IN LISTS exported_targets)
@@ -22,8 +24,20 @@ install(FILES ${PROJECT_BINARY_DIR}/meristem-config.cmake ${PROJECT_BINARY_DIR}/
               ${PROJECT_SOURCE_DIR}/cmake/MeristemDependencies.cmake
         DESTINATION ${package_dir})
 
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# A static library comes before those that it uses, so the rooms are listed from the last to the first.
+get_property(rooms GLOBAL PROPERTY MERISTEM_ROOM_LIST)
+list(REVERSE rooms)
+list(TRANSFORM rooms REPLACE "meristem::" "-lmeristem_")
+list(JOIN rooms " " pkgconfig_rooms)
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+           OUTPUT_VARIABLE pkgconfig_prefix)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/meristem.pc.in ${PROJECT_BINARY_DIR}/meristem.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/meristem.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT licence)
 if(TARGET meristem_cli)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
   install(TARGETS meristem_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/meristem
           FILES_MATCHING PATTERN "*.json" PATTERN "*.obj" PATTERN "*.csv")
@@ -45,3 +59,4 @@ if(TARGET meristem_cli)
   get_property(files GLOBAL PROPERTY MERISTEM_PRINTED)
   add_custom_target(meristem_printed ALL DEPENDS ${files})
 endif()
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME "")

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""CMakeLists.txt, CHANGELOG.md and CITATION.cff name one release and one date. Usage: release_test.py ROOT"""
+"""CMakeLists.txt, CHANGELOG.md, CITATION.cff and the pages that name packages agree on one release and one date.
+
+Usage: release_test.py ROOT
+"""
 
 import pathlib
 import re
@@ -19,7 +22,9 @@ DATE = r"^## \d+\.\d+\.\d+ - (\d{4}-\d\d-\d\d)$"
 facts = {
     "version": {"CMakeLists.txt": found("CMakeLists.txt", r"^project\(meristem VERSION (\S+)"),
                 "CHANGELOG.md": found("CHANGELOG.md", RELEASE),
-                "CITATION.cff": found("CITATION.cff", r"^version: (\S+)$")},
+                "CITATION.cff": found("CITATION.cff", r"^version: (\S+)$"),
+                "README.md": found("README.md", r"/meristem_(\S+)_amd64\.deb"),
+                "docs/manual/python.md": found("docs/manual/python.md", r"/python3-meristem_(\S+)_amd64\.deb")},
     "date": {"CHANGELOG.md": found("CHANGELOG.md", DATE),
              "CITATION.cff": found("CITATION.cff", r"^date-released: (\S+)$")},
 }

@@ -15,8 +15,6 @@ namespace meristem {
 
 namespace {
 
-double aspect_of(const StillOptions& still) { return static_cast<double>(still.width) / still.height; }
-
 /// The unit vector along the ground to the right of the picture.
 Vec3 right_of(const View& view) {
   const auto azimuth = view.azimuth;

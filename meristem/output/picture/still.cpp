@@ -134,8 +134,6 @@ bool shows_obstacles(const Scene& scene, const StillOptions& options) {
   return !options.transparent && has_visible(scene.obstacles);
 }
 
-double aspect_of(const StillOptions& options) { return static_cast<double>(options.width) / options.height; }
-
 /// Frames the plants, or obstacles where there are none.
 Framing framing_of(const MeshScene& plants, const Scene& scene, const View& view, const StillOptions& options,
                    const Progress& progress) {

@@ -23,6 +23,9 @@ struct StillOptions {
   bool even = false;         ///< every pixel takes all samples: slower, with less noise
 };
 
+/// Returns the width divided by the height.
+inline double aspect_of(const StillOptions& options) { return static_cast<double>(options.width) / options.height; }
+
 /// Throws InputError for sizes outside 1 to 16384 or samples outside 1 to 65536; before growing, say.
 void check_still_options(const StillOptions& options);
 

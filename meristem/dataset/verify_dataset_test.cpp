@@ -523,7 +523,7 @@ TEST(VerifyDataset, LinksLeadIntoTheRootOrIntoTheFolder) {
 
 TEST(VerifyDataset, PlantsThatFailedAreCounted) {
   const TemporaryFolder folder;
-  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "seeds": 5, "rows": 3, "measures": ["triangles"],
+  const DatasetPlan plan = rod_plan(R"({"meristem_dataset": 1, "seeds": 5, "rows": 3, "files": [".ply"],
     "grid": {"limits.triangles": [1000, 2]}})");
   Progress progress;
   make_plants(plan, folder / "rods");

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/shape/mesh_scene.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
+#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 #include "meristem/shape/tube/tube_plan.h"
@@ -162,6 +166,52 @@ TEST(MeshScene, RejectsIndicesThatPointNowhere) {
   rejects([](Plant& plant) { plant.stems[0].parts[0].material = 3; });
   rejects([](Plant& plant) { plant.prototypes[0].material = 3; });
   rejects([](Plant& plant) { plant.prototypes[0].mesh = nullptr; });
+}
+
+/// A stand of different plants, of which `alive` knows whether they still exist.
+Plant stand_of(std::size_t plants, std::vector<std::weak_ptr<const Plant>>& alive) {
+  Plant stand = plant_of_all_sorts();
+  for (std::size_t k = 0; k < plants; ++k) {
+    auto variant = std::make_shared<PlantVariant>();
+    variant->plant = std::make_shared<const Plant>(plant_of_all_sorts());
+    alive.push_back(variant->plant);
+    std::vector<Planting::Place> places(2);
+    places[1].frame.origin.x = static_cast<float>(k);
+    stand.plantings.push_back({"tree", std::move(variant), places});
+  }
+  return stand;
+}
+
+TEST(MeshScene, PlantsAreFreedAsTheirMeshesAreMade) {
+  constexpr std::size_t kPlants = 10;
+  std::vector<std::weak_ptr<const Plant>> alive;
+  Plant stand = stand_of(kPlants - 1, alive);
+  auto variant = std::make_shared<PlantVariant>();  // a stand of one more plant
+  variant->plant = std::make_shared<const Plant>(stand_of(1, alive));
+  stand.plantings.push_back({"inner", std::move(variant), std::vector<Planting::Place>(1)});
+  const MeshScene wanted = scene_of(stand);
+
+  const ThreadLimit one_thread(1);
+  double done = 0;
+  const auto count_alive = [&](std::string_view stage, double fraction) {
+    if (stage != "meshing plants") return;
+    done = std::max(done, fraction);
+    const auto left = std::ranges::count_if(alive, [](const auto& plant) { return !plant.expired(); });
+    EXPECT_LE(static_cast<double>(left), (1 - fraction) * kPlants + 1e-6);
+  };
+  Progress progress(count_alive);
+  const MeshScene made = make_mesh_scene(std::move(stand), {}, progress);
+  EXPECT_EQ(done, 1);
+  for (const std::weak_ptr<const Plant>& plant : alive) EXPECT_TRUE(plant.expired());
+  ASSERT_EQ(made.meshes.size(), wanted.meshes.size());
+  for (std::size_t k = 0; k < made.meshes.size(); ++k) {
+    EXPECT_EQ(made.meshes[k].component, wanted.meshes[k].component);
+    EXPECT_EQ(made.meshes[k].mesh->positions, wanted.meshes[k].mesh->positions);
+    ASSERT_EQ(made.meshes[k].count(), wanted.meshes[k].count());
+    for (std::size_t i = 0; i < made.meshes[k].count(); ++i) {
+      EXPECT_EQ(made.meshes[k].frame(i).origin, wanted.meshes[k].frame(i).origin);
+    }
+  }
 }
 
 }  // namespace meristem::mesh_scene_test

@@ -334,9 +334,10 @@ TEST(Scan, NeedsNeitherThePlantNorWhatOnlyPicturesShow) {
   const ScanOptions options{.instrument = plain_camera(40, 200, 200), .stations = {Vec3(13, 1, 12)}};
   const Scan wanted = scan_of(plant, options);
   Progress progress;
-  const MeshScene meshes = make_ray_meshes(plant, {}, progress);
+  PlantLabels labels(plant, {}, progress);
+  const MeshScene meshes = make_ray_meshes(std::move(plant), {}, progress);
   for (const MeshInstances& part : meshes.meshes) EXPECT_TRUE(part.tints.empty());
-  const Scanner scanner(Plant(plant), {}, meshes, options, progress);
+  const Scanner scanner(std::move(labels), meshes, options, progress);
   const Scan made = take_scan(scanner, progress);
   ASSERT_GT(wanted.points.size(), 100U);
   EXPECT_TRUE(std::ranges::equal(made.points, wanted.points, are_equal));

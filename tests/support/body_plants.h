@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skeletons that tests clothe with bodies.
+// Skeletons for tests of body meshes.
 #pragma once
 
 #include <numeric>
@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// One axis through these places.
+/// Returns a single axis through these positions.
 inline Skeleton chain(const std::vector<Vec3>& places, float radius) {
   Skeleton skeleton;
   for (NodeIndex k = 0; k < places.size(); ++k) skeleton.add_node(k == 0 ? kNoNode : k - 1, places[k], 0);
@@ -18,7 +18,7 @@ inline Skeleton chain(const std::vector<Vec3>& places, float radius) {
   return skeleton;
 }
 
-/// A trunk 1 m high that forks in two at its top and ends a little above it.
+/// A trunk 1 m high that forks into two branches and continues a little above the fork.
 inline Skeleton forked() {
   Skeleton skeleton = chain({{0, 0, 0}, {0, 1, 0}, {0, 1.2F, 0}}, 0.1F);
   skeleton.add_node(1, {0.25F, 1.25F, 0}, 0);
@@ -30,7 +30,7 @@ inline Skeleton forked() {
   return skeleton;
 }
 
-/// How many pieces a mesh has, by shared vertices.
+/// Returns the number of connected components of a mesh, by shared vertices.
 inline std::size_t component_count(const Mesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertex_count());
   std::iota(parent.begin(), parent.end(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grammars for tests, without their reader: modules of one character each, with parameters in parentheses.
+// Grammars for tests, built without the reader. Modules have one character each, with parameters in parentheses.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace meristem {
 
-/// Rules as "left < predecessor > right : condition : weight -> successor", where only predecessor and arrow must be
-/// there.
+/// Rules as "left < predecessor > right : condition : weight -> successor". Only the predecessor and the arrow are
+/// required.
 struct GrammarText {
   std::string axiom;
   std::vector<std::string> rules;
@@ -20,7 +20,8 @@ struct GrammarText {
   std::vector<std::string> interpretation = {};
 };
 
-/// The text up to `mark`, which is taken off with it; all of it where there is no mark.
+/// Removes the text up to and including `mark` and returns it without `mark`. Returns the whole text if it does not
+/// contain `mark`.
 inline std::string take_until(std::string& text, std::string_view mark) {
   const std::size_t at = text.find(mark);
   std::string part = text.substr(0, at);
@@ -33,7 +34,7 @@ inline std::string without_blanks(std::string text) {
   return text;
 }
 
-/// A module's symbol and its parameters' texts.
+/// A module's symbol and the texts of its parameters.
 struct ModuleText {
   std::string symbol;
   std::vector<std::string> parameters;
@@ -66,7 +67,7 @@ inline std::vector<ModuleText> split_modules(std::string_view text) {
   return modules;
 }
 
-/// Reads one grammar's parts; letters are added where they occur first.
+/// Builds a grammar. Letters are added at their first occurrence.
 class GrammarBuilder {
  public:
   Grammar build(const GrammarText& text) {

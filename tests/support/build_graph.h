@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Graphs for tests, from values as documents hold them, and what they grow into.
+// Graphs for tests, built from document values, and the plants that they grow.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace meristem {
 
-/// Builds a graph over `registry`, which must outlive it. Any fault in what is given is an InputError.
+/// Builds a graph over `registry`, which must outlive it. Throws InputError for any error in the input.
 class GraphBuilder {
  public:
   explicit GraphBuilder(const Registry& registry) : registry_(registry) {}
@@ -22,17 +22,17 @@ class GraphBuilder {
   GraphBuilder& node_limit(std::uint64_t limit);
   GraphBuilder& mesh_limit(std::uint64_t bytes);
   GraphBuilder& texture_limit(std::uint64_t pixels);
-  /// Adds a component of the given type, or replaces the one with this id.
+  /// Adds a component of the given type, or replaces the component with this id.
   GraphBuilder& component(const std::string& id, const std::string& type, const Value::Object& parameters = {});
   GraphBuilder& link(std::string_view from, std::string_view to, LinkKind kind = LinkKind::child,
                      const Value::Object& placement = {});
 
-  const Graph& graph() const { return graph_; }  ///< without its structure
-  /// With it; throws InputError if it is faulty.
+  const Graph& graph() const { return graph_; }  ///< without structure
+  /// Returns the graph with its structure. Throws InputError if the structure is invalid.
   Graph sound_graph() const;
-  /// What analyse_structure reports, one line per report.
+  /// Returns the reports of analyse_structure(), one line per report.
   std::vector<std::string> structure_faults() const;
-  /// Expands the sound graph.
+  /// Expands the valid graph.
   Plant grow(double time = 0, const Scene& scene = {}, Cache* cache = nullptr) const;
 
  private:
@@ -43,16 +43,16 @@ class GraphBuilder {
   Graph graph_;
 };
 
-/// The organs of one component in the plant's order.
+/// Returns the organs of one component in the plant's order.
 std::vector<Organ> organs_of(const Plant& plant, std::string_view component);
-/// The prototypes of one component.
+/// Returns the prototypes of one component.
 std::vector<OrganPrototype> prototypes_of(const Plant& plant, std::string_view component);
-/// Hash of all that one component made: frames, births, meshes, skeletons. Independent of the other components.
+/// Returns a hash of the frames, births, meshes and skeletons of one component. It does not depend on other components.
 std::string hash_of(const Plant& plant, std::string_view component);
-/// Hash of the whole plant.
+/// Returns a hash of the whole plant.
 std::string hash_of(const Plant& plant);
 
-/// The diagnostics of the InputError that `call` throws; empty if it throws none.
+/// Returns the diagnostics of the InputError that `call` throws, or an empty list if it throws none.
 template <class Call>
 std::vector<Diagnostic> faults_of(Call call) {
   try {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks the promises of meshes one after another, and names the first triangle that breaks one.
 #include "tests/support/check_mesh.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
 
-/// Twice the area over the longest edge squared, below which a triangle counts as degenerate. Rounding of 32-bit
-/// positions leaves about 1e-7.
+/// Twice the area over the squared longest edge; triangles below it are degenerate. Rounding of 32-bit positions leaves
+/// about 1e-7.
 constexpr double kDegenerate = 1e-8;
 
 bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -30,7 +31,7 @@ DVec3 corner(const Mesh& mesh, std::size_t triangle, int which) {
   return DVec3(mesh.positions[mesh.triangles[triangle][which]]);
 }
 
-/// The triangle's front normal, twice its area long.
+/// Returns the triangle's front normal with the length of twice its area.
 DVec3 doubled_area(const Mesh& mesh, std::size_t triangle) {
   const DVec3 origin = corner(mesh, triangle, 0);
   return glm::cross(corner(mesh, triangle, 1) - origin, corner(mesh, triangle, 2) - origin);
@@ -91,7 +92,7 @@ AssertionResult check_triangle(const Mesh& mesh, std::size_t triangle) {
   return AssertionSuccess();
 }
 
-/// For every vertex the first one at the same place.
+/// Returns, for every vertex, the first vertex at its position.
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
   std::map<std::tuple<float, float, float>, std::uint32_t> first;
   std::vector<std::uint32_t> welded(mesh.vertex_count());
@@ -108,7 +109,7 @@ struct Side {
   std::pair<std::uint32_t, std::uint32_t> edge() const { return std::minmax({from, to}); }
 };
 
-/// All sides, those of one edge next to each other.
+/// Returns all sides, sorted so that the sides of one edge are adjacent.
 std::vector<Side> sorted_sides(const Mesh& mesh) {
   const std::vector<std::uint32_t> welded = weld(mesh);
   std::vector<Side> sides;

@@ -12,17 +12,17 @@ struct MeshPromises {
   bool outward = true;  ///< the signed volume is positive; only for closed meshes
 };
 
-/// Success if arrays have fitting lengths, all numbers are finite, indices in range, no triangle is degenerate, no edge
-/// has more than two triangles, neighbours agree in orientation, normals are unit and lie on their triangles' front
-/// sides, and what `promises` says. Vertices at the same place count as one for edges (uv seams, creases). The failure
-/// names the triangle and its vertices.
+/// Succeeds if the mesh is valid and fulfils `promises`. Arrays must have matching lengths, numbers must be finite, and
+/// indices must be in range. No triangle may be degenerate, no edge may have more than two triangles, and neighbours
+/// must agree in orientation. Normals must be unit vectors on the front sides of their triangles. Vertices at equal
+/// positions count as one for edges (uv seams, creases). The failure names the triangle and its vertices.
 testing::AssertionResult check_mesh(const Mesh& mesh, MeshPromises promises = {});
 
-/// Six times the signed volume summed over triangles, divided by six; positive for closed outward meshes.
+/// Returns the signed volume: positive for closed meshes that face outward.
 double signed_volume(const Mesh& mesh);
 double surface_area(const Mesh& mesh);
 
-/// Vertices minus edges plus triangles, vertices at the same place counted once: 2 for a sphere, 0 for a torus.
+/// Returns vertices minus edges plus triangles: 2 for a sphere, 0 for a torus. Vertices at equal positions count once.
 long euler_number(const Mesh& mesh);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A checker that lets everything pass is worse than none: each kind of fault is found and named.
+// Tests that the checker finds and names each kind of error.
 #include "tests/support/check_mesh.h"
 
 #include <functional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the sentence of a row can be shown on its own: in a tooltip, an editor's hover or a reference page.
+// Checks whether the description of a parameter can be shown alone: in a tooltip, an editor's hover or a reference
+// page.
 #pragma once
 
 #include <array>
@@ -9,9 +10,9 @@
 
 namespace meristem {
 
-/// What is wrong with a sentence that must stand alone; empty if nothing is.
+/// Returns the error in a sentence that must stand alone, or an empty text.
 inline std::string sentence_fault(std::string_view sentence) {
-  constexpr std::size_t kLongest = 200;  // bytes: three lines of a tooltip
+  constexpr std::size_t kLongest = 200;  // bytes; three lines of a tooltip
   constexpr std::array<std::string_view, 22> kOpenings = {
       "Of ",     "The same", "In its", "That ",  "So many", "How they", "How it ",  "By which",
       "By how",  "Its ",     "It ",    "They ",  "Their ",  "Also ",    "Another ", "Within which",

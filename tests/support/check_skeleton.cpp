@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks the invariants of skeletons node by node, and names the first node that breaks one.
 #include "tests/support/check_skeleton.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ AssertionResult check_columns(const Skeleton& skeleton) {
   return AssertionSuccess();
 }
 
-/// What is wrong with a node's own numbers and its segment, or an empty text.
+/// Returns the error in a node's own numbers or its segment, or an empty text.
 std::string fault_of_node(const Skeleton& skeleton, NodeIndex node) {
   const Vec3 position = skeleton.position[node];
   const bool is_finite = std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z) &&
@@ -58,7 +59,7 @@ std::string fault_of_node(const Skeleton& skeleton, NodeIndex node) {
   return {};
 }
 
-/// What is wrong with the axes as far as this node, or an empty text. `last` has the last node of each axis so far.
+/// Returns the error in the axes up to this node, or an empty text. `last` is the last node of each axis so far.
 std::string fault_of_axis(const Skeleton& skeleton, NodeIndex node, std::vector<NodeIndex>& last) {
   const AxisIndex axis = skeleton.axis[node];
   const NodeIndex parent = skeleton.parent[node];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shipped model with its levels of detail. Its sources know MERISTEM_SOURCE_DIR, the folder of the project.
+// A shipped model with its levels of detail. Sources that include it must define MERISTEM_SOURCE_DIR, the folder of the
+// project.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,7 @@ struct DetailedModel {
     return mesh_detail(document, grown.plant, {.level = number}, progress);
   }
 
-  /// Why this one, which comes after a level of `before` triangles, is not worth a file.
+  /// Returns the reason why a level after one with `before` triangles is not worth a file.
   std::string fault_of(std::uint64_t before, const MeshScene& scene, int number) const {
     Progress progress;
     return fault_of_level(grown.meshes, before, scene, number, progress);
@@ -46,7 +47,7 @@ struct DetailedModel {
 };
 
 struct MadeLevels {
-  std::vector<std::uint64_t> triangles;  // of those that were given, from level 1 on
+  std::vector<std::uint64_t> triangles;  // number of triangles of the levels that were made, from level 1 on
   std::optional<WorthlessLevel> worthless;
 };
 

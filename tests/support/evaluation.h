@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the published evaluation of growth in the light measures on its trees.
+// The measures of the published evaluation of growth in the light.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-/// Means over ten clouds, azimuths in degrees and averaged on the circle.
+/// Means over ten clouds. Azimuths are in degrees and averaged on the circle.
 struct Evaluation {
   double azimuth = 0;
   double spread = 0;  ///< circular standard deviation of the azimuths
@@ -24,7 +24,7 @@ struct Evaluation {
   double lit_share = 0;  ///< percent
 };
 
-/// One tree of it.
+/// The measures of one tree.
 struct EvaluatedTree {
   DVec3 lean;
   DVec3 centroid;
@@ -45,7 +45,7 @@ inline EvaluatedTree evaluate_tree(const Scene& scene, const LightResponse& ligh
           .lit_share = 100 * measure_crown_light(form.crown_hull, scene).lit_share};
 }
 
-/// `scale` is that of the cloud before growth.
+/// `scale` is the scale of the cloud before growth.
 inline Evaluation evaluate(const Scene& scene, const LightResponse& light, double scale = 1) {
   constexpr std::size_t kClouds = 10;
   std::vector<EvaluatedTree> trees(kClouds);
@@ -69,7 +69,7 @@ inline Evaluation evaluate(const Scene& scene, const LightResponse& light, doubl
   return mean;
 }
 
-/// The evaluation of trees that become `height` metres high, as their clouds are scaled before growth.
+/// Returns the evaluation of trees with a mean height of `height` metres, by scaling their clouds before growth.
 inline Evaluation evaluate_at_height(const Scene& scene, const LightResponse& light, double height) {
   double scale = 1;
   Evaluation mean;

@@ -17,14 +17,14 @@
 
 namespace meristem {
 
-/// Attraction points of the crown, uniform in it; by its number each cloud is another.
+/// Returns attraction points uniform in the crown. Each number gives another cloud.
 inline std::vector<Vec3> evaluation_cloud(std::uint64_t number, std::uint64_t count = 900) {
   const ProfileCrown crown({{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}});
   Progress progress;
   return sample_crown(crown, count, RandomKey(number), progress);
 }
 
-/// A tree from the origin into a cloud, raw as it grew.
+/// Grows a tree from the origin into a cloud, without post-processing.
 inline Skeleton grow_evaluation_tree(const std::vector<Vec3>& cloud, const Scene& scene, const LightResponse& light) {
   const ColonizeParameters parameters{.step = 0.02,
                                       .influence = std::numeric_limits<double>::infinity(),
@@ -38,14 +38,14 @@ inline Skeleton grow_evaluation_tree(const std::vector<Vec3>& cloud, const Scene
   return std::move(stand.take_skeletons(progress)[0]);
 }
 
-/// Scene A: the sun in the south, nothing else.
+/// Scene A: the sun in the south, without obstacles.
 inline Scene evaluation_scene_a() {
   Scene scene;
   scene.light.sun = {{unit_vector({radians(180), radians(61)}), 1}};
   return scene;
 }
 
-/// Scene B: a building in the south, and a day in May.
+/// Scene B: a building in the south, and the sun of a day in May.
 inline Scene evaluation_scene_b() {
   Scene scene;
   Obstacle building;

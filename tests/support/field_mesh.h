@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed meshes of distance fields, plain and without claims: what tests and benchmarks of meshes start from.
+// Closed meshes of distance fields by a simple method, as inputs of tests and benchmarks of meshes.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace meristem {
 
-/// The surface where `distance` (negative inside, nowhere steeper than 1) is 0, by tetrahedra: each cube of a grid over
-/// `box`, `cells` along its longest side, is cut into six. Closed and outward if the body stays inside of the box. Has
-/// some 2.8 triangles for each square of a cell's size.
+/// Returns the surface where `distance` (negative inside, slope at most 1) is 0. Divides each cube of a grid over
+/// `box`, with `cells` along its longest side, into six tetrahedra. The mesh is closed and faces outward if the body is
+/// inside the box. It has about 2.8 triangles per square of a cell's size.
 inline Mesh field_mesh(FunctionRef<float(Vec3)> distance, const Box& box, int cells) {
   const Vec3 size = box.size();
   const float cell = std::max({size.x, size.y, size.z}) / static_cast<float>(cells);
@@ -26,7 +26,7 @@ inline Mesh field_mesh(FunctionRef<float(Vec3)> distance, const Box& box, int ce
   const auto place = [&](glm::ivec3 c) { return box.low + cell * Vec3(c); };
   const auto corner = [](glm::ivec3 c, int bits) { return c + glm::ivec3(bits & 1, (bits >> 1) & 1, bits >> 2); };
 
-  // Values far from the surface are left out: blocks whose middle lies farther away than their corners.
+  // Skip blocks far from the surface: those whose centre is farther away than their corners.
   constexpr int kBlock = 8;
   constexpr float kFar = 1e9F;
   Mesh mesh;
@@ -49,7 +49,7 @@ inline Mesh field_mesh(FunctionRef<float(Vec3)> distance, const Box& box, int ce
       }
       return found->second;
     };
-    // Tetrahedra turn right-handed; of their orders, those that are even permutations keep that.
+    // Tetrahedra are right-handed, and even permutations of their corners preserve this.
     for (const auto& [a, b, c, d] : {std::array{0, 1, 3, 7}, std::array{0, 3, 2, 7}, std::array{0, 2, 6, 7},
                                      std::array{0, 6, 4, 7}, std::array{0, 4, 5, 7}, std::array{0, 5, 1, 7}}) {
       const auto is_inside = [&](int k) { return value[k] < 0; };
@@ -88,7 +88,7 @@ inline Mesh field_mesh(FunctionRef<float(Vec3)> distance, const Box& box, int ce
   return mesh;
 }
 
-/// A capsule from `a` to `b`, or a sphere where they are one.
+/// A capsule from `a` to `b`, or a sphere if both are equal.
 struct Capsule {
   Vec3 a{0};
   Vec3 b{0};
@@ -101,8 +101,8 @@ struct Capsule {
   }
 };
 
-/// The union of capsules, rounded where they meet by a polynomial minimum of width `blend`; closed. In parts where they
-/// do not meet.
+/// Returns the closed union of capsules, blended by a polynomial minimum of width `blend`. It has separate parts where
+/// capsules do not touch.
 inline Mesh capsule_mesh(const std::vector<Capsule>& capsules, float blend, int cells) {
   Box box;
   for (const Capsule& capsule : capsules) {
@@ -127,7 +127,7 @@ inline Mesh capsule_mesh(const std::vector<Capsule>& capsules, float blend, int 
       box, cells);
 }
 
-/// A trunk that forks `levels` times in two, up from the origin, some 2 m high; thin at its ends.
+/// A trunk from the origin, about 2 m high, that forks into two `levels` times; thin at its ends.
 inline std::vector<Capsule> forked_trunk(int levels) {
   const RandomKey key(1);
   std::vector<Capsule> capsules{{Vec3(0), Vec3(0, 0.7F, 0), 0.08F}};
@@ -146,7 +146,7 @@ inline std::vector<Capsule> forked_trunk(int levels) {
   return capsules;
 }
 
-/// A crown of `count` spheres around the place 1 m above the origin.
+/// A crown of `count` spheres around the point 1 m above the origin.
 inline std::vector<Capsule> sphere_crown(std::uint64_t count) {
   const RandomKey key(2);
   std::vector<Capsule> spheres;

@@ -7,7 +7,7 @@
 
 namespace meristem {
 
-/// Lets no file of this process grow beyond `bytes` while it lives, as a full disk would.
+/// Limits the size of all files of this process to `bytes` during its lifetime, to simulate a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grass leaves for tests and benchmarks: of known form, by chance, and measured ones where the data is there.
+// Grass leaves for tests and benchmarks: of known form, random, and measured ones if the data exist.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 
 namespace meristem {
 
-/// A leaf of equal pieces whose direction goes evenly from `first` to `last` radians away from the stem; of constant
-/// width.
+/// A leaf of equal pieces and constant width. Its direction changes linearly from `first` to `last` radians away from
+/// the stem.
 inline GrassLeaf arching_leaf(std::size_t pieces, double first, double last) {
   GrassLeaf leaf{.length = 0.3, .width = 0.015, .s = {0}, .x = {0}, .y = {0}, .r = {1}};
   const auto count = static_cast<double>(pieces);
@@ -36,7 +36,7 @@ inline GrassLeaf arching_leaf(std::size_t pieces, double first, double last) {
   return leaf;
 }
 
-/// Gives the leaf a blade's widths: 0.6 at its base, all of it at a third, a pointed tip.
+/// Sets the widths of a blade: 0.6 at its base, 1 at a third, and a pointed tip.
 inline GrassLeaf with_blade(GrassLeaf leaf) {
   for (std::size_t k = 0; k < leaf.point_count(); ++k) {
     const double s = leaf.s[k];
@@ -45,7 +45,7 @@ inline GrassLeaf with_blade(GrassLeaf leaf) {
   return leaf;
 }
 
-/// A leaf of equal pieces that winds by chance.
+/// A leaf of equal pieces with random turns.
 inline GrassLeaf random_leaf(const RandomKey& key, std::size_t pieces) {
   GrassLeaf leaf{.length = 0.3, .width = 0.015, .s = {0}, .x = {0}, .y = {0}, .r = {key.uniform(0)}};
   double angle = key.uniform(1);
@@ -59,7 +59,7 @@ inline GrassLeaf random_leaf(const RandomKey& key, std::size_t pieces) {
   return leaf;
 }
 
-/// The largest distance between two points of like index, in lengths.
+/// Returns the largest distance between two points with equal index, in leaf lengths.
 inline double largest_shift(const GrassLeaf& a, const GrassLeaf& b) {
   double largest = 0;
   for (std::size_t k = 0; k < a.point_count(); ++k) {
@@ -83,7 +83,7 @@ inline double median(std::vector<double> numbers) {
   return numbers.empty() ? 0 : 0.5 * (numbers[(numbers.size() - 1) / 2] + numbers[numbers.size() / 2]);
 }
 
-/// Widths that do for any midrib.
+/// Widths that fit any midrib.
 inline MeasuredCurve plain_widths() {
   return {.points = {{0, 0.6}, {0.1, 0.8}, {0.3, 1}, {0.5, 0.95}, {0.7, 0.75}, {0.9, 0.35}, {1, 0}}};
 }
@@ -92,7 +92,7 @@ inline constexpr const char* kWheatMidribs = "grass/So99.csv";
 inline constexpr const char* kWheatWidths = "grass/SRSo.csv";
 inline constexpr const char* kWheatByAge = "grass/median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv";
 
-/// Measured midribs, or nothing where the data is not there.
+/// Returns measured midribs, or an empty list if the data do not exist.
 inline std::vector<MeasuredCurve> measured_midribs(const char* name) {
   const auto path = find_shared_data(name);
   if (!path) return {};
@@ -107,7 +107,7 @@ inline std::vector<MeasuredCurve> measured_widths(const char* name) {
   return read_widths(read_file(*path, Limits{}.file_bytes), {}, warnings);
 }
 
-/// Each `every`-th wheat leaf, fitted, with the widths of one class after the other.
+/// Fits every `every`-th wheat leaf, with the widths of the classes in turn.
 inline std::vector<GrassLeaf> wheat_leaves(std::size_t every) {
   const std::vector<MeasuredCurve> midribs = measured_midribs(kWheatMidribs), widths = measured_widths(kWheatWidths);
   std::vector<GrassLeaf> leaves;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees for tests: the sets of parameters that the specification gives figures for, one metre per
-// metamer.
+// Self-organizing trees for tests, with the parameters for which the specification gives figures. A metamer has a
+// length of one metre.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ inline OrganizeParameters organized(double alpha, int iterations) {
   parameters.resource.alpha = alpha;
   return parameters;
 }
-/// Stands on the edge where branches just open, as the source's trees did.
+/// At the critical value where branches just open, like the trees of the source.
 inline OrganizeParameters slim(int iterations) { return organized(1.8, iterations); }
 inline OrganizeParameters full(int iterations) { return organized(2, iterations); }
 
-/// A cut of a shoot by name that leaves a number of its metamers.
+/// Returns a cut of a named shoot that keeps `above` of its metamers.
 inline Operation cut_above(int at, const std::string& shoot, int above) {
   Cut cut;
   cut.above = above;
@@ -36,13 +36,13 @@ inline Operation cut_above(int at, const std::string& shoot, int above) {
   return operation;
 }
 
-/// One member of a stand.
+/// Adds one tree to a stand.
 inline void add_organizer(Stand& stand, const OrganizeParameters& parameters, std::uint64_t seed, const Scene& scene,
                           const Frame& frame = {}, const Limits& limits = {}) {
   stand.add(make_organizer(stand, {{frame, nullptr}}, parameters, RandomKey(seed), scene, limits, "tree"));
 }
 
-/// A tree by itself, at the origin if no frame is given.
+/// Grows a single tree, at the origin if no frame is given.
 inline Skeleton grow_organized(const OrganizeParameters& parameters, std::uint64_t seed = 1, const Scene& scene = {},
                                const Frame& frame = {}, const Limits& limits = {}) {
   Stand stand;
@@ -52,10 +52,10 @@ inline Skeleton grow_organized(const OrganizeParameters& parameters, std::uint64
   return std::move(stand.take_skeletons(progress)[0]);
 }
 
-/// Metamers of a skeleton with one root, without its seed.
+/// Returns the number of metamers of a skeleton with one root, without its seed.
 inline double metamer_count(const Skeleton& tree) { return static_cast<double>(tree.node_count()) - 1; }
 
-/// The first number of a column, in the state of the seed.
+/// Returns the first number of a column: the value of the seed.
 inline double of_seed(const Skeleton& tree, const char* column) { return tree.extra.find(column)->second[0]; }
 
 }  // namespace meristem

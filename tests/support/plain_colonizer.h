@@ -14,22 +14,22 @@
 
 namespace meristem {
 
-/// The living points of a plain colonizer.
+/// The living points of a simple colonizer.
 struct PlainPoints {
   std::vector<Vec3> position;
   std::vector<NodeIndex> nearest;  ///< kNoNode before the first round
-  std::vector<float> distance2;    ///< squared, to it
+  std::vector<float> distance2;    ///< squared distance to the nearest node
 };
 
 inline float plain_distance2(Vec3 a, Vec3 b) { return squared_length(a - b); }
 
-/// Space colonization in its plainest form: one tree from the origin, all points looked at in every step, no finishing.
-/// `find_nearest(nodes, first_new, points)` brings the points' nearest nodes up to date in any way it likes; nodes
-/// before `first_new` are known to it. Points must be within the influence distance of the root.
+/// Space colonization in its simplest form: one tree from the origin, a test of all points in every step, and no
+/// finishing. `find_nearest(nodes, first_new, points)` updates the nearest node of each point; it already knows nodes
+/// before `first_new`. Points must be within the influence distance of the root.
 template <class FindNearest>
 Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& parameters, RandomKey key,
                       FindNearest find_nearest) {
-  constexpr double kUnit = 274'877'906'944;  // sums of whole numbers depend on no order
+  constexpr double kUnit = 274'877'906'944;  // sums of whole numbers do not depend on the order
   constexpr int kMostTurns = 4;
   PlainPoints points{cloud, std::vector<NodeIndex>(cloud.size(), kNoNode),
                      std::vector<float>(cloud.size(), std::numeric_limits<float>::infinity())};
@@ -53,7 +53,7 @@ Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& 
   for (int step = 1; step <= parameters.iterations; ++step) {
     find_nearest(tree.position, first_new, points);
     first_new = static_cast<NodeIndex>(tree.node_count());
-    // Use points up, but not in the first step, and sum up the others.
+    // Use up points, except in the first step, and add the pulls of the others.
     sums.assign(tree.node_count(), Sum());
     std::size_t left = 0;
     for (std::size_t k = 0; k < points.position.size(); ++k) {
@@ -75,7 +75,7 @@ Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& 
     points.position.resize(left);
     points.nearest.resize(left);
     points.distance2.resize(left);
-    // Give pulled nodes a child.
+    // Grow a child at each pulled node.
     bool any = false;
     for (NodeIndex node = 0; node < first_new; ++node) {
       if (!sums[node].any) continue;

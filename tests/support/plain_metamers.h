@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metamers as a tree of pointers, in the plainest form.
+// Metamers as a tree of pointers: a simple reference implementation.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace meristem {
 
-/// Metamers are known by their births; each has a birth of its own, and the seed's is 0.
+/// Metamers are identified by their births, which are unique. The seed's birth is 0.
 class PlainMetamers {
  public:
   PlainMetamers() { by_birth_[0] = &seed_; }
@@ -33,7 +33,7 @@ class PlainMetamers {
     by_birth_[birth] = &made;
   }
 
-  /// Takes metamers with all they bear; their births are in rising order, so of two the one that bears the other is
+  /// Removes metamers with everything that they bear. `births` must be in rising order, so that a bearing metamer comes
   /// first.
   void remove(const std::vector<int>& births, Bud::State after) {
     for (const int birth : births) {
@@ -47,7 +47,7 @@ class PlainMetamers {
     }
   }
 
-  /// Success if they are the same tree with the same names, and sound by themselves. The failure names the birth.
+  /// Succeeds if both are the same valid tree with equal names. The failure names the birth.
   testing::AssertionResult is_like(const Metamers& metamers) const {
     if (metamers.count() != by_birth_.size()) {
       return testing::AssertionFailure() << metamers.count() << " metamers for " << by_birth_.size();

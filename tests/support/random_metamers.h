@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metamers of trees of any form, grown at random and not by a model.
+// Random trees of metamers, grown without a model.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace meristem {
 
-/// The bud of a metamer.
+/// Returns a bud of a metamer.
 inline Bud& bud_of(Metamers& metamers, MetamerIndex metamer, bool is_lateral) {
   return (is_lateral ? metamers.lateral : metamers.terminal)[metamer];
 }
 
-/// Grows open buds at random until a tree has a number of metamers beside its seed; terminal buds twice as often.
+/// Grows random open buds until the tree has `count` metamers besides its seed. Terminal buds are twice as likely.
 inline Metamers random_metamers(RandomKey key, std::size_t count) {
   Metamers metamers(kUp, Vec3(1, 0, 0), key);
   for (std::uint64_t draw = 0; metamers.count() <= count; ++draw) {
@@ -27,7 +27,8 @@ inline Metamers random_metamers(RandomKey key, std::size_t count) {
   return metamers;
 }
 
-/// Damages or kills open buds at random: of terminal ones a share is damaged, of lateral ones as much each.
+/// Damages or kills random open buds: the share `share` of terminal buds is damaged, and the share `share` of lateral
+/// buds each is damaged and killed.
 inline void harm_buds(Metamers& metamers, RandomKey key, double share) {
   for (MetamerIndex metamer = 0; metamer < metamers.count(); ++metamer) {
     const double drawn = key.uniform(metamer);
@@ -38,7 +39,7 @@ inline void harm_buds(Metamers& metamers, RandomKey key, double share) {
   }
 }
 
-/// Light between 0.1 and 1 for all buds that gather any, and none for a share of them.
+/// Returns light between 0.1 and 1 for all buds that gather light, and 0 for the share `dark` of them.
 inline BudLight random_light(const Metamers& metamers, RandomKey key, double dark = 0) {
   BudLight light;
   light.resize(metamers.count());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binary glTF as a reader that knows nothing of the writer sees it.
+// A reader of binary glTF that is independent of the writer.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ inline Glb read_glb(const std::string& path) {
   return glb;
 }
 
-/// The bytes of `scene` written.
+/// Returns the bytes of the written scene.
 inline std::string glb_bytes(const MeshScene& scene, const GltfOptions& options = {}) {
   const TemporaryFolder folder;
   Progress progress;
@@ -77,7 +77,7 @@ inline std::string glb_bytes(const MeshScene& scene, const GltfOptions& options 
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// `scene` written and read again.
+/// Writes a scene and reads it again.
 inline Glb written_glb(const MeshScene& scene, const GltfOptions& options = {}) {
   const TemporaryFolder folder;
   const std::string path = folder / "plant.glb";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed bodies that tests put into scenes.
+// Closed bodies for scenes of tests.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-/// An octahedron whose triangles are split in four a number of times, on a sphere about the origin.
+/// Returns a sphere around the origin: an octahedron whose triangles are split into four `splits` times.
 inline TriangleMesh sphere_mesh(int splits, double radius = 1) {
   TriangleMesh mesh;
   mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -37,8 +37,8 @@ inline TriangleMesh sphere_mesh(int splits, double radius = 1) {
   return mesh;
 }
 
-/// An upright prism over a polygon that runs counter-clockwise seen from above, as pairs (x, -z), with the triangles
-/// that fill it.
+/// Returns an upright prism over a polygon. `outline` has the pairs (x, -z), counter-clockwise seen from above;
+/// `filling` has the triangles of the polygon.
 inline TriangleMesh prism_mesh(const std::vector<std::array<double, 2>>& outline,
                                const std::vector<std::array<std::uint32_t, 3>>& filling, double low, double high) {
   TriangleMesh mesh;
@@ -67,7 +67,7 @@ inline void turn_over(TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// Both in one mesh.
+/// Returns both bodies in one mesh.
 inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
   const auto offset = static_cast<std::uint32_t>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());

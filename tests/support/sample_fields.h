@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implicit bodies and fields of values that tests mesh.
+// Implicit bodies and sampled fields for tests of meshing.
 #pragma once
 
 #include "meristem/base/function_ref.h"
@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-/// A cube of `side` values a metre apart about the origin.
+/// A cube of `side` values per edge, one metre apart, around the origin.
 inline SampledField field_of(int side, FunctionRef<double(DVec3)> value) {
   SampledField field{.size = glm::ivec3(side), .origin = DVec3(-0.5 * (side - 1))};
   for (int k = 0; k < side * side * side; ++k) {
@@ -19,7 +19,7 @@ inline SampledField field_of(int side, FunctionRef<double(DVec3)> value) {
   return field;
 }
 
-/// A solid of any kind about 1 m wide, within 2 m of the origin.
+/// A random solid about 1 m wide, within 2 m of the origin.
 inline ImplicitBody random_solid(const RandomKey& key) {
   const DVec3 from(key.uniform(0, -1, 1), key.uniform(1, -1, 1), key.uniform(2, -1, 1));
   const DVec3 to = from + key.uniform(3, 0.1, 1) * DVec3(key.direction(4));
@@ -42,7 +42,7 @@ inline ImplicitBody random_solid(const RandomKey& key) {
   }
 }
 
-/// Up to eight solids, joined by any operations, some of them in pairs first.
+/// Up to eight random solids combined by random operations. Some are first combined in pairs.
 inline ImplicitBody random_body(const RandomKey& key) {
   ImplicitBody body = random_solid(key.child(0));
   const int count = static_cast<int>(key.uniform(1, 0, 8));

@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-/// A fork of four nodes with a column `light` as "tree", and a rod of three as the third "vine".
+/// Two stems: a fork of four nodes with a column `light` as "tree", and a rod of three nodes as instance 3 of "vine".
 inline Plant two_stems() {
   Stem tree{.parts = {{.component = "tree"}}};
   Skeleton& fork = tree.skeleton;
@@ -35,7 +35,7 @@ inline Plant two_stems() {
   return plant;
 }
 
-/// One stem without forks, with a number of nodes at odd positions.
+/// One stem without forks, with `nodes` nodes at random positions.
 inline Plant long_stem(std::size_t nodes) {
   const RandomKey key(9);
   Stem stem{.parts = {{.component = "stem"}}};

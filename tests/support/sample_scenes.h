@@ -53,7 +53,7 @@ inline MeshScene scene_of(std::shared_ptr<const Mesh> mesh, std::vector<Frame> f
   return scene;
 }
 
-/// A stem without normals and uvs, and many leaves turned and scaled every way, a third of them mirrored.
+/// A stem without normals and uvs, and many leaves with random rotations and scales. A third of the leaves is mirrored.
 inline MeshScene leafy_scene(std::size_t leaves) {
   const RandomKey key(5);
   std::vector<Frame> frames;
@@ -72,7 +72,7 @@ inline MeshScene leafy_scene(std::size_t leaves) {
   return scene;
 }
 
-/// A picture of one colour, in which only alpha and nothing else differs along x where `masked`.
+/// A picture with one colour. If `masked`, its alpha varies along x.
 inline Image plain_image(int size, std::array<std::uint8_t, 3> colour, bool masked) {
   Image image{size, size, {}};
   for (int i = 0; i < size * size; ++i) {
@@ -82,7 +82,7 @@ inline Image plain_image(int size, std::array<std::uint8_t, 3> colour, bool mask
   return image;
 }
 
-/// A masked texture with normals, whose mean is a half in each channel.
+/// A masked texture with normals. Its mean is one half in each channel.
 inline std::shared_ptr<const Texture> plain_texture() {
   Texture texture;
   texture.name = "plain";
@@ -100,7 +100,7 @@ inline std::shared_ptr<const Mesh> triangle_with_tangents() {
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-/// All instances as one mesh: what a file that flattens them must hold. Normals and uvs of a mesh without are 0.
+/// Returns all instances as one mesh, like a file that flattens them. Missing normals and uvs are 0.
 inline Mesh flattened(const MeshScene& scene) {
   Mesh all;
   for (const MeshInstances& instances : scene.meshes) {

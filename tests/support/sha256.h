@@ -10,9 +10,9 @@
 
 namespace meristem {
 
-/// The SHA-256 digest in hexadecimal digits (FIPS 180-4), to compare with published ones.
+/// Returns the SHA-256 digest in hexadecimal digits (FIPS 180-4), for comparison with published digests.
 inline std::string sha256(std::string_view text) {
-  // The constants are the first 32 bits of the fractions of roots of the first primes.
+  // The constants are the first 32 bits of the fractional parts of roots of the first primes.
   std::array<std::uint32_t, 64> constants;
   std::array<std::uint32_t, 8> state;
   std::size_t primes = 0;

@@ -6,9 +6,9 @@
 
 namespace meristem {
 
-/// The path of a measured data set, such as "trees/noylum2.mtg", or nothing where the data is not there: it is not part
-/// of the project. It lies in the folder shared/data beside the project's, or where the environment variable
-/// MERISTEM_SHARED_DATA says. A test that needs it skips itself:
+/// Returns the path of a measured data set, such as "trees/noylum2.mtg". Returns nothing if the data do not exist,
+/// because they are not part of the project. They are in the folder shared/data beside the project, or in the folder
+/// that the environment variable MERISTEM_SHARED_DATA names. A test that needs the data skips itself:
 ///
 ///   const auto path = find_shared_data("trees/noylum2.mtg");
 ///   if (!path) GTEST_SKIP() << kNoSharedData;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a viewer shows after scene packets, taken over as apps/studio/protocol.md says; broken promises fail the test.
+// The scene that a viewer shows after scene packets, applied as apps/studio/protocol.md defines. Violations fail the
+// test.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 
 namespace meristem {
 
-/// A packet's head, and where its arrays are.
+/// The head of a packet, and its arrays.
 struct ReadPacket {
   Value head;
   std::string_view arrays;
@@ -35,7 +36,7 @@ struct ReadPacket {
 
   double number(std::string_view name) const { return *head.find(name)->number(); }
   bool flag(std::string_view name) const { return *head.find(name)->boolean(); }
-  /// The bytes of an array of the head, whose numbers have `width` bytes each.
+  /// Returns the bytes of an array of the head. Its numbers have `width` bytes each.
   std::string_view bytes(const Value& place, std::size_t width) const {
     const auto at = static_cast<std::size_t>(*(*place.list())[0].number());
     const std::size_t size = static_cast<std::size_t>(*(*place.list())[1].number()) * width;
@@ -43,7 +44,7 @@ struct ReadPacket {
     EXPECT_LE(at + size, arrays.size());
     return arrays.substr(std::min(at, arrays.size()), size);
   }
-  /// Elements of a list of the head; 0 where it has none.
+  /// Returns the number of elements of a list in the head; 0 without such a list.
   std::size_t count(std::string_view list) const {
     const Value* found = head.find(list);
     return found == nullptr ? 0 : found->list()->size();
@@ -94,7 +95,7 @@ class ShownScene {
     return found == nullptr ? none : *found->list();
   }
 
-  /// Keeps the arrays' bytes in place of where they stand.
+  /// Replaces the positions of arrays by their bytes.
   static void add(Content& to, const Value& part, const ReadPacket& read, const std::map<std::string, int>& widths) {
     std::string content;
     for (const auto& [name, value] : *part.object()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps of space for tests, and what must hold of each.
+// Maps of space for tests, and properties that every map must have.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace meristem {
 
-/// A map by three texts; an empty one leaves its coordinate.
+/// Returns a map from three expressions. An empty one leaves its coordinate unchanged.
 inline FunctionMap functions(const std::string& x, const std::string& y, const std::string& z) {
   std::array<std::optional<Expression>, 3> made;
   const std::array<std::string, 3> texts{x, y, z};
@@ -36,7 +36,7 @@ inline Mapped mapped_by(const SpaceMap& map, DVec3 point) {
   return {point, jacobian};
 }
 
-/// Points in a box of 4 m about the origin.
+/// Returns random points in a box of 4 m around the origin.
 inline std::vector<DVec3> scattered_points(std::size_t count = 100) {
   std::vector<DVec3> points;
   const RandomKey key = RandomKey(11).child("points");
@@ -47,7 +47,7 @@ inline std::vector<DVec3> scattered_points(std::size_t count = 100) {
   return points;
 }
 
-/// No bit of a point changes, nor one of the identity.
+/// Checks that the map changes no bit of any point and returns the exact identity as its Jacobian.
 inline void expect_identity(const SpaceMap& map) {
   for (const DVec3& point : scattered_points()) {
     const Mapped found = mapped_by(map, point);
@@ -70,7 +70,7 @@ inline void expect_jacobian_of_differences(const SpaceMap& map) {
   }
 }
 
-/// A point becomes the same, whatever stands beside it.
+/// Checks that the result for a point does not depend on the other points of the batch.
 inline void expect_same_in_batches(const SpaceMap& map) {
   const std::vector<DVec3> before = scattered_points(1500);
   std::vector<DVec3> points = before;

@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-/// A new, empty folder that goes with its owner; tests of one program may run side by side.
+/// A new, empty folder that is deleted with this object. Names are unique, so tests of one program may run in parallel.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -5,14 +5,15 @@
 
 namespace meristem {
 
-/// Small components with plain geometry, for tests of the graph's mechanism:
+/// Small components with simple geometry for tests of the graph:
 ///
 /// - `camera`: the root.
-/// - `stick` (`length`, `width`, `sides`): a triangle as wide and high as it says; children stand at its top.
-/// - `star` (`number`, `step`): nothing; children stand `step` metres apart along x.
-/// - `ribs` (`number`): nothing; branch children stand along y, others at its end. With number 0 no branch children.
-/// - `pole` (`height`, `nodes`): a straight stem upward from its site, of radius 0.01 m.
-/// - `space` (`down`): nothing; says which way gravity pulls for all below it, unset: as in the scene.
+/// - `stick` (`length`, `width`, `sides`): a triangle of this height and width; children are at its top.
+/// - `star` (`number`, `step`): no geometry; children are `step` metres apart along x.
+/// - `ribs` (`number`): no geometry; branch children are along y, other children at its end. No branch children if
+///   `number` is 0.
+/// - `pole` (`height`, `nodes`): a straight vertical stem from its site, with radius 0.01 m.
+/// - `space` (`down`): no geometry; sets the direction of gravity for its descendants. Unset: as in the scene.
 const Registry& test_components();
 
 }  // namespace meristem

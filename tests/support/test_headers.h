@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What most tests include, precompiled once for all of them: parsing it takes longer than most tests' own code.
+// Headers that most tests include, precompiled once. Parsing them takes longer than compiling most tests.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a document: read, every fault placed in the text, and a small plant grown where they are good.
+// Fuzzes documents: all errors must have a place in the text, and valid documents must grow a small plant.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace meristem;
 
-/// Never more than this, whatever the document asks for: one run should take milliseconds.
+/// Limits that override the document's, so that one run takes milliseconds.
 std::vector<Override> tight_limits() {
   return {{"limits.points", 500},
           {"limits.nodes", 2000},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an expression: either a fault inside the text, or a formula whose 75 lanes in one call have the values
-// that they have one by one.
+// Fuzzes expressions: either an error inside the text, or a formula whose 75 lanes in one call have the values of
+// single calls.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ using meristem::ExpressionNames;
 using meristem::RandomKey;
 using meristem::require;
 
-constexpr std::size_t kLanes = 75;  // a block of 64, one of 8, three single ones
+constexpr std::size_t kLanes = 75;  // a block of 64, a block of 8 and three single lanes
 
 void compare_lanes(const Expression& expression) {
   std::vector<double> i(kLanes);
@@ -42,7 +42,7 @@ void compare_lanes(const Expression& expression) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   static const ExpressionNames kNames{{"i", "u"}, {{"age", 12}}};

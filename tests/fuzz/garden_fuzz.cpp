@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a garden: a document, and after a line of '=' each, the document that it may place as "other.json" and
-// the table that it may read as "table.csv". Either faults, each with a message and a file, or a small garden that
+// Fuzzes gardens: a document that may place the document "other.json" and read the table "table.csv". The three texts
+// are separated by lines of '='. The result must be errors, each with a message and a file, or a small garden that
 // grows.
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace meristem;
 
-/// A folder of this process on the memory's file system.
+/// Returns a folder of this process in memory.
 const std::string& folder() {
   static const std::string kFolder = [] {
     const std::string path = "/dev/shm/garden_fuzz_" + std::to_string(getpid());
@@ -31,7 +31,7 @@ const std::string& folder() {
   return kFolder;
 }
 
-/// Cuts the text up to the next line of '=' off.
+/// Removes the text up to the next line of '=' and returns it.
 std::string_view next_part(std::string_view& text) {
   constexpr std::string_view kLine = "\n=\n";
   const std::size_t end = text.find(kLine);
@@ -46,14 +46,14 @@ void write(const std::string& name, std::string_view text) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view text(reinterpret_cast<const char*>(data), size);
   const std::string garden(next_part(text));
   write("garden.json", garden);
   write("other.json", next_part(text));
   write("table.csv", next_part(text));
-  // Small, whatever the documents ask for: one run should take milliseconds.
+  // Use small limits, so that one run takes milliseconds.
   ReadOptions options{.overrides = {{"limits.points", 500},
                                     {"limits.nodes", 2000},
                                     {"limits.instances", 300},

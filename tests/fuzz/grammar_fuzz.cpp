@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a grammar: either faults inside the text, or a grammar whose parts fit together, whose words after some
-// steps are drawn by both turtles or refused with a fault.
+// Fuzzes grammars: either errors inside the text, or a consistent grammar. Its words after some steps must be drawn in
+// both readings or be rejected with an error.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -47,7 +47,7 @@ Word axiom_of(const Grammar& grammar) {
   return word;
 }
 
-/// Whether faults while it derives or draws are InputErrors is for the caller.
+/// Derives and draws words. The caller must check that all exceptions are InputErrors.
 void derive_and_draw(const Grammar& grammar) {
   Limits limits;
   limits.modules = 20'000;
@@ -72,7 +72,7 @@ void derive_and_draw(const Grammar& grammar) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   std::vector<Diagnostic> warnings;

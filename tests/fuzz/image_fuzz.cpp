@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a picture: as many bytes as its size says and no more pixels than allowed, or a fault of that file.
+// Fuzzes pictures: either a picture with the bytes for its size and no more pixels than allowed, or an error of this
+// file.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

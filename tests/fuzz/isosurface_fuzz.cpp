@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as values on a small grid: its surface is closed, manifold and turned one way, and no triangle is
-// degenerate. The first three bytes say the size, 1 to 8 along each axis; the rest are floats, any bits, less than a
-// float being none; missing ones are 1.
+// Fuzzes values on a small grid: the surface must be closed, manifold and consistently oriented, and without degenerate
+// triangles. The first three bytes are the size, 1 to 8 along each axis. The rest are floats with arbitrary bits. An
+// incomplete float is ignored, and missing values are 1.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -36,7 +36,7 @@ void require_triangles(const Mesh& mesh) {
   }
 }
 
-/// Each edge has one triangle on either side.
+/// Checks that each edge has one triangle on either side.
 void require_closed(const Mesh& mesh) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const auto& triangle : mesh.triangles) {

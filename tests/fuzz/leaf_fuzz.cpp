@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a file of midribs, a line of equals signs, and a file of widths: either faults with their lines, or
-// leaves that can be fitted, aged, bent, reduced and meshed without a number that is not finite.
+// Fuzzes measured leaves: a file of midribs, a line of equals signs, and a file of widths. The result must be errors
+// with their lines, or leaves that are fitted, aged, bent, reduced and meshed with finite numbers only.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -49,7 +49,7 @@ std::vector<MeasuredCurve> widths_of(std::string_view text, const Limits& limits
   }
 }
 
-/// A leaf whose length is nothing is one that cannot be seen.
+/// Checks a leaf. A leaf with length 0 is invisible and always valid.
 void require_leaf(const GrassLeaf& leaf) {
   require(std::isfinite(area(leaf)));
   if (leaf.length == 0) return;
@@ -91,7 +91,7 @@ void go_through_stages(const MeasuredCurve& midrib, const MeasuredCurve& widths)
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const std::size_t between = std::min(text.find(kBetween), size);

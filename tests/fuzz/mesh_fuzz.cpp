@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a mesh: indices in range, or a fault of that file; and around a mesh that is found closed the surface
-// winds no more often than it has triangles, and nowhere around points far away.
+// Fuzzes meshes: either indices in range, or an error of this file. The winding number of a closed mesh must not exceed
+// its number of triangles, and must be 0 far away.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an MTG file: either faults that have their place in it, or entities in which all that something hangs on
-// comes before it, as a skeleton whose measures can be taken, and which is the same when it is written and read again.
+// Fuzzes MTG files: either errors with their places, or entities that come after the entities that bear them. Their
+// skeleton must have measures, and must be unchanged after writing and reading.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,7 +34,7 @@ Plant plant_of(const Skeleton& skeleton) {
   return plant;
 }
 
-/// The text of its file, on the memory's file system.
+/// Writes the skeleton to a file in memory and returns its text.
 std::string written(const Skeleton& skeleton) {
   static const std::string kPath = "/dev/shm/mtg_fuzz_" + std::to_string(getpid());
   Progress progress;
@@ -54,7 +54,7 @@ void check_round_trip(const Skeleton& skeleton) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   Limits limits;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an edit and a JSON text: the first byte says the edit, the next how far along the tree, the line after
-// them a value; the rest is the text. What JSON it is stays JSON, and the inverse gives the first bytes.
+// Fuzzes edits of JSON texts. The first byte selects the edit, the second the place in the tree, the following line is
+// a value, and the rest is the text. Valid JSON must stay valid, and the inverse patch must restore the original bytes.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace meristem;
 
-/// The path of a part of the tree: at each level the one that `way` chooses, until it is 0.
+/// Returns the path of a part of the tree: at each level the part that `way` selects, until `way` is 0.
 std::string chosen_path(const Value& root, std::uint8_t way) {
   std::string path;
   const Value* at = &root;
@@ -81,6 +81,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(is_sound(patch, text.size()));
   const std::string edited = apply_patch(text, patch);
   require(apply_patch(edited, inverse_patch(text, patch)) == text);
-  if (!patch.empty()) parse_json(edited);  // what it throws ends the fuzzer
+  if (!patch.empty()) parse_json(edited);  // an exception ends the fuzzer
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of any bytes: each is read whole or refused with a place, and what is read has a cell per row and column.
+// Fuzzes tables: each is either rejected with a place, or has a cell for every row and column.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as the plan of a data set, as a row of a manifest, and as the fields of a line: a plan that is read names
-// plants that can be told, and its rows read back; anything else is a fault in the plan or its document.
+// Fuzzes plans of data sets, rows of manifests, and fields of lines. A valid plan must describe all of its plants, and
+// its rows must be readable. Everything else must be an error in the plan or its document.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +28,7 @@ void check_plan(const DatasetPlan& plan) {
     require(plant.document < plan.documents.size());
     const std::string row = manifest_row(plan, {.plant = plant, .files = {}, .measures = {}, .error = "why"});
     require(std::count(row.begin(), row.end(), '\n') == 1);
-    // Columns may be called as those of the manifest are; then their values have other names there.
+    // Columns of the plan may have names of the manifest's columns. Their values then get other names.
     require(layout.has_value());
     const auto entry = layout->entry(std::string_view(row).substr(0, row.size() - 1));
     require(entry && entry->number == number && !entry->error.empty());

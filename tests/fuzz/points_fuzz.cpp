@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a file of points: finite points within the limit, or a fault of that file.
+// Fuzzes files of points: either finite points within the limit, or an error of this file.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

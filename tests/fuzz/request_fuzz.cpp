@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a message of the studio's page; those of a text before the first line's end are the document's, so that
-// splices meet texts of all kinds.
+// Fuzzes messages of the studio's page. In a text, the bytes before the end of the first line are the document, so that
+// splices are applied to all kinds of texts.
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>

@@ -7,12 +7,12 @@
 
 namespace meristem {
 
-/// Stops the fuzzer where a promise is broken.
+/// Stops the fuzzer if a promise is broken.
 inline void require(bool holds) {
   if (!holds) __builtin_trap();
 }
 
-/// Every fault says what is wrong, and that it is of this file.
+/// Requires that every error has a message and the name of this file.
 inline void require_faults_of(const InputError& error, std::string_view file) {
   require(!error.diagnostics().empty());
   for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == file);

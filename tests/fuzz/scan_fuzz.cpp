@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as the request of a scan: either faults, or an instrument whose numbers are in their ranges.
+// Fuzzes requests of scans: either errors, or an instrument whose numbers are in range.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "meristem/output/scan/scan_request.h"
 #include "tests/fuzz/require.h"
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
   try {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as days, hours, a date and a clock's time: what is read is in range and reads back as itself, or a fault.
+// Fuzzes days, hours, dates and clock times: either values in range that are equal after writing and reading, or an
+// error.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a table of nodes, cylinders or trees: either faults that have their place in it, or a skeleton in which
-// parents come before children, which can be written and measured, and goes on growing.
+// Fuzzes tables of nodes, cylinders and trees: either errors with their places, or a skeleton with parents before
+// children. It must be writable and measurable, and growth must be able to continue from it.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ void check_skeleton(const Skeleton& skeleton) {
   require(measure_skeletons(std::span(&one, 1), nullptr, {}, progress).whole.nodes == skeleton.node_count());
 }
 
-/// An iteration of growth on the first tree: what stands keeps its place.
+/// Grows one iteration on the first tree. Existing wood must keep its place.
 void go_on(const Skeleton& skeleton, const Limits& limits) {
   Skeleton tree = split_trees(skeleton).front();
   assign_pipe_radii(tree, {});
@@ -55,7 +55,7 @@ void go_on(const Skeleton& skeleton, const Limits& limits) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   Limits limits;

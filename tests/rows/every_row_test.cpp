@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// No key is passed over in silence: in each of the small documents of this folder, another value for any row of the
-// table that the document is about changes what comes out, or is refused. And each row changes something in one of
-// them. A document is about its component "subject" with its nested tables; "links" about all links, "scene" about the
-// scene, "head" about the rest of the top level.
+// Tests that no parameter is ignored silently. In each of the small documents of this folder, a different value of any
+// parameter must change the result or be rejected. Every parameter must change something in at least one document. A
+// document tests the parameters of its component "subject" with nested tables. The document "links" tests all links,
+// "scene" the scene, and "head" the rest of the top level.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@
 namespace meristem {
 namespace {
 
-/// Rows that may change nothing, and why.
+/// Parameters that may have no effect, with the reason.
 const std::map<std::string, std::string>& exceptions() {
   static const std::map<std::string, std::string> reasons = {
       {"a document.meristem", "there is one version of the format"},
@@ -40,7 +40,7 @@ const std::map<std::string, std::string>& exceptions() {
   return reasons;
 }
 
-/// Rows that mean something beside others that are not in this table, and why they may change nothing in one document.
+/// Parameters whose effect depends on other tables, with the reason why they may have no effect in one document.
 const std::map<std::string, std::string>& circumstances() {
   static const std::map<std::string, std::string> reasons = {
       {"a component.alone", "there may be nobody to compete with"},
@@ -125,7 +125,7 @@ std::vector<Base> base_documents() {
   return bases;
 }
 
-/// Rows are told apart by their table and name. What components share are rows of one table.
+/// Returns the name of a parameter: table and parameter. Parameters that all components share count as one table.
 std::string name_of(const ParameterTable& table, const Parameter& row) {
   const bool is_shared = component_base_table().find(row.name) != nullptr || row.name == "alone";
   const bool is_component = table.find("recursion") != nullptr;
@@ -136,7 +136,7 @@ const Value* member(const Value* value, std::string_view name) {
   return value == nullptr ? nullptr : value->find(name);
 }
 
-/// Goes through the rows of the tables that a document is about.
+/// Tests all parameters of the tables of a document.
 class RowWalk {
  public:
   RowWalk(const Base& base, std::set<std::string>& changing)
@@ -177,7 +177,7 @@ class RowWalk {
     walk(limits_table(), "limits", base_.tree.find("limits"));
   }
 
-  /// The rows of an element of a list: those of its kind, where there are several.
+  /// Returns the table of a list element, which depends on its kind if there are several kinds.
   static const ParameterTable& table_of(const Parameter& list, const Value& element) {
     if (list.kinds == nullptr) return list.nested();
     const Kinds& kinds = list.kinds();
@@ -198,7 +198,7 @@ class RowWalk {
   void walk_row(const Parameter& row, const std::string& name, const std::string& path, const Value* present,
                 const Value& usual) {
     if (row.kind == ParameterKind::object) {
-      // Nothing is asked in this document of what is not given, or given in short.
+      // Skip values that are missing or written in short form.
       const bool is_short = present != nullptr && present->object() == nullptr;
       if (!is_short && !(present == nullptr && usual.is_null())) walk(row.nested(), path, present);
     } else if (row.kind == ParameterKind::list) {
@@ -240,7 +240,7 @@ class RowWalk {
       said_ = error.what();
     }
     const auto says = [this](const char* words) { return said_.find(words) != std::string::npos; };
-    // A limit that stops growth acts.
+    // A limit that stops growth has an effect.
     if (path.starts_with("limits.")) return Outcome::changes;
     const bool is_refused = says("no meaning") || says("more than one of") || says("both a density and a count") ||
                             says("belongs to branch links") || says("given both by") || says("has no 'crown'") ||

@@ -7,8 +7,8 @@
 
 namespace meristem {
 
-/// Hash of all that a document comes to: what has grown, its meshes with the materials that they show, the scene and
-/// the camera of pictures, and the settings of files. What nothing shows is not in it. Throws what growing throws.
+/// Returns a hash of the complete result of a document: the plant, its meshes with visible materials, the scene, the
+/// camera of pictures, and the settings of files. Invisible parts are not included. Throws what growing throws.
 std::uint64_t hash_of_result(const Document& document);
 
 }  // namespace meristem

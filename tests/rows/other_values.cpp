@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-/// JSON, by the names of rows. Paths of files are those beside the base documents.
+/// JSON values by the names of parameters. Paths are relative to the folder of the documents.
 const std::map<std::string, std::vector<std::string>>& values_by_name() {
   static const std::map<std::string, std::vector<std::string>> values = {
       {"a grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
@@ -56,7 +56,7 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
   return values;
 }
 
-/// Files beside the base documents, by the rows' own names.
+/// Returns files in the folder of the documents, by the names of parameters.
 std::vector<std::string> files_of(const std::string& row) {
   if (row == "mesh") return {R"("other_tetrahedron.obj")", R"("tetrahedron.obj")"};
   if (row == "file")
@@ -121,7 +121,7 @@ std::vector<std::string> texts_of(const Parameter& row) {
 
 std::vector<Value> other_values(const std::string& name, const Parameter& row, const Value& present) {
   std::vector<Value> values;
-  if (row.name == "only") return {parse_json("[1]")};  // the first instance is without geometry then
+  if (row.name == "only") return {parse_json("[1]")};  // then the first instance has no geometry
   const auto known = values_by_name().find(name);
   for (const std::string& text : known == values_by_name().end() ? texts_of(row) : known->second) {
     values.push_back(parse_json(text));

@@ -8,8 +8,8 @@
 
 namespace meristem {
 
-/// Values that a row may have in place of `present`, most likely ones first. `name` is its table's and its own, as in
-/// "a leaf.polygon": some rows need values that no rule finds.
+/// Returns values that may replace `present` for a parameter, the most suitable first. `name` is the name of table and
+/// parameter, such as "a leaf.polygon": some parameters need special values.
 std::vector<Value> other_values(const std::string& name, const Parameter& row, const Value& present);
 
 }  // namespace meristem

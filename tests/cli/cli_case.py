@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the tests of the command line share: a folder with two documents, and the built program run in it.
+"""The base of the command-line tests: a folder with two documents, and the built program, run in this folder.
 
 A test file begins with `import cli_case`, which takes the program from the first argument.
 """
@@ -47,7 +47,7 @@ ENTITY-CODE\t\tXX\tYY\tZZ\tThickness
 ^<S2\t\t0\t0\t400\t160
 """
 
-# Enough work that a signal comes long before the end.
+# Enough work for a signal to arrive long before the end.
 LONG_RENDER = ["--size", "600x600", "--samples", "2048"]
 LONG_GROWTH = ["--set", "points=3000000", "--set", "tree.step=0.002", "--set", "tree.kill=0.002"]
 
@@ -84,7 +84,7 @@ class Case(unittest.TestCase):
                                 stdout=subprocess.PIPE, **options)
 
     def assert_ends(self, code, *arguments, **options):
-        """Runs and returns standard error; nothing may be left but the files that were there before."""
+        """Runs the program and returns standard error. The folder must contain only the earlier files afterwards."""
         before = sorted(os.listdir(self.folder))
         done = self.run_program(*arguments, **options)
         errors = done.stderr.decode()
@@ -95,7 +95,7 @@ class Case(unittest.TestCase):
         return errors
 
     def stop(self, signal_number, *arguments):
-        """Sends the signal once the program tells of its work, and returns its standard error."""
+        """Sends the signal after the first line of progress, and returns standard error."""
         process = self.start(*arguments)
         first = process.stderr.readline()
         self.assertRegex(first.decode(), r"^[a-z ]+ \d+ %\n$", "a plain line of progress")

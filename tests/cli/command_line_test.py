@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Commands, options and listings as users meet them: help, exit codes, nearest names.
+"""Commands, options and listings from the user's view: help, exit codes, nearest names.
 
 Usage: command_line_test.py PROGRAM [unittest options]
 """

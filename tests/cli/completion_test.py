@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shell completion and the man page: they know every option that the help knows, bash completes by them, and other
-shells accept their scripts where they are installed.
+"""Shell completion and the man page. Both must contain every option of the help, bash must complete them, and other
+shells, if installed, must accept their scripts.
 
 Usage: completion_test.py PROGRAM
 """
@@ -33,7 +33,7 @@ def help_options(command):
 
 COMMANDS = re.findall(r"^  (\w+) +\S", printed("--help").split("Subcommands:")[1], re.MULTILINE)
 
-# Prints what bash offers behind the words of the command line, the last of which is being typed.
+# Prints the completions that bash offers for the last word of the command line.
 COMPLETE = """
 source "$1"; shift
 meristem() { "$PROGRAM" "$@"; }

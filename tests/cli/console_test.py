@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every session in the manual's pages prints what the page says. Usage: console_test.py PROGRAM ROOT [PAGE...]
+"""Runs the sessions in the manual's pages and compares their output. Usage: console_test.py PROGRAM ROOT [PAGE...]
 
-A session is a block of ```console: a line that begins with `$ ` is run, the lines below it are what is printed, and a
-line of three dots stands for any lines; a command without lines below it must succeed, whatever it prints. A file whose name stands in a paragraph of its own before a block, as in
-"`tree.json`:", is written first. A session may stand in a comment, <!-- console ... -->, before prose that tells of its
-figures. All sessions of a page run in one folder, in which `docs/` and `models/` are those of
-ROOT and digitised plants those of the shared data; a command that names one of these without the data is passed over.
+A session is a block of ```console. A line that begins with `$ ` is run, and the following lines are the expected
+output. A line of three dots matches any lines. A command without output lines must succeed. If a paragraph before a
+block contains only a file name, such as "`tree.json`:", the block is written to that file first. A session may be in a
+comment, <!-- console ... -->, before prose that quotes its figures. All sessions of a page run in one folder. In it,
+`docs/` and `models/` are those of ROOT, and digitised plants are the shared data. Commands that need missing data are
+skipped.
 
-Pictures take long: their commands are checked as far as the plant, with --fingerprint instead of the file.
+Pictures take long to render. Their commands run with --fingerprint instead of a file, which only checks the plant.
 """
 
 import pathlib
@@ -28,7 +29,7 @@ BLOCK = re.compile(r"(?:^`([\w.-]+)`:\n\n)?^(?:```|<!-- )(\w*)\n(.*?)^(?:```|-->
 
 
 def is_printed(expected: list[str], printed: list[str]) -> bool:
-    """Whether the lines agree; `...` stands for any lines."""
+    """Returns true if the lines match; `...` matches any lines."""
     if not expected:
         return not printed
     if expected[0] == "...":
@@ -47,7 +48,8 @@ def commands_of(block: str) -> list[tuple[str, list[str]]]:
 
 
 def run(command: str, folder: pathlib.Path) -> tuple[list[str], bool] | None:
-    """The lines that a command prints and whether it succeeded, or None for one that cannot run here."""
+    """Returns the output lines of a command and whether it succeeded. Returns None for a command that cannot run
+    here."""
     words = shlex.split(command)
     if words[0] != "meristem":
         return None

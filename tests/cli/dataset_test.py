@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Data sets and the truth behind pictures as users of the command line meet them. Usage: dataset_test.py PROGRAM"""
+"""Data sets and the annotations of pictures from the user's view. Usage: dataset_test.py PROGRAM"""
 
 import csv
 import io
@@ -29,12 +29,12 @@ PLAN = {"meristem_dataset": 1, "documents": ["rod.json"], "seeds": 60, "rows": 2
 
 
 def png_size_and_kind(data):
-    """Width, height, bits per channel and colour type."""
+    """Returns width, height, bits per channel and colour type."""
     return struct.unpack(">IIBB", data[16:26])
 
 
 def rows_of_png(data):
-    """The bytes of each row of a PNG without filters but those of every kind (PNG specification, 9.2)."""
+    """Returns the bytes of each row of a PNG, with filters of all kinds undone (PNG specification, 9.2)."""
     width, height, bits, kind = png_size_and_kind(data)
     step = {0: 1, 2: 3, 6: 4}[kind] * bits // 8
     packed, at = b"", 8
@@ -65,7 +65,7 @@ class DataSets(cli_case.Case):
         self.write("plan.json", json.dumps(PLAN))
 
     def content(self, folder):
-        """All files of a data set but what is partial."""
+        """Returns all files of a data set except partial ones."""
         root = pathlib.Path(self.folder, folder)
         return {str(path.relative_to(root)): path.read_bytes() for path in sorted(root.rglob("*"))
                 if path.is_file() and path.relative_to(root).parts[0] != "partial"}
@@ -143,7 +143,7 @@ class DataSets(cli_case.Case):
         self.assertEqual(left, [])
 
     def damages(self, whole):
-        """Ways to damage a data set: file, bytes, and what is said of it."""
+        """Yields ways to damage a data set: file, bytes, and the expected message."""
         table = "manifest/00001.csv"
         lines = whole[table].splitlines(keepends=True)
         columns = lines[0].decode().rstrip().split(",")
@@ -280,7 +280,7 @@ class DataSets(cli_case.Case):
         self.assertTrue(self.read("a.pfm").startswith(b"PF\n60 40\n-1.0\n"))
         coco = json.loads(self.read("a.json"))
         self.assertEqual(coco["images"][0]["file_name"], "a.png")
-        # Each annotation is what the mask of its level shows.
+        # Each annotation must agree with the mask of its level.
         levels = {category["id"]: category["supercategory"] for category in coco["categories"]}
         self.assertEqual(set(levels.values()), {"organ", "shoot", "plant"})
         masks = {}

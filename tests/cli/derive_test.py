@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`meristem derive` as users meet it. Usage: derive_test.py PROGRAM [unittest options]"""
+"""`meristem derive` from the user's view. Usage: derive_test.py PROGRAM [unittest options]"""
 
 import json
 import os
@@ -17,7 +17,7 @@ F
 F -> F+(angle)F-(2*angle)F+(angle)F
 """
 
-# A branch as long as its parent or half as long, by chance; drawn as two segments.
+# Branches that are at random as long as their parent or half as long; drawn as two segments.
 CHANCE = """#define length 1
 #axiom
 A(length)
@@ -124,7 +124,7 @@ class Derive(cli_case.Case):
                          "trees/stand.txt:2:1: 'parts/fire.txt': there is no such file; did you mean "
                          "'parts/fir.txt'?\n")
 
-    # What is wrong
+    # Errors
 
     def test_wrong_uses(self):
         for arguments in ([], ["koch.txt", "--steps", "-1"], ["koch.txt", "--steps", "1.5"],

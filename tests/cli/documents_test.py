@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Documents that the command line reads: faults with line and column, warnings, limits.
+"""Documents that the command line reads: errors with line and column, warnings, limits.
 
 Usage: documents_test.py PROGRAM [unittest options]
 """

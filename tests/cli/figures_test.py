@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Figures in the manual's sentences and tables are those that `meristem measure` prints for the pictures beside them, and
-shipped models grow without a warning.
+"""Compares figures in the manual's sentences and tables with `meristem measure`. Shipped models must grow without
+warnings.
 
 Usage: figures_test.py PROGRAM ROOT [unittest options]
 
-A test measures the document of a picture, with the settings that docs/manual/figures/figures.txt has for it, and makes a
-sentence or a cell of the page from it; the page must have it word by word. Sessions of the manual are run by
-console_test.py, and the tables of studies are compared by study_pages_test.py.
+A test measures the document of a picture with the settings in docs/manual/figures/figures.txt. From the measures it
+makes a sentence or a table cell, which the page must contain word by word. console_test.py runs the sessions of the
+manual, and study_pages_test.py compares the tables of studies.
 """
 
 import functools
@@ -27,12 +27,12 @@ FIGURES = ROOT / "docs" / "manual" / "figures"
 
 @functools.cache
 def pictures():
-    """The document and the settings of each picture."""
+    """Returns the document and the settings of each picture."""
     planned = {}
     for line in (FIGURES / "figures.txt").read_text(encoding="utf-8").splitlines():
         if line.strip() and not line.startswith("#"):
             name, document, *options = line.split()
-            # What only `render` knows changes no measure.
+            # Options that only `render` has do not affect measures.
             settings = [(options[k], options[k + 1]) for k in range(len(options) - 1) if options[k] in ("--set", "--time", "--seed")]
             planned[name] = (FIGURES / f"{document}.json", [word for pair in settings for word in pair])
     return planned
@@ -40,24 +40,24 @@ def pictures():
 
 @functools.cache
 def measuring(document, *options):
-    """What `meristem measure` has printed for a document: a path, or the name of a shipped model, which is grown once so."""
+    """Runs `meristem measure` once per document: a path, or the name of a shipped model."""
     return subprocess.run([PROGRAM, "measure", document, "--json", *options], check=True, capture_output=True, timeout=300,
                           encoding="utf-8")
 
 
 def measured_document(document, *options):
-    """All measures of what a document grows."""
+    """Returns all measures of the plant of a document."""
     return json.loads(measuring(document, *options).stdout)
 
 
 def measured(picture, *options):
-    """All measures of a picture's plant."""
+    """Returns all measures of a picture's plant."""
     document, settings = pictures()[picture]
     return measured_document(str(document), *settings, *options)
 
 
 def written_megabytes(model, *options):
-    """The size of a model's GLB file."""
+    """Returns the size of a model's GLB file."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "plant.glb"
         subprocess.run([PROGRAM, "grow", model, "-o", str(path), "--quiet", *options], check=True, timeout=300)
@@ -188,7 +188,7 @@ class BushesAndTreesFromParts(Page):
 
     def test_parts_of_the_large_maple(self):
         maple = measured_document("large-maple")
-        # A leaf has one organ, and nothing else of this tree is an organ.
+        # A leaf is one organ, and this tree has no other organs.
         self.assertEqual(maple["instances"] - maple["leaf_count"], len(maple["order_histogram"]))
         self.says(f"{hundreds(sum(maple['order_histogram']))} stems have",
                   f"{round(maple['leaf_count'], -3):,} leaves have")
@@ -285,8 +285,8 @@ class Gallery(Page):
     PAGE = "../gallery.md"
 
     def test_plants(self):
-        """Triangles, height and leaf area of all plants but the three scenes of more than a hundred million triangles, which
-        are only grown; no plant has a warning."""
+        """Compares triangles, height and leaf area of all plants, except the three scenes with more than a hundred
+        million triangles, which are only grown. No plant may have a warning."""
         rows = re.findall(r"\| \[`([\w-]+)`\]\([^)]+\) \| [^|]+ \| ([\d,]+) \| [\d.]+ \| [\d.]+ \| ([\d.]+|-) \| ([\d.,]+|-) \|",
                           self.text)
         models = {path.stem for path in (ROOT / "models").glob("*.json")}
@@ -339,8 +339,8 @@ class Measures(Page):
 
 
 class ShippedTreesOfTheFitStudy(Page):
-    """The table of shipped trees beside measured ones, by measures that the program has; the diameter is interpolated along
-    the stem here and taken at a node there, so it may differ by a few percent."""
+    """Compares shipped trees with measured trees, by measures of the program. Here the diameter is interpolated along
+    the stem, in the study it is the diameter at a node, so it may differ by a few percent."""
 
     PAGE = "fit-study.md"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Films that `meristem render` makes. A small script stands for ffmpeg, which need not be installed.
+"""Films that `meristem render` makes. A small script replaces ffmpeg, which need not be installed.
 
 Usage: films_test.py PROGRAM [unittest options]
 """
@@ -17,7 +17,7 @@ RISING = """{"meristem": 1,
   "components": {"b": {"type": "simple", "size": [1, 1, 1]}},
   "animation": {"length": 0.5, "fps": 10, "keys": {"b.size[1]": [[0, 0.5], [0.5, 2]]}}}"""
 
-# Tells what it was called with, and fails where a file says so.
+# Records its arguments, and fails if a certain file exists.
 MAKER = """#!/bin/sh
 echo "$@" >>"{folder}/calls.txt"
 if [ -e "{folder}/broken" ]; then echo "no such codec" >&2; exit 3; fi
@@ -42,7 +42,7 @@ class Films(cli_case.Case):
         os.chmod(path, 0o755)
 
     def render(self, *options):
-        """With a PATH that has the script, if it is installed, and the shell's own commands."""
+        """Runs the program with a PATH that contains the script, if it is installed, and the shell's own commands."""
         path = self.bin if not os.listdir(self.bin) else self.bin + ":/usr/bin:/bin"
         return subprocess.run([PROGRAM, "render", "rising.json", *options, *SIZE], cwd=self.folder, check=False,
                               env={**os.environ, "PATH": path}, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
@@ -87,7 +87,7 @@ class Films(cli_case.Case):
         first = os.path.join(self.folder, frames, "00000.png")
         before = os.stat(first).st_mtime_ns
         os.remove(os.path.join(self.folder, frames, "00003.png"))
-        # What is there stays; another size begins anew.
+        # Existing frames are kept; another size starts again.
         self.assertEqual(self.render("-o", "film.mp4").returncode, FAILED)
         self.assertEqual(os.stat(first).st_mtime_ns, before)
         self.assertIn("00003.png", os.listdir(os.path.join(self.folder, frames)))

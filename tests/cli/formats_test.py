@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the files of one plant say about it, read with Python's own means.
+"""The content of the files of one plant, read with Python's standard library.
 
 Usage: formats_test.py PROGRAM [unittest options]
 """
@@ -18,7 +18,7 @@ from cli_case import DONE, FAILED, LONG_GROWTH, LONG_RENDER, MTG, TREE, WRONG_IN
 
 
 class Formats(cli_case.Case):
-    """What the files of one plant say must be the same; they are read with Python's own means."""
+    """All files of one plant must have equal content. They are read with Python's standard library."""
 
     FILES = ["a.glb", "a.obj", "a.ply", "a.labels.ply", "a.skeleton.ply", "a.csv", "a.qsm.csv", "a.trees.txt",
              "a.operations.csv", "a.points.csv", "a.mtg"]
@@ -32,7 +32,7 @@ class Formats(cli_case.Case):
         return int(re.search(rf"(\d+) {what}", self.announcement)[1])
 
     def read_ply(self, name):
-        """The header's comments, and a list of rows (dictionaries) for each element."""
+        """Returns the header's comments, and a list of rows (dictionaries) for each element."""
         header, body = self.read(name).split(b"end_header\n", 1)
         codes = {"float": "f", "int": "i", "uchar": "B"}
         comments, elements = [], []
@@ -122,7 +122,7 @@ class Looks(cli_case.Case):
         self.write("textured.json", self.TEXTURED)
 
     def grown_json(self, *options):
-        """The size of a binary glTF, and its JSON."""
+        """Returns the size of a binary glTF and its JSON."""
         self.assert_ends(DONE, "grow", "textured.json", "-o", "out.glb", *options)
         data = self.read("out.glb")
         return len(data), json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Documents that place the plants of others, and tables of places. Usage: gardens_test.py PROGRAM [unittest options]"""
+"""Documents that place plants of other documents, and tables of places. Usage: gardens_test.py PROGRAM [unittest
+options]"""
 
 import collections
 import csv
@@ -46,7 +47,7 @@ class Gardens(cli_case.Case):
         trees = collections.Counter(name for name in plants if name in ("oak", "lime", "birch"))
         self.assertEqual(sum(trees.values()), 200)
         self.assertEqual(len(trees), 3)
-        # Three species of three ages each are nine meshes of stems, at most.
+        # Three species with three ages each give at most nine meshes of stems.
         trunks = [mesh for mesh in gltf["meshes"] if mesh["name"] in ("oak.tree", "lime.tree", "birch.trunk")]
         self.assertLessEqual(len(trunks), 9)
 
@@ -118,7 +119,7 @@ class Gardens(cli_case.Case):
         self.write("tree.json", '{"meristem": 1, "components": {"tree": {"type": "organize", "iterations": 5, '
                    '"skeleton": {"file": "qsm.txt"}}}}')
         self.assert_ends(DONE, "grow", "tree.json", "-o", "tree.mtg", "-o", "tree.glb")
-        # What was written goes on, too.
+        # A tree also continues from a written file.
         self.write("again.json", '{"meristem": 1, "components": {"tree": {"type": "organize", "iterations": 2, '
                    '"skeleton": {"file": "tree.mtg"}}}}')
         self.assert_ends(DONE, "grow", "again.json", "-o", "again.csv")
@@ -140,7 +141,8 @@ class Gardens(cli_case.Case):
         self.assertIn("'trees.csv:2:9': '1e308' in the column 'years' is out of range", self.faults("x,y,kind,years\n0,0,oak,1e308\n"))
 
     def test_documents_that_multiply_each_other_are_stopped(self):
-        """A hundred of a hundred of a hundred ...: the plants are counted as they grow, at all levels together."""
+        """A hundred times a hundred times a hundred ...: the plants are counted during growth, at all levels
+        together."""
         for level in range(1, 6):
             self.write(f"{level}.json", '{"meristem": 1, "components": {"rows": {"type": "field", "rows": 10, "plants": 10}, '
                        f'"next": {{"type": "document", "file": "{level + 1}.json"}}}}, "links": [["rows", "next"]]}}')

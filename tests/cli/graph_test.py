@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`meristem graph` as users meet it. Usage: graph_test.py PROGRAM SOURCE_FOLDER [unittest options]"""
+"""`meristem graph` from the user's view. Usage: graph_test.py PROGRAM SOURCE_FOLDER [unittest options]"""
 
 import json
 import sys

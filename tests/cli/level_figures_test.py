@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the manual's page on files that tell of levels of detail, whose making takes long.
+"""Compares slow figures of the manual's page on files: levels of detail.
 
 Usage: level_figures_test.py PROGRAM ROOT [unittest options]
 """

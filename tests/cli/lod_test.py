@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Levels of detail as users of the command line meet them. Usage: lod_test.py PROGRAM [unittest options]"""
+"""Levels of detail from the user's view. Usage: lod_test.py PROGRAM [unittest options]"""
 
 import os
 import re
@@ -12,7 +12,7 @@ from cli_case import DONE, WRONG_INPUT
 
 class Lod(cli_case.Case):
     def grow(self, *arguments):
-        """Runs and returns the triangles of each line of the report, by what stands before its colon."""
+        """Runs the program and returns the triangles of each line of the report, by the text before the colon."""
         errors = self.assert_ends(DONE, "grow", "tree.json", *arguments)
         return {files: int(count) for files, count in re.findall(r"^(\S[^:]*): .*?(\d+) triangles", errors, re.MULTILINE)}
 
@@ -21,7 +21,7 @@ class Lod(cli_case.Case):
 
     def test_each_level_is_a_file_of_about_a_quarter_of_the_triangles(self):
         counts = self.grow("-o", "tree.glb", "--lod", "3")
-        # Levels that are worth nothing are told of in a line of their own.
+        # Worthless levels are reported in a separate line.
         names = [name for name in counts if name.endswith(".glb")]
         self.assertEqual(names, ["tree.glb", "tree_lod1.glb", "tree_lod2.glb", "tree_lod3.glb"][:len(names)])
         self.assertGreaterEqual(len(names), 2)
@@ -75,7 +75,7 @@ class Lod(cli_case.Case):
         self.assertEqual(len(self.grow("-o", "a.glb", "--lod", "1")), 2)
         self.assertEqual(len(self.grow("-o", "a.glb", "--set", "output.lod=0")), 1)
         before = self.files()
-        self.assertEqual(self.grow("-o", "a.csv"), {})  # a table needs no meshes, so nobody counts triangles
+        self.assertEqual(self.grow("-o", "a.csv"), {})  # a table needs no meshes, so no triangles are counted
         self.assertEqual(set(self.files()) - set(before), {"a.csv"})
         self.assertTrue(self.run_program("grow", "tree.json", "-o", "-").stdout.startswith(b"glTF"))
 

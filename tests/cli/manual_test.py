@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every whole document in the manual is accepted, also by the grower. Usage: manual_test.py PROGRAM FOLDER
+"""Checks that every complete document in the manual is accepted and grows. Usage: manual_test.py PROGRAM FOLDER
 
-A block of ```json that begins with a brace and says "meristem" is a whole document; other blocks are parts. One whose
-name, in a paragraph of its own before it, is `wrong.json` shows faults, and is refused.
+A block of ```json that begins with a brace and contains "meristem" is a complete document; other blocks are parts. If
+the paragraph before a block is `wrong.json`, the block shows errors and must be rejected.
 """
 
 import pathlib

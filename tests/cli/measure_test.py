@@ -88,7 +88,7 @@ class Measuring(cli_case.Case):
         self.assertGreater(measures["leaf_exposure"], measures["leaf_irradiance"])
         self.assertGreater(measures["leaf_irradiance"], 0)
         self.assertLess(measures["leaf_exposure"], 1)
-        # Under a roof no sun comes to crown and leaves.
+        # Under a roof, no sun reaches the crown and the leaves.
         roofed = json.loads(TREE)
         roofed["scene"] = {"obstacles": [{"box": [[-9, 5, -9], [9, 6, 9]]}]}
         self.write("roofed.json", json.dumps(roofed))

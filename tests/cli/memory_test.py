@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How much memory growth takes: peaks that the system tells of the program, which do not depend on its speed."""
+"""Peak memory of growth, as reported by the system. It does not depend on the speed of the program."""
 
 import os
 import subprocess
@@ -31,7 +31,7 @@ NESTED = """{
 
 class MemoryTest(cli_case.Case):
     def peak(self, *arguments):
-        """The exit code and the peak of the memory of one run in bytes."""
+        """Returns the exit code and the peak memory of one run in bytes."""
         command = [cli_case.PROGRAM, *arguments, "--quiet"]
         process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         _, status, usage = os.wait4(process.pid, 0)

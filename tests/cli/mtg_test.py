@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""MTG files that `grow` writes, read by the MTG user guide's rules with Python's own means. Usage: mtg_test.py PROGRAM
-[unittest options]"""
+"""Reads MTG files that `grow` writes by the rules of the MTG user guide, with Python's standard library.
+
+Usage: mtg_test.py PROGRAM [unittest options]
+"""
 
 import csv
 import io
@@ -18,15 +20,15 @@ STEP = re.compile(r"([/<+])([A-Za-z]+)(\d+)")
 
 
 def single(value):
-    """The 32-bit number that a text or a number is nearest to."""
+    """Returns the 32-bit number nearest to a text or a number."""
     return struct.unpack("<f", struct.pack("<f", float(value)))[0]
 
 
 class Entity:
     def __init__(self, relation, name, number, scale, column):
         self.relation, self.name, self.number, self.scale, self.column = relation, name, number, scale, column
-        self.whole = None  # the entity of the next coarser scale that it is a part of
-        self.bearer = None  # of its own scale
+        self.whole = None  # the entity of the next coarser scale that contains it
+        self.bearer = None  # of the same scale
         self.base = None  # the entity of any scale on which it was set
         self.has_parts = False
         self.values = {}
@@ -36,8 +38,8 @@ class Entity:
 
 
 class Mtg:
-    """Form A: sections with their heads, then entities, whose codes go on from what stands above in the same column
-    (`^`) or in the column before."""
+    """Form A: sections with their heads, then entities. Their codes continue from the entity above in the same column
+    (`^`) or in the previous column."""
 
     def __init__(self, text):
         lines = [line for line in text.split("\n") if not line.startswith("#")]
@@ -72,7 +74,7 @@ class Mtg:
         for relation, name, number in steps:
             place = self.add(place, relation, name, int(number), column)
         self.above[column] = place
-        # What stood in columns to the right hung on what is no longer the last one here.
+        # Entities in columns to the right belonged to an entity that is no longer the last one here.
         self.above = {k: entity for k, entity in self.above.items() if k <= column}
         for feature, cell in zip(self.types, cells[self.columns:]):
             if cell:
@@ -86,7 +88,7 @@ class Mtg:
             is_first = made.whole and not made.whole.has_parts
             if made.whole:
                 made.whole.has_parts = True
-            # A part that begins an entity hangs where that one was set on.
+            # The first part of an entity is joined to the base of that entity.
             if is_first and made.whole.base:
                 made.base = made.whole.base
                 made.bearer = made.base.at_scale(made.scale)
@@ -109,7 +111,7 @@ class MtgFiles(cli_case.Case):
         return Mtg(self.read("a.mtg").decode())
 
     def check_relations(self, mtg):
-        """Entities keep to what CLASSES and DESCRIPTION say of them."""
+        """Checks the entities against CLASSES and DESCRIPTION."""
         self.assertEqual(mtg.scales, {"$": 0, "P": 1, "A": 2, "B": 3, "S": 3})
         allowed = {(left, right, relation): most for left, right, relation, most in mtg.rules}
         borne = {}
@@ -124,7 +126,7 @@ class MtgFiles(cli_case.Case):
             self.assertTrue(relation == "+" or len(entities) == 1, "one successor at most")
 
     def check_nodes(self, mtg):
-        """Roots and segments are the table's nodes, and axes its axes."""
+        """Checks that roots and segments are the nodes of the table, and that axes agree."""
         nodes = mtg.of("B", "S")
         self.assertEqual(sorted(int(entity.values["node"]) for entity in nodes), list(range(len(self.table))))
         for entity in nodes:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Files that `meristem grow` writes: whole or not there, the same bytes on any number of threads.
+"""Files that `meristem grow` writes: complete or missing, and equal for any number of threads.
 
 Usage: output_test.py PROGRAM [unittest options]
 """

@@ -21,7 +21,7 @@ class Pictures(cli_case.Case):
         frames = [self.read(f"turn_00{k}.png") for k in range(3)]
         self.assertEqual(len(set(frames)), 3)
         self.assertNotIn("turn.png", os.listdir(self.folder))
-        # The first is the picture that there is without turning.
+        # The first frame is the picture without rotation.
         self.run_program("render", "box.json", "-o", "one.png", "--size", "16x16", "--samples", "1")
         self.assertEqual(frames[0], self.read("one.png"))
 
@@ -37,7 +37,7 @@ class Pictures(cli_case.Case):
         self.assertIn("rise_000.png to rise_002.png: 16 x 16 pixels", done.stderr.decode())
         frames = [self.read(f"rise_00{k}.png") for k in range(3)]
         self.assertEqual(len(set(frames)), 3)
-        # The camera stands where the last frame alone would have it, and a single time makes a single picture.
+        # The camera has the position for the last frame alone, and a single time makes a single picture.
         self.run_program("render", "rising.json", "-o", "last.png", "--time", "1", *size)
         self.assertEqual(frames[2], self.read("last.png"))
 
@@ -71,11 +71,11 @@ class Pictures(cli_case.Case):
         self.run_program("render", "tree.json", "-o", "plain.png", *size)
         self.run_program("render", "tree.json", "-o", "hull.png", "--hull", *size)
         self.assertNotEqual(self.read("hull.png"), self.read("plain.png"))
-        # Where there is no crown, the picture is as it was.
+        # Without a crown, the picture does not change.
         for options in ([], ["--hull"]):
             self.run_program("render", "box.json", "-o", f"box{len(options)}.png", *options, *size)
         self.assertEqual(self.read("box1.png"), self.read("box0.png"))
-        # Each frame of a turntable has them, and time-lapses while there is a crown.
+        # All frames of a turntable have hulls, and time-lapses have them while there is a crown.
         self.run_program("render", "tree.json", "-o", "turn.png", "--hull", "--turntable", "2", *size)
         self.assertEqual(self.read("turn_000.png"), self.read("hull.png"))
         self.write("growing.json", TREE.replace('"influence"', '"iterations": "4 + 99*t", "influence"'))

@@ -39,22 +39,22 @@ class Plan(cli_case.Case):
         places = {(row["label"], row["metamer"]): row for row in before}
         nodes = {row["node"]: row for row in before}
         for cut in cuts:
-            # Where a whole shoot goes, the cut is at the end of the metamer that bears it.
+            # If a whole shoot is removed, the cut is at the end of the metamer that bears it.
             is_whole = cut["metamer"] == "0"
             first = places[cut["shoot"], "1" if is_whole else cut["metamer"]]
             node = nodes[first["parent"]] if is_whole else first
             self.assertAlmostEqual(float(node["x"]), float(cut["x"]), places=5)
-            # The bud is on the bark there, and the wood beyond the cut as thick as the record says.
+            # The bud is on the bark there, and the wood beyond the cut has the recorded diameter.
             bud = [float(cut[f"bud_{axis}"]) for axis in "xyz"]
             beyond = first if is_whole else places[cut["shoot"], str(int(cut["metamer"]) + 1)]
             self.assertAlmostEqual(float(cut["diameter"]), 2 * float(beyond["radius"]), places=6)
             for axis, way in zip("xyz", bud):
                 self.assertAlmostEqual(float(cut[f"bud_position_{axis}"]),
                                        float(cut[axis]) + float(node["radius"]) * way, places=5)
-        # The table of the tree says what goes, and the number of the operation.
+        # The table of the tree contains the removed metamers and the number of the operation.
         self.assertEqual(sum(row["plan_cut"] == "1" for row in before), sum(int(row["metamers"]) for row in cuts))
         self.assertEqual(sum(row["plan_cut"] == "0" for row in before), len(after))
-        # What is left stands where it stood.
+        # The remaining metamers keep their positions.
         left = {(row["label"], row["metamer"]): row["y"] for row in after}
         for place, height in left.items():
             self.assertEqual(places[place]["y"], height)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A page of the manual ends with what the program prints. Usage: reference_test.py PROGRAM PAGE COMMAND"""
+"""Checks that a page of the manual ends with the output of the program. Usage: reference_test.py PROGRAM PAGE
+COMMAND"""
 
 import difflib
 import subprocess

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What hostile files cannot do: read outside of a root, act on the terminal, or put infinities into files."""
+"""Hostile files must not read outside a root, control the terminal, or put infinities into files."""
 
 import json
 import os
@@ -20,7 +20,7 @@ def document(**components):
     return json.dumps({"meristem": 1, "components": components})
 
 
-# A document per kind of file that a document names; each names FILE.
+# One document for each kind of file that a document can name; each names FILE.
 NAMING = {
     "skeleton table": document(tree={"type": "skeleton", "file": "FILE"}),
     "crown mesh": document(tree={"type": "colonize", "points": 50, "crown": {"mesh": "FILE"}}),
@@ -79,7 +79,7 @@ class Root(cli_case.Case):
 
     def test_shipped_models_may_be_read(self):
         self.assert_ends(DONE, "check", "bush", "--quick", "--root", "inside")
-        os.symlink("tree.json", self.path("oak"))  # a file of that name outside is not looked at
+        os.symlink("tree.json", self.path("oak"))  # a file with that name outside must not be used
         self.assert_ends(DONE, "check", "oak", "--quick", "--root", "inside")
 
     def test_all_commands_that_read_documents_keep_to_the_root(self):
@@ -182,7 +182,7 @@ class Numbers(cli_case.Case):
             for row in rows["rows"]
             if row["kind"] in kinds and not ("max" in row and ("min" in row or "above" in row))
         ]
-        # What variables are is used in other numbers, which have ranges.
+        # Values of variables are used in other numbers, which have ranges.
         self.assertEqual(sorted(endless),
                          [("set_value", "value"), ("variable", "max"), ("variable", "min"), ("variable", "value")])
 
@@ -194,7 +194,8 @@ class Numbers(cli_case.Case):
             self.assertIn("finite", self.assert_ends(WRONG_INPUT, "grow", "plant.json", "-o", output))
 
     def test_numbers_of_documents_lead_to_no_infinity(self):
-        """Some numbers are 1e308 once: the document is refused, or the files hold finite numbers."""
+        """Sets numbers to 1e308, one at a time. The document must be rejected, or the files must contain finite
+        numbers."""
         for kind in ("leaf", "tree", "simple", "revolution"):
             for member, value in (
                 ("frame", {"scale": [1e308, 1, 1]}),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Scans and cylinder tables as users of the command line meet them. Usage: scan_test.py PROGRAM [unittest options]"""
+"""Scans and tables of cylinders from the user's view. Usage: scan_test.py PROGRAM [unittest options]"""
 
 import csv
 import json
@@ -17,7 +17,7 @@ EXTRA_BYTES = {1: "B", 2: "b", 3: "H", 4: "h", 5: "I", 6: "i", 7: "Q", 8: "q", 9
 
 
 def read_las(path):
-    """The points of a LAS 1.4 file of format 6 with its extra bytes, by the tables of the specification."""
+    """Returns the points of a LAS 1.4 file of format 6 with its extra bytes, by the tables of the specification."""
     with open(path, "rb") as file:
         data = file.read()
     assert data[:4] == b"LASF" and data[24:26] == b"\1\4"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shade and measured light as users of the command line meet them. Usage: shade_test.py PROGRAM [unittest options]"""
+"""Shade and measured light from the user's view. Usage: shade_test.py PROGRAM [unittest options]"""
 
 import csv
 import io
@@ -11,7 +11,7 @@ import unittest
 import cli_case
 from cli_case import DONE, TREE, WRONG_INPUT
 
-# A house whose south wall stands at z = 0, and a ball of 1 m radius in front of it.
+# A house with its south wall at z = 0, and a ball of 1 m radius in front of the wall.
 STREET = {
     "meristem": 1,
     "scene": {"latitude": 50, "sun": {"day": 80, "hour": 12},
@@ -28,7 +28,7 @@ class Shade(cli_case.Case):
         self.write("street.json", json.dumps(STREET))
 
     def rows(self, *arguments):
-        """The table of moments; numbers where there are any."""
+        """Returns the table of moments, with cells converted to numbers if possible."""
         done = self.run_program("shade", "street.json", "-q", *arguments)
         self.assertEqual(done.returncode, DONE, done.stderr.decode())
         return [{name: float(value) if value and "-" not in value[1:5] else value for name, value in row.items()}
@@ -37,7 +37,7 @@ class Shade(cli_case.Case):
     def test_a_facade_by_hour_with_and_without_the_plant(self):
         noon, evening, night = self.rows("--facade", '{"obstacle": "house", "side": "south"}', "--days", "80",
                                          "--hours", "12,17.9,23", "--spacing", "0.1")
-        # The ball's shadow on the wall is its disc over the cosine to the wall's normal.
+        # The ball's shadow on the wall is its disc divided by the cosine to the wall's normal.
         self.assertAlmostEqual(noon["shade"] * 48, math.pi / math.cos(math.radians(noon["altitude"])), delta=0.05)
         self.assertEqual(noon["shade_without_plants"], 0)
         self.assertAlmostEqual(noon["cosine"], math.cos(math.radians(noon["altitude"])), places=5)
@@ -46,7 +46,7 @@ class Shade(cli_case.Case):
         self.assertEqual((night["shade"], night["direct"]), ("", ""))
 
     def test_surfaces_agree_with_one_another(self):
-        """A panel that lies on the wall has the wall's shade, and one on the ground the ground's."""
+        """A panel on the wall has the shade of the wall, and a panel on the ground has the shade of the ground."""
         times = ("--days", "80:110:30", "--hours", "9:15:3", "--spacing", "0.1")
         wall = self.rows("--facade", '{"obstacle": "0", "side": "south"}', *times)
         panel = self.rows("--panels", '{"position": [0, 3, 0.01], "width": 8, "length": 6, "tilt": 90}', *times)
@@ -95,7 +95,7 @@ class Shade(cli_case.Case):
         self.assertIn("has no year", self.assert_ends(WRONG_INPUT, "shade", "street.json", *surface, "--days", "172"))
 
     def test_holes_of_a_picture_let_light_pass(self):
-        """A leaf whose edge a picture cuts throws the shadow of its area, not that of the mesh."""
+        """A leaf with an edge cut by a picture casts the shadow of its visible area, not of its mesh."""
         leaf = {"type": "leaf", "length": 2, "width": 1.4, "rows": 2, "edge": "picture", "variety": 0,
                 "texture": {"leaf": {"veins": "pinnate"}}, "frame": {"translate": [0, 1, 0], "rotate": [-90, 0, 0]}}
         self.write("street.json", json.dumps({"meristem": 1, "components": {"leaf": leaf}}))

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`meristem check` finds the documents of the manual's figures good, also with what each figure sets; models have few
-variables; and every picture that the manual shows is there. That models are good is seen where they are measured, by
-figures_test.py. Usage: shipped_test.py PROGRAM REPOSITORY
+"""Checks shipped documents. `meristem check` must accept the documents of the manual's figures, with the settings of
+each figure. Models must have few variables. Every picture that the manual shows must exist. figures_test.py checks the
+models themselves, where it measures them.
+
+Usage: shipped_test.py PROGRAM REPOSITORY
 """
 
 import json
@@ -25,14 +27,14 @@ def fail(message):
 def check(document, *settings):
     done = subprocess.run([program, "check", str(document), *settings], capture_output=True, text=True, timeout=60)
     told = done.stdout + done.stderr
-    # Pictures of what a variable does may go beyond what is sensible.
+    # Pictures of a variable's effect may use values beyond its sensible range.
     warnings = [line for line in told.splitlines() if "warning" in line and not ("--set" in settings and "beyond its range" in line)]
     if done.returncode != 0 or warnings:
         fail(f"{document.name} {' '.join(settings)}:\n{told}")
 
 
 def only_settings(options):
-    """The --set options among those of `render`, each with its value."""
+    """Returns the --set options among options of `render`, each with its value."""
     return [word for k, option in enumerate(options) if option == "--set" for word in options[k:k + 2]]
 
 
@@ -53,7 +55,7 @@ for line in (figures / "figures.txt").read_text(encoding="utf-8").splitlines():
     if line.strip() and not line.startswith("#"):
         name, document, *options = line.split()
         pictures.add(name)
-        # The documents have grown above; what is set is read only, as there are hundreds of pictures.
+        # The documents were grown above. With settings they are only read, because there are hundreds of pictures.
         check(figures / f"{document}.json", "--quick", *only_settings(options))
 
 manifest = {line.split()[1] for line in (repository / "docs" / "pictures.txt").read_text(encoding="utf-8").splitlines()
@@ -64,8 +66,8 @@ for picture in (repository / "docs").glob("**/*.*g"):
     if picture.stat().st_size > 250_000:
         fail(f"{picture}: a picture of {picture.stat().st_size} bytes; everyone who clones carries it")
     name = picture.relative_to(repository).as_posix()
-    # JPEGs show plants and PNGs charts, which studies draw. The tests of the studio's page draw its pictures, and
-    # `meristem shade` draws those of shade.
+    # JPEGs show plants. PNGs are charts of studies. Tests of the studio draw the pictures of its page, and `meristem
+    # shade` draws pictures of shade.
     is_no_render = name.startswith(("docs/manual/studio/", "docs/manual/figures/shade-"))
     if picture.suffix == ".jpg" and not is_no_render and name not in manifest:
         fail(f"{picture}: docs/pictures.txt does not say what it shows; draw it with ./dev gallery, and charts of studies as PNG")

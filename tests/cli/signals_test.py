@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Signals and terminals: what a stopped command leaves, and the bar that tells of its work.
+"""Signals and terminals: the state after a stopped command, and the progress bar.
 
 Usage: signals_test.py PROGRAM [unittest options]
 """
@@ -40,7 +40,7 @@ class Signals(cli_case.Case):
         leaf = '{"type": "leaf", "length": 0.1}'
         components = ", ".join(f'"c{k}": {leaf}' for k in range(300_000))
         text = '{"meristem": 1, "components": {' + components + "}}"
-        # The document comes through a pipe, so that the signal follows when the program has all of it.
+        # The document comes through a pipe, so that the signal is sent after the program has read all of it.
         pipe = os.path.join(self.folder, "large.json")
         os.mkfifo(pipe)
         process = self.start("check", "--quick", "large.json")
@@ -74,7 +74,7 @@ class Signals(cli_case.Case):
         try:
             while piece := os.read(ours, 4096):
                 shown += piece
-        except OSError:  # how a terminal ends on Linux
+        except OSError:  # the end of a terminal on Linux
             pass
         os.close(ours)
         process.stdout.close()

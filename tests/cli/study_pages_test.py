@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The figures in the pages of studies are those of the studies' tables. Usage: study_pages_test.py ROOT [unittest options]
+"""Compares figures in the pages of studies with the tables of the studies. Usage: study_pages_test.py ROOT [unittest
+options]
 
-The studies take minutes, so their tables are committed beside their pictures, in docs/manual/figures/NAME-study; the
-command at the head of each page writes them anew. A test here makes sentences and rows of a page from the tables, and the
-page must have them word by word.
+The studies take minutes, so their tables are committed beside their pictures, in docs/manual/figures/NAME-study. The
+command at the top of each page writes them again. The tests make sentences and rows from the tables, which the page
+must contain word by word.
 """
 
 import csv
@@ -32,7 +33,7 @@ def table(path):
 
 
 def signed(value, digits):
-    """+1.2 or −1.2, as pages print it."""
+    """Formats a number like pages do: +1.2 or −1.2."""
     return f"{value:+.{digits}f}".replace("-", "−")
 
 
@@ -58,13 +59,13 @@ class LightStudy(Page):
         return row
 
     def gain(self, response, scene, strength, share="lit_share_day"):
-        """Percentage points over the trees without a response."""
+        """Returns percentage points relative to trees without a response."""
         return 100 * (self.mean(response, scene, strength)[share] - self.mean(response, scene, 0)[share])
 
     def test_runs(self):
-        """The number of trees, and that means are those of the table of trees."""
+        """Checks the number of trees, and that means agree with the table of trees."""
         trees = table("light-study/trees.csv")
-        # Trees in scaled clouds grow twice: the height of the first gives the second its scale.
+        # Trees in scaled clouds grow twice: the height of the first one determines the scale of the second.
         self.says(f"The study grows {len(trees) + sum(tree['response'] == 'shift_scaled' for tree in trees):,} trees")
         for row in table("light-study/means.csv"):
             trees = [tree for tree in table("light-study/trees.csv")
@@ -200,7 +201,7 @@ class CutStudy(Page):
         self.says(f"in the {len(buds)} trees where lateral 4 is a bud, "
                   f"{statistics.fmean(tree['lateral_4'] for tree in buds):.2f} → "
                   f"{statistics.fmean(tree['lateral_4_cut'] for tree in buds):.2f}")
-        # Branches and buds below the cut, as the published tree has them.
+        # Branches and buds below the cut are arranged like in the published tree.
         alike = [tree for tree in trees if f"{tree['branches']:05.0f}" == "10101"]
         gains = [100 * (statistics.fmean(tree[f"lateral_{k}_cut"] for tree in alike) /
                         statistics.fmean(tree[f"lateral_{k}"] for tree in alike) - 1) for k in range(1, 6)]
@@ -342,7 +343,7 @@ class GrassStudy(Page):
         times = {row["triangles"]: row for row in table("grass-study/times.csv")}
 
         def share(value):
-            """Two digits, and no more than two behind the point."""
+            """Formats a share with two digits and at most two decimals."""
             return f"{value:.0f} %" if value >= 9.95 else f"{value:.1f} %" if value >= 0.95 else f"{value:.2f} %"
 
         for words, column in (("Hausdorff distance of the midrib, median leaf", "distance"),

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The variables of the shipped plants that are put together of components (nothing grows by itself) do what they say:
-each plant grows at the least and the greatest value of each, and both are other plants.
+"""Checks that the variables of shipped plants made of components (without growth models) have an effect. Each plant is
+grown with the smallest and the largest value of each variable, and both plants must differ.
+
 Usage: variables_test.py PROGRAM REPOSITORY
 """
 
@@ -24,7 +25,7 @@ def read(path):
 
 
 def grown(path, setting, folder):
-    """The hash of what grows, or None after a failure."""
+    """Returns the hash of the grown plant, or None after a failure."""
     global failures
     target = pathlib.Path(folder) / "plant.glb"
     command = [program, "grow", str(path), "--set", setting, "--instanced", "-q", "-o", str(target)]

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of `./dev bench` begins with the asked figures that are not held. Usage: bench_table_test.py DEV"""
+"""Checks that the table of `./dev bench` begins with the requested figures that are not met. Usage: bench_table_test.py
+DEV"""
 
 import os
 import re

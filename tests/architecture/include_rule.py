@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that the rooms of the library keep to the line.
+"""Checks the architecture rules of the library's rooms.
 
 In:  the root of a source tree (by default this one).
-Out: one line a fault, `file:line: what is wrong`, and exit code 1; silence and 0 where there is none.
+Out: one line per error, `file:line: message`, and exit code 1. No output and exit code 0 without errors.
 
-A room includes and links only itself and the rooms before it. The doors, which are the programs and the Python module,
-include what every program may, the public headers of all rooms, and not each other; nothing in the library includes
-them. A public header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
-source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
-without a source. It says what it is for: in a sentence at its head, or above its first declaration. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
-Constants and types in unnamed namespaces have names that no other source of the room has, since sources are compiled
-in batches; a test has a namespace of its file's name, and may name its helpers as it likes.
-A room links the rooms whose headers it includes and no others, so that the links are the architecture, and the folders
-of a room include each other without a circle.
+A room includes and links only itself and earlier rooms. The doors (the programs and the Python module) include public
+headers of all rooms, but no other door. The library never includes a door. A public header includes only public headers
+and no heavy libraries, so that it compiles fast. A source includes the header with its own name first, which shows that
+the header compiles alone; the build checks headers without a source. A public header states its purpose: in a sentence
+at its head, or above its first declaration. Every file of a room is in a list of its CMakeLists.txt, so that no test is
+left out unnoticed.
+
+Constants and types in unnamed namespaces have unique names in a room, because sources are compiled in batches. A test
+has a namespace with its file's name, so its helpers may have any names. A room links exactly the rooms whose headers it
+includes, and the folders of a room do not include each other in a circle.
 """
 
 import re
@@ -61,7 +62,7 @@ def sources_below(folder: Path) -> list[Path]:
 
 
 def room_lists(cmake: Path) -> dict[str, list[str]]:
-    """The lists in a room's `meristem_room(NAME SOURCES ... HEADERS ...)`."""
+    """Returns the lists in a room's `meristem_room(NAME SOURCES ... HEADERS ...)`."""
     lists: dict[str, list[str]] = {name: [] for name in LISTS}
     if not cmake.exists():
         return lists
@@ -77,7 +78,7 @@ def room_lists(cmake: Path) -> dict[str, list[str]]:
 
 
 def include_fault(room: str, is_test: bool, include: Include) -> str | None:
-    """Why a file of `room` may not have `include`, or None."""
+    """Returns the reason why a file of `room` must not have `include`, or None."""
     parts = include.name.split("/")
     if parts[0] in DOORS:
         return f'the library does not include its doors, but this includes "{include.name}"'
@@ -103,7 +104,7 @@ def check_room_includes(root: Path, room: str, public: set[Path]) -> Iterator[Fa
 
 
 def door_fault(root: Path, door: str, public: set[Path], include: Include) -> str | None:
-    """Why a file of `door` may not have `include`, or None."""
+    """Returns the reason why a file of `door` must not have `include`, or None."""
     first = include.name.split("/")[0]
     if first in DOORS and first != door:
         return f'a door includes the library and not another door, but this includes "{include.name}"'
@@ -140,7 +141,7 @@ def public_header_fault(root: Path, public: set[Path], include: Include) -> str 
 
 
 def check_sentences(root: Path, public: set[Path]) -> Iterator[Fault]:
-    """A public header has a sentence at its head, or one (`///`) above the first thing that it declares."""
+    """Checks that a public header has a sentence at its head, or a `///` sentence above its first declaration."""
     for path in sorted(public):
         lines = path.read_text(encoding="utf-8").splitlines()
         guard = next((k for k, line in enumerate(lines) if line.startswith("#pragma once")), len(lines))
@@ -152,8 +153,8 @@ def check_sentences(root: Path, public: set[Path]) -> Iterator[Fault]:
 
 
 def first_declaration(lines: list[str], begin: int) -> int | None:
-    """The first line at the left margin that declares something or says what is declared next: directives, namespaces
-    and types that are only named (`class B;`, also of a template) do not count."""
+    """Returns the first line at the left margin that is a declaration or the comment of one. Directives, namespaces and
+    forward declarations (`class B;`, also of a template) do not count."""
     for k in range(begin, len(lines)):
         named = lines[k + 1] if lines[k].startswith("template <") and k + 1 < len(lines) else lines[k]
         if DECLARATION.match(lines[k]) and not re.fullmatch(r"(class|struct) \w+;", named):
@@ -182,7 +183,7 @@ def check_room_lists(root: Path, room: str, lists: dict[str, list[str]]) -> Iter
 
 
 def check_links(root: Path, room: str, lists: dict[str, list[str]]) -> Iterator[Fault]:
-    """The rooms that a room includes, from headers or else from sources, are those that it links, PUBLIC or PRIVATE."""
+    """Checks that a room links the rooms that it includes: PUBLIC for headers, otherwise PRIVATE."""
     cmake = root / "meristem" / room / "CMakeLists.txt"
     included: dict[str, set[str]] = {"PUBLIC": set(), "PRIVATE": set()}
     for path in sources_below(root / "meristem" / room):
@@ -193,7 +194,7 @@ def check_links(root: Path, room: str, lists: dict[str, list[str]]) -> Iterator[
             if parts[0] == "meristem" and len(parts) > 2 and parts[1] in ROOMS and parts[1] != room:
                 included["PUBLIC" if path.suffix == ".h" else "PRIVATE"].add(parts[1])
     included["PRIVATE"] -= included["PUBLIC"]
-    earlier = set(ROOMS[: ROOMS.index(room)])  # later rooms are faults by themselves
+    earlier = set(ROOMS[: ROOMS.index(room)])  # later rooms are reported as separate errors
     for kind, rooms in included.items():
         linked = {target.removeprefix("meristem::") for target in lists[kind]} & earlier
         for other in sorted((rooms & earlier) - linked):
@@ -203,7 +204,7 @@ def check_links(root: Path, room: str, lists: dict[str, list[str]]) -> Iterator[
 
 
 def check_folders(root: Path, room: str) -> Iterator[Fault]:
-    """The folders of a room, its top folder among them, include each other without a circle."""
+    """Checks that the folders of a room, including its top folder, do not include each other in a circle."""
     top = root / "meristem" / room
     edges: dict[str, dict[str, tuple[Path, int]]] = {}
     for path in sources_below(top):
@@ -234,8 +235,8 @@ def reached_from(edges: dict[str, dict[str, tuple[Path, int]]], begin: str) -> s
 
 
 def names_of_its_own(path: Path) -> Iterator[tuple[int, str, str]]:
-    """The constants and types that a source defines at the left margin of an unnamed namespace, with the numbers of their
-    lines and, for an alias, what it stands for."""
+    """Yields the constants and types that a source defines at the left margin of an unnamed namespace: line number,
+    name and, for an alias, the aliased type."""
     inside = False
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         if line == "namespace {":
@@ -250,7 +251,7 @@ def names_of_its_own(path: Path) -> Iterator[tuple[int, str, str]]:
 
 
 def check_batches(root: Path, sources: list[Path]) -> Iterator[Fault]:
-    """In a batch of sources, two unnamed namespaces are one. Aliases of one name may stand for one type."""
+    """Checks for name clashes: the unnamed namespaces of a batch are one. Aliases may repeat if their type is equal."""
     first: dict[str, tuple[Path, str]] = {}
     for path in sources:
         for line, name, alias in names_of_its_own(path):
@@ -261,7 +262,7 @@ def check_batches(root: Path, sources: list[Path]) -> Iterator[Fault]:
 
 
 def check_tests(folder: Path) -> Iterator[Fault]:
-    """In a batch of tests, helpers of one name are told apart by the namespaces of their files."""
+    """Checks that tests use the namespace of their file, so that helpers with equal names do not clash in a batch."""
     for path in sorted(folder.rglob("*_test.cpp")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             if re.match(r"namespace (?!fs\b)", line) and not line.endswith(f"::{path.stem} {{"):
@@ -271,7 +272,7 @@ def check_tests(folder: Path) -> Iterator[Fault]:
 
 
 def check_order(root: Path) -> Iterator[Fault]:
-    """The build adds the rooms in the order of the line, and every folder is a room."""
+    """Checks that the build adds the rooms in order and that every folder is a room."""
     cmake = root / "meristem" / "CMakeLists.txt"
     added = re.findall(r"^add_subdirectory\((\w+)\)", cmake.read_text(encoding="utf-8"), re.MULTILINE)
     if added != ROOMS:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shows that include_rule.py finds each kind of fault, in small made-up trees."""
+"""Tests that include_rule.py finds each kind of error, in small artificial source trees."""
 
 import tempfile
 import unittest

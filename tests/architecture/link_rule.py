@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every link of the Markdown pages leads somewhere. Usage: link_rule.py [ROOT]
+"""Checks that every link of the Markdown pages has a target. Usage: link_rule.py [ROOT]
 
 In:  the root of a source tree (by default this one).
-Out: one line a fault, `page:line: link: what is wrong`, and exit code 1.
+Out: one line per error, `page:line: link: message`, and exit code 1.
 
-A link leads to a file or folder of the tree, and with `#` to a heading of that page, named as code hosts name headings.
-A picture is a file with the ending of a picture. Every page below `docs` can be reached from the README by links, so that
-readers find it. Links have the form `[text](target)`, the only one that the rule reads; others are faults.
+A link leads to a file or folder of the tree. With `#` it leads to a heading of that page, named like code hosts name
+headings. A picture is a file with a picture's extension. Links from the README must lead to every page below `docs`,
+directly or indirectly. The rule reads only links of the form `[text](target)`; other forms are errors.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import prose_rule
 
 PICTURES = {".jpg", ".png", ".svg"}
 START = PurePosixPath("README.md")
-LEAST_LINKS = 500  #: fewer in a whole project were read by a broken rule
+LEAST_LINKS = 500  #: fewer links in the whole project mean that the rule is broken
 
 CODE_BLOCK = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 INLINE_CODE = re.compile(r"`[^`\n]*`")
@@ -31,13 +31,13 @@ OTHER_FORM = re.compile(r"^\[[^\]]+\]: |\]\[[^\]]*\]|<(?:a|img)\b", re.MULTILINE
 
 
 class Link(NamedTuple):
-    line: int  #: of the page, from 1
+    line: int  #: line of the page, from 1
     target: str  #: as written
     is_picture: bool
 
 
 def without_code(text: str) -> str:
-    """The text with its code blanked, on the same lines and columns."""
+    """Returns the text with its code blanked, keeping lines and columns."""
     return INLINE_CODE.sub(lambda code: "x" * len(code[0]), without_blocks(text))
 
 
@@ -46,7 +46,7 @@ def without_blocks(text: str) -> str:
 
 
 def matches_of(text: str) -> Iterator[re.Match[str]]:
-    """All links of a text; a picture within a link comes after the link."""
+    """Yields all links of a text. A picture inside a link comes after the link."""
     for found in LINK.finditer(text):
         yield found
         yield from LINK.finditer(text, found.start(2), found.end(2))
@@ -58,7 +58,7 @@ def links_of(text: str) -> list[Link]:
 
 
 def with_targets(text: str, new_target: Callable[[Link], str]) -> str:
-    """The text with other targets of links."""
+    """Returns the text with new targets of links."""
     bare = without_code(text)
     changes = [(found.start(3), found.end(3), new_target(Link(0, found[3], found[1] == "!"))) for found in matches_of(bare)]
     for begin, end, target in sorted(changes, reverse=True):
@@ -67,7 +67,8 @@ def with_targets(text: str, new_target: Callable[[Link], str]) -> str:
 
 
 def file_of(page: PurePosixPath, target: str) -> PurePosixPath | None:
-    """The file that a link of a page names, as a path within the tree; None for links to the web and within the page."""
+    """Returns the file that a link of a page names, as a path in the tree. None for links to the web and within the
+    page."""
     name = target.partition("#")[0]
     if not name or re.match(r"[a-z]+:", name):
         return None
@@ -75,7 +76,7 @@ def file_of(page: PurePosixPath, target: str) -> PurePosixPath | None:
 
 
 def anchors_of(text: str) -> set[str]:
-    """The names of a page's headings in links. A heading that repeats has a number behind its name."""
+    """Returns the anchors of a page's headings. A repeated heading has a number after its name."""
     counts: dict[str, int] = {}
     anchors = set()
     for heading in re.findall(r"^#+ (.*)$", without_blocks(text), re.MULTILINE):
@@ -113,7 +114,7 @@ class Tree:
         return None
 
     def reached(self) -> set[PurePosixPath]:
-        """The pages that links lead to from the README."""
+        """Returns the pages that can be reached from the README by links."""
         seen: set[PurePosixPath] = set()
         waiting = [START]
         while waiting:

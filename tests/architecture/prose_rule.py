@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Sentences of the manual, of comments and of shipped documents name their subjects. Usage: prose_rule.py [ROOT]
+"""Checks that sentences in the manual, in comments and in shipped documents name their subjects. Usage: prose_rule.py
+[ROOT]
 
-The words that make a sentence lean on the one before stand in tests/support/check_sentence.h, which holds the sentences
-of parameter tables to them. A paragraph may refer to its own first sentence ("It grows ..."), so running text is held to
-the rest of the words. The sentences of variables in shipped documents are tooltips, like those of parameter tables, and
-are held to all of them.
+tests/support/check_sentence.h lists words that make a sentence depend on the previous one, and applies them to the
+descriptions of parameters. Within a paragraph, a sentence may refer to an earlier one ("It grows ..."), so running text
+is checked with a subset of the words. Descriptions of variables in shipped documents are tooltips, like descriptions of
+parameters, and are checked with all words.
 """
 
 from __future__ import annotations
@@ -19,13 +20,13 @@ import tokenize
 from pathlib import Path
 from typing import Iterator
 
-# What a sentence within a paragraph may open with or have in it, but a tooltip may not.
+# Words that are allowed within a paragraph, but not in a tooltip.
 WITHIN_PARAGRAPHS = {"The same", "That ", "Its ", "It ", "They ", "Their ", "Also ", "Another ", "At the ", "Else",
                      "Where ", "Which ", "The one ", "How it ", "At which", "Within which", "the same", "so much", "as above",
                      "see above", "mother", "daughter", "how they", "of which", "hangs on", "worked out", "come to lie",
                      "heavier"}
 MOST_BYTES = 200
-LEAST_SENTENCES = 1000  #: fewer in a whole project were read by a broken rule
+LEAST_SENTENCES = 1000  #: fewer sentences in the whole project mean that the rule is broken
 MADE = ("build", "node_modules", "out", "env")
 SOURCES = (".h", ".cpp", ".ts", ".tsx", ".mjs")
 HELD_ELSEWHERE = ("docs/manual/components.md", "tests/support/check_sentence.h",
@@ -34,14 +35,14 @@ HELD_ELSEWHERE = ("docs/manual/components.md", "tests/support/check_sentence.h",
 
 
 def word_lists(root: Path) -> tuple[list[str], list[str]]:
-    """Openings and leanings, as the header lists them."""
+    """Returns the lists of openings and phrases in the header."""
     header = (root / "tests/support/check_sentence.h").read_text(encoding="utf-8")
     return tuple(re.findall(r'"([^"]*)"', re.search(name + r" = \{(.*?)\};", header, re.DOTALL)[1])
                  for name in ("kOpenings", "kLeanings"))
 
 
 def comments_of_source(text: str) -> Iterator[tuple[int, str]]:
-    """Line and text of each block of comments; comments behind code are blocks of their own."""
+    """Yields line and text of each block of comments. Trailing comments are separate blocks."""
     block, begin = [], 0
     for number, line in enumerate([*text.splitlines(), ""], 1):
         alone = re.match(r"\s*//+[!<]? ?(.*)", line)
@@ -68,7 +69,7 @@ def comments_of_python(text: str) -> Iterator[tuple[int, str]]:
 
 
 def prose_of_markdown(text: str) -> Iterator[tuple[int, str]]:
-    """Line and text of each paragraph, item or row; code is left out."""
+    """Yields line and text of each paragraph, item or row, without code."""
     text = re.sub(r"^(```|~~~).*?^\1", lambda code: "\n" * code[0].count("\n"), text, flags=re.MULTILINE | re.DOTALL)
     block, begin = [], 0
     for number, line in enumerate([*text.splitlines(), ""], 1):
@@ -91,7 +92,7 @@ def prose_of(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def faults_of_prose(text: str, openings: list[str], leanings: list[str]) -> Iterator[tuple[int, str]]:
-    """Line within the text, and what is wrong there."""
+    """Yields the line within the text and the error."""
     text = re.sub(r"`[^`\n]*`", lambda code: "x" * len(code[0]), text)
     for opening in openings:
         for found in re.finditer(rf"(?:^|(?<=[.!?:] )|(?<=[.!?:]\n)){re.escape(opening.strip())}\b(?! course)", text):
@@ -113,7 +114,7 @@ def tooltip_fault(sentence: str, openings: list[str], leanings: list[str]) -> st
 
 
 def written_files(root: Path) -> Iterator[Path]:
-    """The files that people write, not what was built or fetched."""
+    """Yields files that people write, without built and fetched files."""
     for folder, folders, files in os.walk(root):
         folders[:] = sorted(name for name in folders if name not in MADE and not name.startswith("."))
         yield from (Path(folder, name) for name in sorted(files))

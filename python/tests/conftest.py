@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What runs a whole study, if only a quick one, has the mark `slow`: `-m "not slow"` leaves it out."""
+"""Tests that run a whole study, even a quick one, have the mark `slow`; `-m "not slow"` skips them."""
 
 from __future__ import annotations
 

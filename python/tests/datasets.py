@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A data set of rods that grow in no time, for tests."""
+"""A small data set of rods that grow fast, for tests."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def plan(plants: int, **more: Any) -> dict[str, Any]:
 
 
 def digest(folder: Path) -> str:
-    """A hash of the names and bytes of all files but what is partial."""
+    """Returns a hash of the names and bytes of all files except partial ones."""
     all_files = hashlib.sha256()
     for path in sorted(folder.rglob("*")):
         below = path.relative_to(folder)
@@ -47,11 +47,11 @@ def digest(folder: Path) -> str:
 
 
 def rows_there(folder: Path) -> int:
-    """Plants that have a row, in a table or beside them."""
+    """Returns the number of plants that have a row, in a table or beside the tables."""
     count = 0
     for path in [*folder.glob("manifest/*.csv"), *folder.glob("partial/rows/*.csv")]:
         try:
-            # The first line is that of the labels; the last one of a part is its hash.
+            # The first line contains the labels; the last line of a part is its hash.
             count += sum(line[:1].isdigit() for line in path.read_text().splitlines())
         except FileNotFoundError:
             pass  # it has just become part of a table
@@ -59,7 +59,7 @@ def rows_there(folder: Path) -> int:
 
 
 def python(*arguments: str, folder: Path) -> subprocess.Popen[str]:
-    """Python with this module and meristem at hand."""
+    """Starts Python with access to this module and meristem."""
     import os
 
     path = [str(Path(meristem.__file__).parents[1]), str(Path(__file__).parent)]

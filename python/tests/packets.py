@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads scene packets, as apps/studio/protocol.md describes them."""
+"""Reads scene packets as described in apps/studio/protocol.md."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-#: Numbers a vertex, an instance or a triangle, and their type
+#: Numbers per vertex, instance or triangle, and their type
 ARRAYS = {
     "positions": (3, "<f4"),
     "normals": (4, "<i1"),
@@ -31,7 +31,7 @@ class Packet:
         self._arrays = data[8 + size :]
 
     def array(self, item: dict[str, Any], name: str) -> NDArray[Any]:
-        """An array of a mesh or a set of instances, a row per vertex, triangle or instance."""
+        """Returns an array of a mesh or a set of instances, with a row per vertex, triangle or instance."""
         at, count = item[name]
         assert at % 4 == 0
         width, kind = ARRAYS.get(name, (0, ""))
@@ -46,7 +46,7 @@ class Packet:
         return self._arrays[at : at + count]
 
     def batches(self) -> list[tuple[dict[str, Any], dict[str, Any], dict[str, Any]]]:
-        """What is drawn: each batch with its mesh and its set of instances."""
+        """Returns the drawn batches, each with its mesh and its set of instances."""
         meshes = {mesh["key"]: mesh for mesh in self.head["meshes"]}
         sets = {one["key"]: one for one in self.head["instances_of"]}
         return [(one, meshes[one["mesh"]], sets[one["instances_of"]]) for one in self.head["batches"]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Small documents that the tests grow."""
+"""Small documents for tests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import meristem
 
 
 def small_tree(**parameters: Any) -> dict[str, Any]:
-    """A tree of a few hundred nodes with leaves, as a dict."""
+    """Returns a tree of a few hundred nodes with leaves, as a dict."""
     tree = {"type": "colonize", "points": 300, "crown": {"profile": [[0, 0.6], [0.6, 1.6], [0, 3]]}, **parameters}
     return {
         "meristem": 1,
@@ -26,7 +26,7 @@ def grown_small_tree() -> meristem.Plant:
     return meristem.Document(small_tree()).grow()
 
 
-# The oak's, which then has 700,000 nodes and takes seconds.
+# Settings of the oak, which then has 700,000 nodes and takes seconds.
 LONG_GROWTH = {"age": 160, "tree.points": 400000, "tree.step": 0.01, "tree.kill": 0.1}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants at times: keys, clocks and growth as time."""
+"""Plants at different times: keys, clocks, and growth as time."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Batches: their order, their errors, and that no worker outlives them."""
+"""Batches: order, errors, and no remaining workers."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def the_plant(plant: meristem.Plant) -> meristem.Plant:
 
 
 class OddError(Exception):
-    """Can be pickled but not read again."""
+    """Can be pickled but not unpickled."""
 
     def __init__(self, one: int, two: int) -> None:
         super().__init__(f"{one} and {two}")

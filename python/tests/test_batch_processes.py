@@ -18,7 +18,7 @@ import pytest
 if not hasattr(os, "killpg"):
     pytest.skip("needs process groups", allow_module_level=True)
 
-# A batch whose plants would take hours after the first; it says which processes grow them.
+# A batch whose plants would take hours after the first one. It prints the processes that grow them.
 ENDLESS = """
 import multiprocessing, os, time
 import meristem
@@ -47,7 +47,7 @@ def write_program(folder: Path, then: str, wait: bool = False) -> Path:
 
 
 def start(program: Path) -> tuple[subprocess.Popen[str], list[int]]:
-    """The program, and its workers once they grow."""
+    """Starts the program and returns it with its workers after they have begun to grow."""
     process = subprocess.Popen(
         [sys.executable, "-B", str(program)],
         stdout=subprocess.PIPE,
@@ -72,7 +72,7 @@ def is_running(pid: int) -> bool:
 
 
 def wait_until_ended(pids: list[int]) -> None:
-    """Returns once none runs any more; what it waits for takes half a second, and hours if it is broken."""
+    """Waits until none of the processes runs. This takes half a second, or fails after 30 seconds."""
     deadline = time.monotonic() + 30
     while any(is_running(pid) for pid in pids):
         assert time.monotonic() < deadline, "workers outlive their batch"
@@ -82,7 +82,7 @@ def wait_until_ended(pids: list[int]) -> None:
 @pytest.mark.parametrize("wait", [False, True])
 def test_ctrl_c_ends_the_program_and_its_workers_with_one_traceback(tmp_path: Path, wait: bool) -> None:
     process, workers = start(write_program(tmp_path, "next(results)", wait))
-    os.killpg(process.pid, signal.SIGINT)  # as a terminal sends it: to all processes
+    os.killpg(process.pid, signal.SIGINT)  # like a terminal: to all processes
     _, errors = process.communicate(timeout=60)
     assert process.returncode == -signal.SIGINT
     assert errors.count("Traceback") == 1
@@ -90,7 +90,7 @@ def test_ctrl_c_ends_the_program_and_its_workers_with_one_traceback(tmp_path: Pa
     wait_until_ended(workers)
 
 
-# Interrupts a server of workers at its start, as Ctrl-C of a terminal would: Python runs it before anything else.
+# Interrupts a server of workers at its start, as Ctrl-C in a terminal would. Python runs this before everything else.
 INTERRUPTED = """
 import os, signal, sys
 if any("multiprocessing.forkserver" in word for word in sys.orig_argv):
@@ -127,7 +127,7 @@ def test_an_error_beside_a_batch_that_is_kept_ends_its_workers(tmp_path: Path) -
 def run(
     arguments: list[str], folder: Path, text: str = "", path: Sequence[Path] = ()
 ) -> subprocess.CompletedProcess[str]:
-    """Runs Python; `text` is on standard input, modules are in `path` as well."""
+    """Runs Python. `text` is the standard input; `path` is an additional folder of modules."""
     return subprocess.run(
         [sys.executable, "-B", *arguments],
         cwd=folder,
@@ -145,7 +145,7 @@ print(len(meristem.collect(meristem.batch(meristem.read("oak", set={"age": 8}), 
 """
 
 
-# Says whether functions of workers can be interrupted as ever, and how many plants there are.
+# Prints whether functions of workers can still be interrupted, and the number of plants.
 GUARDED = """
 import multiprocessing, signal
 import meristem

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the build backend packs, and what it says where something is missing. Compiles nothing."""
+"""The files that the build backend packs, and its messages for missing files. Compiles nothing."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ sys.path.pop(0)
 
 
 def built_wheel(folder: Path) -> Path:
-    """A wheel around something that stands for the library, which would take seconds to pack."""
+    """Builds a wheel with a placeholder for the library, because the real library takes seconds to pack."""
     library = folder / "build" / "python" / "meristem" / f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
     library.parent.mkdir(parents=True, exist_ok=True)
     library.write_bytes(b"library")
@@ -111,7 +111,7 @@ def test_a_folder_without_the_library_is_refused(tmp_path: Path) -> None:
 
 
 def test_an_editable_install_takes_the_source_trees_files(tmp_path: Path) -> None:
-    """The build tree's package is links to them."""
+    """In the build tree, the package consists of links to the source tree's files."""
     with zipfile.ZipFile(tmp_path / build_backend.build_editable(str(tmp_path), {"build-dir": str(BUILD)})) as wheel:
         wheel.extractall(tmp_path / "site")
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}

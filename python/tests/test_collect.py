@@ -14,7 +14,7 @@ from plants import small_tree
 
 
 def table_of(*results: Any, values: list[dict[str, Any]] | None = None, **arguments: Any) -> Any:
-    """The table of results as if they were grown with seeds from 0."""
+    """Returns the table of results, as if grown with seeds from 0."""
     values = values or [{} for _ in results]
     rows = [meristem.BatchResult(seed, one, result) for seed, (one, result) in enumerate(zip(values, results))]
     return meristem.collect(rows, **arguments)

@@ -30,7 +30,7 @@ def run_script(arguments: list[str], path: str) -> subprocess.CompletedProcess[s
 
 @pytest.fixture(scope="module")
 def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a quick study."""
+    """Runs a quick study and returns its folder."""
     folder = tmp_path_factory.mktemp("study")
     done = run_script(["--quick", "-o", str(folder)], str(Path(meristem.__file__).parents[1]))
     assert done.returncode == 0, done.stderr
@@ -45,7 +45,7 @@ def read_rows(path: Path) -> list[dict[str, str]]:
 
 
 def row_of(path: Path, name: str) -> dict[str, float]:
-    """The numbers of the row whose first cell is the name."""
+    """Returns the numbers of the row whose first cell is `name`."""
     [row] = [row for row in read_rows(path) if next(iter(row.values())) == name]
     return {key: float(cell) for key, cell in list(row.items())[1:]}
 
@@ -69,7 +69,7 @@ def test_what_a_cut_bud_passes_back_is_halved_from_lateral_to_lateral(seed: int)
     tree = trees.grow_tree(trees.SLIM, 9, seed, cut)
     assert tree.last == cut.above
     assert tree.skeleton["terminal_bud"][tree.stem[cut.above]] == trees.DAMAGED
-    # The topmost lateral gets all that comes to the fork but half of what the cut bud claims.
+    # The topmost lateral gets the resource of the fork minus half of the cut bud's claim.
     claimed = 2 * (tree.resource[tree.stem[cut.above]] - tree.side_resource(cut.above))
     assert claimed > 0
     for place, number in enumerate(range(cut.above - 1, 0, -1), start=2):
@@ -116,7 +116,7 @@ def test_the_published_tree_stands_in_the_table_as_printed() -> None:
     assert cuts.PUBLISHED.leader_share == pytest.approx(0.28131, abs=1e-5)
     assert -cuts.PUBLISHED.total.gain == pytest.approx(6.030)
     gains = [pair.gain for pair in cuts.PUBLISHED.laterals]
-    assert gains == pytest.approx([2.255, 0.868, 1.322, 0.297, 0.784])  # the first is printed as 2.225
+    assert gains == pytest.approx([2.255, 0.868, 1.322, 0.297, 0.784])  # the source prints the first as 2.225
 
 
 def test_a_summary_of_one_tree_is_that_tree() -> None:

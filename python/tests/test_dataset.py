@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data sets: made, gone on with, checked, read."""
+"""Data sets: making, continuing, checking, reading."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_plan_travels_by_content(tmp_path: Path) -> None:
     name, files = document.bundle()
     assert name == "row.json" and [path for path, _ in files] == ["points.csv", "row.json"]
     pickled = pickle.dumps(meristem.DatasetPlan({"meristem_dataset": 1, "measures": ["trees"]}, documents={"row": document}))
-    (tmp_path / "points.csv").unlink()  # another machine does not have it
+    (tmp_path / "points.csv").unlink()  # another machine does not have this file
     made = meristem.dataset(None, pickle.loads(pickled), tmp_path / "rows", processes=1)
     assert [row["trees"] for row in made.rows()] == ["2"]
 
@@ -205,7 +205,7 @@ def test_tables_are_arrays(tmp_path: Path) -> None:
 
 
 def test_a_library_for_parquet_gets_all_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Debian has no pyarrow: what it would be given is looked at in its place."""
+    """Debian has no pyarrow, so a stand-in records its inputs."""
     made = meristem.dataset(rod(), plan(2), tmp_path / "rods", processes=1)
     library, writer = types.ModuleType("pyarrow"), types.ModuleType("pyarrow.parquet")
 

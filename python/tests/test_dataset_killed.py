@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data sets whose workers and programs are killed, by their process ids, and that are gone on with."""
+"""Data sets whose workers and programs are killed by their process ids, and that are then continued."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_a_killed_worker_and_a_killed_program_lose_nothing(tmp_path: Path, engin
     program.write_text(PROGRAM.format(plants=PLANTS))
     folder = tmp_path / "rods"
 
-    # A worker is killed: the program ends with an error that says so.
+    # A worker is killed: the program ends with an error message.
     process = python(str(program), str(folder), engine, folder=tmp_path)
     assert process.stdout is not None
     worker = int(process.stdout.readline().split()[0])
@@ -51,7 +51,7 @@ def test_a_killed_worker_and_a_killed_program_lose_nothing(tmp_path: Path, engin
     there = rows_there(folder)
     assert 0 < there < PLANTS
 
-    # The program is killed later on.
+    # Later, the program itself is killed.
     process = python(str(program), str(folder), engine, folder=tmp_path)
     assert process.stdout is not None
     deadline = time.monotonic() + 60
@@ -60,12 +60,12 @@ def test_a_killed_worker_and_a_killed_program_lose_nothing(tmp_path: Path, engin
         assert time.monotonic() < deadline
         workers.update(map(int, process.stdout.readline().split()))
     process.kill()
-    for left in workers:  # those of the standard library's pool do not end by themselves
+    for left in workers:  # workers of the standard library's pool do not end on their own
         with contextlib.suppress(ProcessLookupError):
             os.kill(left, signal.SIGKILL)
     process.communicate(timeout=60)
 
-    # Started again, it ends as one that was left in peace.
+    # After a restart, the result equals an undisturbed run.
     made = meristem.dataset(rod(), plan(PLANTS), folder, processes=1)
     assert made.found >= there and made.verify() == []
     meristem.dataset(rod(), plan(PLANTS), tmp_path / "whole", processes=1)

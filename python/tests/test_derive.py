@@ -26,7 +26,7 @@ A(x) : * : 2 -> F(x)[-A(x/2)]A(x/2)
 F(x) -> f(x/2)f(x/2)
 """
 
-# Takes minutes, by its steps.
+# Takes minutes, because of its many steps.
 ENDLESS = "A(0)" + "B" * 100_000 + "\nA(x) -> A(x+1)\n"
 
 
@@ -79,7 +79,7 @@ def test_counts_are_by_symbol_with_any_number_of_parameters() -> None:
 
 def test_words_are_equal_by_what_they_say() -> None:
     word = meristem.derive("A(1)B", 0)
-    # Another grammar, whose alphabet has another order.
+    # Another grammar, with its alphabet in another order.
     same = meristem.derive("#ignore B\nC\nC -> A(1)B", 1)
     assert same.alphabet != word.alphabet and same == word
     for other in ("A(2)B", "A(1)", "A(1)BB", "A(1)A(1)", "AB", "BA(1)"):

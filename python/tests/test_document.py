@@ -228,7 +228,7 @@ def test_half_characters_are_refused() -> None:
 
 def test_paths_may_be_bytes_and_any_name_of_the_system(tmp_path: Path) -> None:
     document = meristem.Document(small_tree())
-    name = os.fsencode(tmp_path) + b"/caf\xe9.json"  # no UTF-8
+    name = os.fsencode(tmp_path) + b"/caf\xe9.json"  # not UTF-8
     document.save(os.fsdecode(name))
     assert os.path.exists(name)
     assert meristem.read(os.fsdecode(name)).to_dict() == document.to_dict()

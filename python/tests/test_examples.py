@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs each example as a user would, in a folder of its own."""
+"""Runs each example in a separate folder, as a user would."""
 
 from __future__ import annotations
 

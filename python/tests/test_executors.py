@@ -108,7 +108,7 @@ def test_a_data_set_is_the_same_on_mpi(tmp_path: Path, reference: str) -> None:
 
 
 class Apart(Executor):
-    """Runs tasks in workers that do not see the folder: it has another name there."""
+    """Runs tasks in workers that cannot see the folder, because it has another name there."""
 
     def submit(self, function: Any, key: str, job: bytes | None, tasks: list[Any]) -> Future[Any]:  # type: ignore[override]
         future: Future[Any] = Future()
@@ -123,7 +123,7 @@ def test_workers_that_do_not_see_the_folder_send_what_they_made(tmp_path: Path, 
 
 
 class Counting(ThreadPoolExecutor):
-    """Counts what is under way, and which tasks carry the job."""
+    """Counts pending tasks, and records which tasks carry the job."""
 
     most = 0
     now = 0
@@ -153,7 +153,7 @@ def test_a_large_job_travels_only_where_it_is_missing(tmp_path: Path) -> None:
     with Counting(1) as executor:
         batch = meristem.batch(large, seeds=range(30), measure="height", executor=executor)
         assert len(list(batch)) == 30
-    assert 1 <= executor.with_job <= 3  # with what was under way before the worker had it
+    assert 1 <= executor.with_job <= 3  # including tasks submitted before the worker had the job
 
 
 def test_an_error_of_the_function_comes_at_its_plant() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fits: what they find, what they refuse, what they keep."""
+"""Fits: results, rejected inputs, and kept properties."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import meristem
 from meristem._evolution import Evolution, folded, latin_hypercube, normal, solve, uniform
 from meristem._surrogate import guess_point
 
-# A stem with two kinds of side shoots: every measure is a plain function of the variables.
+# A stem with two kinds of side shoots: every measure is a simple function of the variables.
 COMB = """// A comb.
 {
   "meristem": 1,
@@ -54,7 +54,7 @@ def fit_quickly(*arguments: Any, **options: Any) -> meristem.FitResult:
     return meristem.fit(*arguments, **{"processes": 1, "growths": 60, **options})
 
 
-# --- what is found ----------------------------------------------------------------------------------------------------
+# --- results ----------------------------------------------------------------------------------------------------------
 
 
 def test_planted_values_are_found() -> None:
@@ -101,7 +101,7 @@ def test_targets_that_exclude_each_other_are_weighed() -> None:
         result = fit_quickly(comb, ["tall"], targets, measure=twice_the_height)
         return result.measures["height"]
 
-    # The least of w1 (h - 4)^2 + w2 (h - 2)^2 is their weighted mean.
+    # The minimum of w1 (h - 4)^2 + w2 (h - 2)^2 is the weighted mean.
     assert found(1) == pytest.approx(3, abs=0.01)
     assert found(3) == pytest.approx(2.5, abs=0.01)
 
@@ -135,7 +135,7 @@ def height_as_an_azimuth(plant: meristem.Plant) -> dict[str, float]:
     return {"an_azimuth": 90 * plant.measure(threads=1)["height"] % 360}
 
 
-# --- what comes back --------------------------------------------------------------------------------------------------
+# --- returned values --------------------------------------------------------------------------------------------------
 
 
 def test_the_text_keeps_its_comments_and_can_be_saved(tmp_path: Path) -> None:
@@ -209,7 +209,7 @@ def test_what_the_function_raises_is_raised() -> None:
         fit_quickly(comb, ["tall"], {"length_by_order": 2})
 
 
-# --- what is refused --------------------------------------------------------------------------------------------------
+# --- rejected inputs --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -292,7 +292,7 @@ def sphere(x: list[float]) -> float:
 
 
 def ellipsoid(x: list[float]) -> float:
-    """Axes a hundred times as long as others."""
+    """An ellipsoid whose longest axis is a hundred times the shortest."""
     return math.fsum(10 ** (4 * i / (len(x) - 1)) * a * a for i, a in enumerate(x))
 
 
@@ -329,7 +329,7 @@ def test_draws_are_functions_of_their_key() -> None:
     draws = [normal(7, k) for k in range(4000)]
     assert abs(sum(draws)) / 4000 < 0.05 and sum(d * d for d in draws) / 4000 == pytest.approx(1, abs=0.08)
     assert all(0 < uniform(k) < 1 for k in range(1000))
-    # Exact, so that they are the same on every machine.
+    # Exact values, because they are equal on every machine.
     assert uniform(0).hex() == "0x1.9047192fac641p-1"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Documents that place the plants of others, as Python sees them."""
+"""Documents that place plants of other documents, in Python."""
 
 from __future__ import annotations
 

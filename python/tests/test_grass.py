@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stages of a grass leaf, by closed forms, and on the measured leaves where these are there."""
+"""The stages of a grass leaf, compared with closed forms, and on measured leaves if they exist."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PIECES = 90
 
 
 def arc_leaf(pieces: int = PIECES) -> grass.GrassLeaf:
-    """A quarter of a circle, from along the stem to level, of a width that falls evenly to nothing."""
+    """A quarter of a circle, from the stem's direction to horizontal, with a width that falls linearly to zero."""
     angles = np.radians(90) * (np.arange(pieces) + 0.5) / pieces
     s = np.linspace(0, 1, pieces + 1)
     x = np.append(0, np.cumsum(np.sin(angles)) / pieces)
@@ -136,7 +136,7 @@ def test_a_straight_leaf_is_fitted_as_it_is() -> None:
     fitted = grass.fit_leaf(3 * s, 4 * s, 6 * s, 0.5 * (1 - s), width_smoothing=0, pieces=8)
     assert fitted.midrib_length == pytest.approx(5) and fitted.polyline_length == pytest.approx(5)
     assert fitted.distance == pytest.approx(0, abs=1e-6)
-    assert fitted.leaf.length == 6  # the blade's, where the places of the widths are no shares
+    assert fitted.leaf.length == 6  # the blade's, if the positions of the widths are no shares
     assert fitted.leaf.width == pytest.approx(0.5)
     assert fitted.leaf.area == pytest.approx(6 * 0.5 / 2, rel=1e-6)
     assert fitted.leaf.inclination == pytest.approx(np.degrees(np.arctan2(3, 4)))
@@ -174,7 +174,7 @@ def test_a_young_leaf_shows_its_tip_and_is_straighter() -> None:
     assert family.angles(0.5) == pytest.approx(leaf.angles / 2)
     young = grass.aged(leaf, family, 0.5)
     assert young.length == pytest.approx(0.3)
-    assert young.r == pytest.approx(0.5 * leaf.r)  # the outer half of widths that fall evenly
+    assert young.r == pytest.approx(0.5 * leaf.r)  # the outer half of widths that fall linearly
     assert young.angles == pytest.approx(leaf.angles / 4, abs=0.3)
     assert grass.aged(leaf, family, 1).area == pytest.approx(leaf.area)
 
@@ -350,7 +350,7 @@ def test_sheath_and_ligule_are_strips_of_radius_one() -> None:
 
 
 def maize_leaves() -> list[tuple[np.ndarray[Any, np.dtype[np.float64]], ...]]:
-    """x, y, s and r of each."""
+    """Returns x, y, s and r of each leaf."""
     text = (MEASURED / "simpleleavesdb.json").read_text(encoding="utf-8")
 
     def array(stored: dict[str, Any]) -> np.ndarray[Any, np.dtype[np.float64]]:

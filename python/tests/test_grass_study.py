@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The study of grass leaves, with few leaves and little light; in part only where the measured leaves are there."""
+"""The study of grass leaves, with few leaves and little light. Some tests need the measured leaves."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def run_script(arguments: list[str], path: Path) -> subprocess.CompletedProcess[
 
 @pytest.fixture(scope="module")
 def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a quick study."""
+    """Runs a quick study and returns its folder."""
     folder = tmp_path_factory.mktemp("study")
     done = run_script(["--quick", "-o", str(folder)], HERE)
     assert done.returncode == 0, done.stderr
@@ -49,12 +49,12 @@ def read_rows(path: Path) -> list[dict[str, str]]:
 
 
 def arc(angle: float, pieces: int = 40) -> grass.GrassLeaf:
-    """A leaf that bends evenly from the stem's direction to that angle."""
+    """A leaf that bends evenly from the stem's direction to `angle`."""
     s = np.linspace(0, 1, pieces + 1)
     return grass.turned(grass.GrassLeaf(1, 0.05, s, 0 * s, s, 1 - s), [(0, 1, angle)])
 
 
-# --- what measures ----------------------------------------------------------------------------------------------------
+# --- measures ---------------------------------------------------------------------------------------------------------
 
 
 def test_only_turns_that_are_taken_back_count_as_to_and_fro() -> None:
@@ -100,7 +100,7 @@ def test_a_straight_form_keeps_length_widths_and_its_angle() -> None:
 
 
 def test_a_leaf_alone_takes_light_by_how_it_stands() -> None:
-    band = grass.GrassLeaf(0.5, 0.1, [0, 0.5, 1], [0, 0.5, 1], [0, 0, 0], [1, 1, 1])  # level, all of one width
+    band = grass.GrassLeaf(0.5, 0.1, [0, 0.5, 1], [0, 0.5, 1], [0, 0, 0], [1, 1, 1])  # horizontal, with constant width
     plant = plants.Plant("bare", [band, band], 0.5, 20)
     zenith = [light.Ray(0, 90, 1)]
     taken = light.measure_light(plant, plants.CURVED, plants.ONE, zenith)
@@ -128,7 +128,7 @@ def test_all_expectations_but_one_hold_in_a_quick_study(quick: Path) -> None:
     rows = read_rows(quick / "expectations.csv")
     assert len(rows) > 12
     [failed] = [row for row in rows if row["holds"] != "True"]
-    # Three midribs of few points that turn sharply: a curve through them is longer than their chords.
+    # Three midribs with few points turn sharply: a curve through them is longer than their chords.
     assert failed["what"].startswith("wheat: length of midribs that turn to and fro")
     assert "23 of 26 within" in failed["found"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Space colonization into points of one's own."""
+"""Space colonization into points from Python."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ import meristem
 
 
 def cloud(count: int = 600, centre: tuple[float, float, float] = (0, 2, 0)) -> NDArray[np.float64]:
-    """Points of a ball with the radius 1, in steps that 32 bits hold."""
+    """Returns points in a ball of radius 1 that 32-bit numbers represent exactly."""
     points = np.random.default_rng(11).uniform(-1, 1, (3 * count, 3))
     points = points[np.linalg.norm(points, axis=1) < 1][:count] + centre
     return points.astype(np.float32).astype(np.float64)
 
 
 def distances(points: NDArray[Any], others: NDArray[Any]) -> NDArray[np.float64]:
-    """From each point to the nearest of the others."""
+    """Returns the distance from each point to the nearest of the others."""
     apart = np.linalg.norm(points[:, np.newaxis] - others[np.newaxis], axis=2)
     nearest: NDArray[np.float64] = apart.min(axis=1)
     return nearest
@@ -33,7 +33,7 @@ def test_the_tree_reaches_its_points_and_stays_among_them() -> None:
     assert len(skeleton) > 200
     assert skeleton.parent[0] == -1 and np.all(skeleton.parent[1:] >= 0)
     assert skeleton.position[0].tolist() == [0, 0, 0]
-    # All points are used up, but for a few that balance between nodes.
+    # All points are used up, except a few that are balanced between nodes.
     assert np.mean(distances(points, skeleton.position) <= 0.2) > 0.98
     in_crown = skeleton.position[skeleton.position[:, 1] > 1]
     assert distances(in_crown, points).max() <= 0.6

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Installs the package with pip into a new virtual environment, without an index, and uses it there."""
+"""Installs the package with pip into a new virtual environment without an index, and uses it there."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ print(package)
 
 
 def run(*command: str | Path, folder: Path) -> str:
-    # What the tests are run with must not reach the new environment.
+    # The environment of the tests must not affect the new environment.
     environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "PIP_"))}
     done = subprocess.run([str(word) for word in command], cwd=folder, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The study of published low-poly trees gives the tables that the manual quotes."""
+"""The study of published low-poly trees must give the tables that the manual quotes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def rows_of(path: Path) -> list[list[str]]:
 
 @pytest.fixture(scope="module")
 def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a quick study."""
+    """Runs a quick study and returns its folder."""
     folder = tmp_path_factory.mktemp("study")
     command = [sys.executable, "-B", str(ROOT / "studies" / "low_poly_trees.py"), "--quick", "-o", str(folder)]
     path = str(Path(meristem.__file__).parents[1])

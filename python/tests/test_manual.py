@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the blocks of the manual's pages on Python as printed: all of a page as one program, in a folder of its own."""
+"""Runs the code blocks of the manual's pages on Python: all blocks of a page as one program, in a separate folder."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from meristem._page import has_viewer
 
 MANUAL = Path(__file__).resolve().parents[2] / "docs" / "manual"
 LEFT_OUT = ("# a file of yours", "# a package of yours")
-PAGES = ".save_html("  # blocks with it need the view of pages, which is not built where there is no node
+PAGES = ".save_html("  # blocks with it need the view of pages, which is not built without node
 
 
 def program_of(page: Path) -> str:
-    """The page's blocks, on the lines where they stand in it; without those that need a file or package of the user's."""
+    """Returns the page's blocks at their original line numbers. Omits blocks that need a user's file or package."""
     program: list[str] = []
     block: list[str] | None = None
     for line in page.read_text().splitlines():
@@ -43,7 +43,7 @@ def test_the_examples_of_the_page_run(name: str, tmp_path: Path) -> None:
     program = program_of(MANUAL / f"{name}.md")
     assert "meristem." in program
     (tmp_path / f"{name}.py").write_text(program)
-    hidden = {"DISPLAY", "WAYLAND_DISPLAY"}  # no program shall open
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY"}  # no program must open
     environment = {name: value for name, value in os.environ.items() if name not in hidden}
     environment["PYTHONPATH"] = str(Path(meristem.__file__).parents[1])
     run = subprocess.run(
@@ -65,7 +65,7 @@ def blocks_of(page: Path, language: str) -> list[str]:
 
 
 def test_programs_for_clusters_are_well_formed() -> None:
-    """Those that need a cluster are not run: they compile, and the shell reads its scripts."""
+    """Programs that need a cluster are not run. They must compile, and the shell must be able to parse its scripts."""
     page = MANUAL / "many-plants.md"
     programs = [block for block in blocks_of(page, "python") if any(mark in block for mark in LEFT_OUT)]
     assert len(programs) == 3

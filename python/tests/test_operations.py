@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What operations do to trees, as Python sees it."""
+"""The effects of operations on trees, in Python."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_records_tell_where_what_was_cut() -> None:
     assert records["position"].shape == (count, 3) and records["bud"].shape == (count, 3)
     assert np.all(records["metamers"] >= 1) and np.all(records["length"] > 0) and np.all(records["wood"] > 0)
     assert np.allclose(np.linalg.norm(records["bud"], axis=1), 1, atol=1e-5)
-    # Each is the end of a metamer that is still there, and the columns of the skeleton say the same.
+    # Each record is at the end of a remaining metamer, and agrees with the columns of the skeleton.
     skeleton = plant.stems[0].skeleton
     labels = np.array(skeleton.labels)[skeleton.axis]
     for k in range(count):
@@ -61,7 +61,7 @@ def test_documents_plan_with_rules() -> None:
         assert np.array_equal(after.skeleton_table()[name], column), name
     plan_cut = before.stems[0].skeleton["plan_cut"]
     assert set(plan_cut) == {0, 1} and np.sum(plan_cut == 1) == before.operations["metamers"].sum()
-    # Without rules, the document's own operations are planned, with values that were set.
+    # Without rules, the document's own operations are planned, with the values that were set.
     own = meristem.Document(done_document(), seed=1)
     assert np.array_equal(own.plan().operations["position"], done.operations["position"])
     assert len(own.set({"tree.operations": []}).plan().operations["shoot"]) == 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scene packets of plants, and the pages that show them; tests/studio/page looks at such pages in a browser."""
+"""Scene packets of plants, and the pages that show them. tests/studio/page opens such pages in a browser."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ needs_view = pytest.mark.skipif(
 
 
 def textured_tree() -> meristem.Plant:
-    """Several components and instances with tints; leaves with holes, bark with normals."""
+    """Returns a plant with several components, tinted instances, leaves with holes, and bark with normals."""
     content = small_tree(texture={"bark": {"style": "furrowed"}})
     content["components"]["leaf"].update(
         {"edge": "picture", "texture": {"leaf": {"veins": "pinnate"}, "pixels": 128}, "colours": ["#406020", "#a08020"]}
@@ -58,7 +58,7 @@ def test_arrays_of_a_packet_are_those_of_the_plant() -> None:
     plant = textured_tree()
     packet = Packet(plant.packet())
     by_name = {one.component: one for one in plant.meshes}
-    assert len(by_name) == len(plant.meshes)  # one batch a component
+    assert len(by_name) == len(plant.meshes)  # one batch per component
     for batch, mesh, instances in packet.batches():
         own = by_name[batch["component"]]
         np.testing.assert_array_equal(packet.array(mesh, "positions"), own.mesh.positions)
@@ -128,8 +128,8 @@ def test_a_page_holds_the_plant_and_all_that_shows_it() -> None:
     assert packet_of_page(page) == plant.packet()
     assert "<title>Small tree</title>" in page and 'data-look="90 -5.5"' in page
     assert "{{" not in page
-    assert not re.search(r'(src|href)="', page)  # it asks for nothing else
-    assert "three" in page and "MIT" in page  # the licence of what stands in it
+    assert not re.search(r'(src|href)="', page)  # the page requests nothing else
+    assert "three" in page and "MIT" in page  # licence of the included code
     assert plant.to_html(view=(90, -5.5)) == page
 
 

@@ -19,7 +19,7 @@ def test_views_outlive_their_plant() -> None:
     copies = [np.array(array) for array in views]
     del plant, skeleton
     gc.collect()
-    meristem.read("bush").grow()  # memory that was given back is used anew
+    meristem.read("bush").grow()  # uses memory that was freed before
     for array, copied in zip(views, copies):
         np.testing.assert_array_equal(array, copied)
 
@@ -171,7 +171,7 @@ def test_levels_of_detail_are_smaller_files(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("model", ["low-poly-poplar", "low-poly-palm"])
 def test_a_level_is_written_where_the_command_line_would_write_it(model: str, tmp_path: Path) -> None:
-    """That is as long as each level before it is worth a file, beside the one before that."""
+    """A level is written if every level up to it is worth a file compared with the previous one."""
     plant = meristem.read(model).grow()
     written = []
     for level in range(1, 4):
@@ -274,7 +274,7 @@ def test_pictures_refuse_impossible_options() -> None:
 def test_growth_follows_time() -> None:
     document = meristem.Document(small_tree()).set({"leaf.length": "0.05 + 0.05*t"})
     areas = [document.grow(time).measure()["leaf_area"] for time in (0, 1)]
-    assert areas[1] == pytest.approx(2 * areas[0], rel=0.05)  # the width stays
+    assert areas[1] == pytest.approx(2 * areas[0], rel=0.05)  # the width stays constant
     for time in (float("nan"), float("inf")):
         with pytest.raises(ValueError, match="time must be a finite number of seconds"):
             meristem.Document(small_tree()).grow(time)
@@ -284,7 +284,7 @@ def test_exploding_documents_are_stopped_by_their_limits() -> None:
     content = small_tree()
     content["limits"] = {"triangles": 1000}
     plant = meristem.Document(content).grow()
-    assert len(plant.stems) == 1  # meshes are made where they are asked for
+    assert len(plant.stems) == 1  # meshes are made on demand
     assert plant.measure()["triangles"] > 1000  # measures count triangles and hold no meshes
     for ask in (lambda: plant.meshes, lambda: plant.bounds):
         with pytest.raises(meristem.InputError, match="triangles"):

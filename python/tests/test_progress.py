@@ -22,7 +22,7 @@ def test_progress_tells_stages_and_rising_fractions() -> None:
     told: list[tuple[str, float]] = []
     meristem.Document(small_tree()).grow(progress=lambda stage, fraction: told.append((stage, fraction)))
     assert "expanding" in {stage for stage, _ in told}
-    # A stage begins at 0 and rises to 1, also where two of the same name follow each other.
+    # A stage begins at 0 and rises to 1, also if the next stage has an equal name.
     begins = [k for k, (_, fraction) in enumerate(told) if fraction == 0] + [len(told)]
     assert begins[0] == 0
     for begin, end in zip(begins, begins[1:]):
@@ -75,7 +75,7 @@ def test_what_a_callback_raises_stops_the_call_and_comes_out() -> None:
 
 
 def press_ctrl_c_during(call: Callable[[], object]) -> None:
-    """Calls with a signal on its way, which may arrive as soon as the timer's thread runs."""
+    """Calls `call` while a signal is pending, which may arrive as soon as the timer's thread runs."""
     timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
     with pytest.raises(KeyboardInterrupt):
         timer.start()
@@ -85,7 +85,7 @@ def press_ctrl_c_during(call: Callable[[], object]) -> None:
 
 def test_keyboard_interrupts_stop_growth() -> None:
     press_ctrl_c_during(long_growth().grow)
-    assert grown_small_tree().node_count > 0  # and growth works after it
+    assert grown_small_tree().node_count > 0  # growth must still work afterwards
 
 
 def hull_points() -> NDArray[np.float64]:
@@ -94,7 +94,7 @@ def hull_points() -> NDArray[np.float64]:
 
 
 def long_calls() -> dict[str, Callable[[], Callable[[], object]]]:
-    """By name what prepares each call that takes seconds."""
+    """Returns functions that prepare long calls, by name."""
 
     def tubes() -> Callable[[], object]:
         count = 400_000

@@ -17,25 +17,25 @@ SEASON = {"latitude": 51.5, "sun": {"days": [90, 270], "every_days": 30, "every_
 
 
 def walled(**values: Any) -> meristem.Scene:
-    """A wall to the south, from LOW to HIGH."""
+    """Returns a scene with a wall in the south, from LOW to HIGH."""
     return meristem.Scene({"obstacles": [{"box": [LOW, HIGH]}], **values})
 
 
 def random_points(count: int, seed: int = 7) -> NDArray[np.float64]:
-    """Around the wall; in steps that 32 bits hold, so that numpy reckons with the same numbers."""
+    """Returns random points around the wall that 32-bit numbers represent exactly, so that numpy uses equal numbers."""
     points = np.random.default_rng(seed).uniform([-2, -1, 1], [2, 4, 4], (count, 3))
     return points.astype(np.float32).astype(np.float64)
 
 
 def ball(count: int = 400) -> NDArray[np.float64]:
-    """The points of a ball around (0, 2, 0) with the radius 1."""
+    """Returns points in a ball of radius 1 around (0, 2, 0)."""
     points = np.random.default_rng(3).uniform(-1, 1, (3 * count, 3))
     points = points[np.linalg.norm(points, axis=1) < 1][:count]
     return np.asarray(points + [0, 2, 0])
 
 
 def box_entry(origins: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where rays first meet the wall's surface, in lengths of their directions, by the slabs between its faces."""
+    """Returns where rays first meet the wall's surface, in lengths of their directions, by the slab method."""
     with np.errstate(divide="ignore"):
         one, other = (LOW - origins) / directions, (HIGH - origins) / directions
     enter, leave = np.minimum(one, other).max(axis=1), np.maximum(one, other).min(axis=1)
@@ -112,7 +112,7 @@ def test_half_of_a_ball_is_lit() -> None:
 def test_a_crown_is_lit_as_its_hull_and_as_a_skeleton_measures() -> None:
     scene, points = walled(**SEASON), ball()
     share, shares = scene.crown_light(points)
-    # The hull of a hull has its triangles in another order, and so other places that rays come from.
+    # The hull of a hull has another order of triangles, and so other origins of rays.
     of_hull = scene.crown_light(meristem.convex_hull(points))
     assert share == pytest.approx(of_hull[0], abs=1e-3) and shares == pytest.approx(of_hull[1], abs=0.01)
     star = meristem.Skeleton([-1] + [0] * (len(points) - 1), points)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sessions: edits that keep the text, undo, faults, and what grows anew."""
+"""Sessions: edits that preserve the text, undo, errors, and partial regrowth."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ import meristem
 
 
 def street(**scene: Any) -> meristem.Plant:
-    """A ball of 1 m radius before the south wall of a house."""
+    """Returns a ball of 1 m radius in front of the south wall of a house."""
     house = {"name": "house", "box": [[-4, 0, -8], [4, 6, 0]]}
     ball = {"type": "simple", "shape": "sphere", "size": [2, 2, 2], "segments": 64, "frame": {"translate": [0, 5, 4]}}
     content = {
@@ -50,7 +50,7 @@ def test_the_ground_is_a_grid_from_south_to_north() -> None:
     shade = meristem.shade(street(), ground=[[-6, -10], [6, 6]], days="80", hours="9:15:1", spacing=1)
     assert shade["grid"].shape == (16, 12)
     assert np.isnan(shade["grid"]).sum() == 8 * 8
-    assert np.isnan(shade["grid"][6:14, 2:10]).all()  # the house stands in the north
+    assert np.isnan(shade["grid"][6:14, 2:10]).all()  # the house is in the north
     assert np.nanmean(shade["grid"]) == pytest.approx(shade["point_shade"].mean())
     assert np.nanmean(shade["grid"]) == pytest.approx(np.nanmean(shade["shade"]))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a plant shows in notebooks, on desktops and elsewhere, with stand-ins for the first two."""
+"""Display of plants in notebooks, on desktops and elsewhere, with stand-ins for the first two."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def size_of_png(png: bytes) -> tuple[int, int]:
 
 @pytest.fixture(autouse=True)
 def no_surroundings(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """Neither notebook nor desktop; the current and the temporary folder are the test's own."""
+    """Removes notebook and desktop, and sets the current and the temporary folder to the test's own."""
     monkeypatch.delitem(sys.modules, "IPython", raising=False)
     monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.delenv("DISPLAY", raising=False)
@@ -36,7 +36,7 @@ def no_surroundings(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 def add_desktop(monkeypatch: pytest.MonkeyPatch, folder: Path, script: str) -> None:
-    """A desktop whose program for opening files is a shell script."""
+    """Simulates a desktop whose program for opening files is a shell script."""
     program = folder / "bin" / "xdg-open"
     program.parent.mkdir()
     program.write_text(f"#!/bin/sh\n{script}\n")
@@ -94,12 +94,12 @@ def test_a_name_of_signs_alone_still_makes_a_file() -> None:
 
 
 def without_the_view(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As if the module had been built without node."""
+    """Simulates a module that was built without node."""
     monkeypatch.setattr(_page, "_TEMPLATE", Path("nowhere"))
 
 
 def with_the_view(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
-    """As if it had been built with it, wherever the tests run."""
+    """Simulates a module that was built with node."""
     template = folder / "bin" / "viewer.html"
     template.parent.mkdir(exist_ok=True)
     template.write_text("{{title}}, seen from {{look}}: {{packet}}")
@@ -107,7 +107,7 @@ def with_the_view(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
 
 
 def add_notebook(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """An IPython kernel; gives the list of what it will have displayed. Pictures are their bytes."""
+    """Simulates an IPython kernel. Returns the list of displayed objects; pictures are their bytes."""
     shown: list[Any] = []
     ipython = types.ModuleType("IPython")
     setattr(ipython, "get_ipython", lambda: types.SimpleNamespace(kernel=object()))

@@ -17,7 +17,7 @@ TREES = Path(os.environ.get("MERISTEM_SHARED_DATA", BESIDE_THE_PROJECT)) / "tree
 
 
 def forked() -> meristem.Skeleton:
-    """A stem of a metre that forks into two of half a metre, at right angles."""
+    """A stem of one metre that forks into two branches of half a metre, at right angles."""
     position = [[0, 0, 0], [0, 1, 0], [0.5, 1, 0], [0, 1.5, 0]]
     return meristem.Skeleton([-1, 0, 1, 1], position, radius=[0.03, 0.03, 0.01, 0.02])
 
@@ -149,7 +149,7 @@ def test_odd_skeletons_of_users_become_tubes() -> None:
     random = np.random.default_rng(1)
     for count in (1, 2, 30, 400):
         parent = [-1] + [int(random.integers(max(0, k - 5), k)) for k in range(1, count)]
-        position = np.round(random.normal(size=(count, 3)), 1)  # some nodes stand on each other
+        position = np.round(random.normal(size=(count, 3)), 1)  # some nodes have equal positions
         radius = np.where(random.random(count) < 0.2, 0, random.random(count) * 0.2)
         mesh = meristem.tubes(meristem.Skeleton(parent, position, radius=radius))
         assert np.isfinite(mesh.positions).all()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the type stubs, the docstrings and the manual against the compiled module."""
+"""Compares the type stubs, the docstrings and the manual with the compiled module."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from meristem import _core, grass
 ROOT = Path(__file__).resolve().parents[2]
 STUB = ROOT / "python" / "meristem" / "_core.pyi"
 
-# What every class has, and what pickling needs.
+# Members of every class, and members needed for pickling.
 UNLISTED = {"__doc__", "__module__", "__dict__", "__repr__", "__getstate__", "__setstate__", "__hash__"}
-UNLISTED |= {"__slotnames__"}  # left on a class by copyreg once one was pickled
+UNLISTED |= {"__slotnames__"}  # copyreg adds it to a class that was pickled
 
-Stub = dict[str, list[ast.FunctionDef]]  # functions and properties by name; several where overloaded
+Stub = dict[str, list[ast.FunctionDef]]  # functions and properties by name; several if overloaded
 
 
 class Parameter(NamedTuple):
@@ -41,7 +41,7 @@ NO_DEFAULT = object()
 
 
 def stub_classes() -> dict[str, Stub]:
-    """The members of each class of the stub; those of the module under ''."""
+    """Returns the members of each class of the stub. Members of the module have the key ''."""
     tree = ast.parse(STUB.read_text(encoding="utf-8"))
     public = [node for node in tree.body if isinstance(node, ast.ClassDef) and not node.name.startswith("_")]
     return {"": members_of(tree), **{node.name: members_of(node) for node in public}}
@@ -72,7 +72,7 @@ def is_property(function: ast.FunctionDef) -> bool:
 
 
 def functions() -> Iterator[tuple[str, list[ast.FunctionDef], str]]:
-    """Each function with a docstring: its full name, what the stub says, what pybind11 says."""
+    """Yields each function with a docstring: its full name, its stubs, and pybind11's docstring."""
     compiled = compiled_classes()
     for class_name, members in stub_classes().items():
         for name, stubs in members.items():
@@ -95,13 +95,13 @@ def parameters_of(function: ast.FunctionDef) -> list[Parameter]:
 
 
 def value_of(node: ast.expr) -> Any:
-    """A default; of fractions what a float holds, because pybind11 shows all digits of one."""
+    """Returns a default value. Fractions are rounded to floats, because pybind11 prints all digits of a float."""
     value = ast.literal_eval(node)
     return float(np.float32(value)) if isinstance(value, float) else value
 
 
 def signatures_of(docstring: str) -> list[ast.FunctionDef]:
-    """The signature lines of a docstring: the first line, or if overloaded those with a number."""
+    """Returns the signature lines of a docstring: the first line, or the numbered lines if overloaded."""
     lines = docstring.splitlines()
     numbered = re.findall(r"^\d+\. (.*)$", docstring, re.MULTILINE)
     signatures = numbered if len(lines) > 1 and lines[1] == "Overloaded function." else lines[:1]
@@ -110,7 +110,7 @@ def signatures_of(docstring: str) -> list[ast.FunctionDef]:
 
 
 def text_of(docstring: str) -> str:
-    """What is left of a docstring without signatures."""
+    """Returns a docstring without signatures."""
     return re.sub(r"^(\d+\. )?\w+\(.*$|^Overloaded function\.$", "", docstring, flags=re.MULTILINE).strip()
 
 
@@ -127,7 +127,7 @@ def test_stub_and_signatures_have_the_same_parameters() -> None:
     for name, stubs, docstring in functions():
         assert "::" not in docstring, f"{name} shows a C++ name, as of a class that is bound only later: {docstring}"
         signatures = signatures_of(docstring)
-        # One function may have several types, by those of its arguments.
+        # A function may have several types for different arguments.
         signatures = signatures * len(stubs) if len(signatures) == 1 else signatures
         assert len(stubs) == len(signatures), name
         for stub, signature in zip(stubs, signatures):
@@ -167,11 +167,11 @@ def test_everything_public_of_the_written_half_has_a_docstring() -> None:
     assert silent == []
 
 
-# --- the types of what comes out --------------------------------------------------------------------------------------
+# --- types of results -------------------------------------------------------------------------------------------------
 
 
 def grown_objects() -> list[Any]:
-    """One object of each class that growing makes."""
+    """Returns one object of each class that growth makes."""
     document = meristem.Document(small_tree())
     plant = document.grow()
     stem = plant.stems[0]
@@ -189,7 +189,7 @@ def grass_objects() -> list[Any]:
 
 
 def is_of_type(value: Any, annotation: ast.expr) -> bool:
-    """Whether a value is of an annotated type, for the types that the stub uses."""
+    """Returns true if a value has an annotated type, for the types that the stub uses."""
     if isinstance(annotation, ast.BinOp):
         return is_of_type(value, annotation.left) or is_of_type(value, annotation.right)
     if isinstance(annotation, ast.Constant):
@@ -207,7 +207,7 @@ def is_of_container(value: Any, name: str, parts: list[ast.expr]) -> bool:
         return False
     if name == "NDArray":
         wanted = np.dtype(ast.unparse(parts[0]).removeprefix("np."))
-        # Texts are as wide as the longest one.
+        # The width of a text column is the length of the longest text.
         same = value.dtype.kind == wanted.kind if wanted.kind == "U" else value.dtype == wanted
         return same
     if name == "dict":

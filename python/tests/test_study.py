@@ -30,7 +30,7 @@ def run_script(arguments: list[str], path: str) -> subprocess.CompletedProcess[s
 
 @pytest.fixture(scope="module")
 def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a quick study."""
+    """Runs a quick study and returns its folder."""
     folder = tmp_path_factory.mktemp("study")
     done = run_script(["--quick", "-o", str(folder)], str(Path(meristem.__file__).parents[1]))
     assert done.returncode == 0, done.stderr

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shipped broad-leaved trees have the height, diameter and crown of measured trees of their species."""
+"""Shipped broad-leaved trees must have the height, diameter and crown of measured trees of their species."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_trees_are_within_the_bands_of_their_species(species: Species) -> None:
 @needs_measured
 @pytest.mark.parametrize("species", SIZED, ids=[species.model for species in SIZED])
 def test_trees_of_other_sizes_keep_the_proportions_of_their_species(species: Species) -> None:
-    """Those whose stem is as thick as that of measured trees are as slender and as broad as these."""
+    """Trees as thick as measured trees must have their slenderness and crown width."""
     bands = read_bands(species.measured)
     assert species.size is not None
     for size in species.sizes:
@@ -59,7 +59,7 @@ def test_models_are_of_the_species_that_they_are_compared_with() -> None:
 
 
 def test_the_diameter_is_that_of_the_thickest_stem_at_breast_height() -> None:
-    # A trunk of 10 to 20 cm in radius that tapers, and a stem beside it that bends below 1.3 m and up again.
+    # A tapering trunk of 10 to 20 cm in radius, and a second stem that bends below 1.3 m and up again.
     skeleton = meristem.Skeleton(
         [-1, 0, 1, 0, 3, 4],
         [[0, 1, 0], [0, 2, 0], [0, 3, 0], [1, 3, 0], [1, 2, 0], [1, 4, 0]],

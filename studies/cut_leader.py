@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Repeats a published evaluation of trees whose leader is cut, and tells what each part of the model does for it.
+"""Repeats a published evaluation of trees with a cut leader, and measures the effect of each part of the model.
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/cut_leader.py -o out/cut-study
 
-Writes `cuts.csv` (a row a tree), `readings.csv`, `adaptations.csv`, `growth.csv`, `lambda.csv`, `expectations.csv` and
-the figures into a folder.
+Writes `cuts.csv` (one row per tree), `readings.csv`, `adaptations.csv`, `growth.csv`, `lambda.csv`, `expectations.csv`
+and the figures into a folder.
 Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 5.2.
 """
 
@@ -29,7 +29,7 @@ from cut_study.trees import SLIM
 
 SEEDS = 100
 QUICK_SEEDS = 20
-GROWTH_SEEDS = 20  #: growth curves and habits differ little from tree to tree
+GROWTH_SEEDS = 20  #: growth curves and habits differ little between trees
 LAMBDA_SETS = ("slim", "full")
 
 def lateral_names() -> list[str]:
@@ -37,7 +37,7 @@ def lateral_names() -> list[str]:
 
 
 def write_cuts(path: Path, trees: Sequence[CutTree]) -> None:
-    """A row a tree; cells of laterals that a tree has not are empty."""
+    """Writes one row per tree. Cells of missing laterals are empty."""
     rows = []
     for tree in trees:
         row: list[object] = [tree.seed, tree.above, tree.branches, *tree.total, tree.leader]
@@ -52,7 +52,7 @@ def summary_head() -> list[str]:
 
 
 def list_summary(trees: Summary) -> list[object]:
-    """Cells under summary_head()."""
+    """Returns the cells for summary_head()."""
     whole: list[object] = [trees.trees, trees.alike, *trees.total, trees.fall, trees.fall_holds]
     laterals = [resource for pair in trees.laterals for resource in pair]
     return [*whole, trees.leader, trees.leader_share, trees.leader_holds, trees.all_rise, *laterals]
@@ -73,7 +73,7 @@ def write_adaptations(path: Path, effects: Mapping[str, Effect]) -> None:
 
 
 def write_growth(path: Path, curves: Mapping[str, Curve]) -> None:
-    """A row a set and iteration."""
+    """Writes one row per set and iteration."""
     columns = [field.name for field in fields(Curve)]
     rows = [
         [name, iteration, *(float(getattr(curve, column)[iteration]) for column in columns)]
@@ -94,7 +94,7 @@ def write_lambda(path: Path, habits: Mapping[str, Mapping[float, Habit]]) -> Non
 
 
 def print_summary(name: str, trees: Summary) -> None:
-    """A line for eyes."""
+    """Prints one line."""
     laterals = "  ".join(f"{pair.uncut:.2f}→{pair.cut:.2f}" for pair in trees.laterals)
     print(
         f"{name:<38} {trees.trees:4}  {trees.total.uncut:6.2f}→{trees.total.cut:6.2f} {100 * trees.fall:5.1f} %  "
@@ -103,7 +103,7 @@ def print_summary(name: str, trees: Summary) -> None:
 
 
 def print_effect(name: str, effect: Effect) -> None:
-    """A line for eyes."""
+    """Prints one line."""
     print(
         f"{name:<38} {100 * effect.grows:5.0f} %  {effect.turn:5.1f}°  {effect.metamers:6.1f}  "
         f"{effect.whole:6.1f} of {effect.uncut:.1f}"
@@ -111,8 +111,8 @@ def print_effect(name: str, effect: Effect) -> None:
 
 
 def run_study(folder: Path, seeds: int) -> None:
-    """Grows everything, then writes all files and prints the means."""
-    from cut_study.figures import draw_figures  # slow to import, so not for --help
+    """Grows all trees, writes all files and prints the means."""
+    from cut_study.figures import draw_figures  # slow to import, so not needed for --help
     from cut_study.pictures import draw_trees
 
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants known values into shipped models of all growth systems, and finds them again by what their plants measure.
+"""Plants known values into shipped models of all growth systems, and recovers them from measures of the plants.
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/fit_plants.py -o out/fit-study
 
-Writes `fits.csv` (a row per variable), `table.md` (a row per planting), `expectations.csv` and `found.png` into a folder.
+Writes `fits.csv` (one row per variable), `table.md` (one row per planting), `expectations.csv` and `found.png` into a
+folder.
 """
 
 from __future__ import annotations
@@ -53,15 +54,15 @@ def check(found: Sequence[Found], growths: int) -> list[Finding]:
 
 
 def read_found(path: Path) -> list[Found]:
-    """The rows of a study that was stopped."""
+    """Returns the rows of a stopped study."""
     types = {field.name: {"str": str, "int": int, "float": float}[str(field.type)] for field in fields(Found)}
     with open(path, newline="", encoding="utf-8") as file:
         return [Found(**{name: types[name](cell) for name, cell in row.items()}) for row in csv.DictReader(file)]
 
 
 def run_study(folder: Path, quick: bool, resume: bool) -> None:
-    """Solves all problems and keeps each planting as it is found, then writes what is concluded."""
-    from fit_study.figures import draw_found  # slow to import, so not for --help
+    """Solves all problems, saves each planting when it is found, and then writes the results."""
+    from fit_study.figures import draw_found  # slow to import, so not needed for --help
 
     folder.mkdir(parents=True, exist_ok=True)
     table = folder / "fits.csv"

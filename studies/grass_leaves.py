@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fits measured grass leaves, makes them older, reduces, bends and lights them, and says what each stage costs.
+"""Fits, ages, reduces, bends and lights measured grass leaves, and measures the cost of each stage.
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/grass_leaves.py -o out/grass-study
 
-Writes `fits.csv` (a row a leaf), `ranks.csv`, `smoothings.csv`, `ages.csv`, `levels.csv`, `times.csv`, `turns.csv`,
+Writes `fits.csv` (one row per leaf), `ranks.csv`, `smoothings.csv`, `ages.csv`, `levels.csv`, `times.csv`, `turns.csv`,
 `light.csv`, `leaf_light.csv`, `expectations.csv` and the figures into a folder.
 Based on: C. Fournier, C. Pradal: A plastic, dynamic and reducible 3D geometric model for simulating gramineous leaves
-(PMA 2012), with the leaves of openalea-incubator/adel (CeCILL-C), which are no part of the project.
+(PMA 2012), with the leaves of openalea-incubator/adel (CeCILL-C), which are not part of the project.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ need_modules("studies/grass_leaves.py")
 from common.tables import Finding, print_findings, write_findings, write_table
 from grass_study import ages, expectations, fits, forces, levels, light, measured, plants
 
-QUICK_EVERY = 15  #: of the wheat leaves one is reduced
-QUICK_RAYS = 6  #: of the light's directions one is taken
-FORCED_EVERY = 10  #: of the wheat leaves one is bent
+QUICK_EVERY = 15  #: every n-th wheat leaf is reduced
+QUICK_RAYS = 6  #: every n-th direction of the light is used
+FORCED_EVERY = 10  #: every n-th wheat leaf is bent
 
 
 class Data(NamedTuple):
@@ -36,12 +36,12 @@ class Data(NamedTuple):
 
 
 def write_rows(path: Path, rows: Sequence[Any]) -> None:
-    """A table of dataclasses."""
+    """Writes a table of dataclasses."""
     write_table(path, [field.name for field in fields(rows[0])], map(astuple, rows))
 
 
 def light_all(data: Data, is_quick: bool) -> tuple[list[plants.Plant], dict[light.Case, light.Lit]]:
-    """Every plant, form and stand under each light."""
+    """Measures every plant, form and stand under each light."""
     grown = [plants.full_grown(), plants.young(data.maize)]
     lit = {}
     for name, make_rays in light.LIGHTS.items():
@@ -55,7 +55,7 @@ def light_all(data: Data, is_quick: bool) -> tuple[list[plants.Plant], dict[ligh
 
 
 def write_light(folder: Path, lit: Mapping[light.Case, light.Lit]) -> None:
-    """A row a stand, and a row a leaf."""
+    """Writes one row per stand, and one row per leaf."""
     whole = [[*case, of.plants, of.area, of.total, of.total / of.area] for case, of in lit.items()]
     write_table(folder / "light.csv", (*light.Case._fields, "plants", "leaf_area", "taken", "efficiency"), whole)
     leaves = [
@@ -90,8 +90,8 @@ def print_light(lit: Mapping[light.Case, light.Lit]) -> None:
 
 
 def run_study(folder: Path, data_folder: Path, is_quick: bool) -> None:
-    """Measures everything, then writes all files and prints what counts."""
-    # Slow to import, so not for --help
+    """Runs all measurements, writes all files and prints the main results."""
+    # Slow to import, so not needed for --help
     from grass_study.figures import draw_ages, draw_errors, draw_fits, draw_forces, draw_levels
     from grass_study.light_figures import draw_light
     from grass_study.pictures import draw_plants, draw_triangles

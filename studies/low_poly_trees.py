@@ -23,14 +23,14 @@ from common.tables import Finding, print_findings, write_findings, write_table
 from low_poly_study.bodies import ROOT, SPRUCE, count_open_edges, grow_bodies, read
 from low_poly_study.published import PARAMETERS, SERIES, TREES, Row
 
-#: The readings under which the source's counts come out: the side of the cube that both bodies lie in (metres), the
-#: width over which the crown's balls blend (metres), and how often each triangle counts.
+#: Assumptions that reproduce the source's counts: the side of the cube that contains both bodies (metres), the width
+#: over which the crown's balls blend (metres), and how often each triangle counts.
 CUBE = 2.4
 FUSE = 0.078
 COUNTED = 2
-#: The width that is printed: k = 0.01 m², whose root is 0.1 m.
+#: The printed width: k = 0.01 m², whose root is 0.1 m.
 PRINTED_FUSE = 0.1
-LONGEST_ERROR = 0.08  #: of a count of the series, but for its first row
+LONGEST_ERROR = 0.08  #: relative error of a count of the series, except its first row
 QUICK_ROWS = 4
 
 
@@ -44,21 +44,21 @@ class Tree(NamedTuple):
 
 
 class Reading(NamedTuple):
-    """What of the source's set-up a series shares, and its counts at resolution 100."""
+    """The part of the source's setup that a series uses, and its counts at resolution 100."""
 
     name: str
     counts: Row
 
 
 def own_sizes(text: str) -> tuple[float, float]:
-    """The longest sides of the boxes of trunk and crown, metres: of the cones, and of the balls."""
+    """Returns the longest sides of the bounding boxes of trunk (cones) and crown (balls) in metres."""
     bodies = grow_bodies(text, {"surface.resolution": 400, "surface.crown.resolution": 400, "surface.crown.fuse": 0})
     trunk, crown = bodies["trunk"], bodies["crown"]
     return float(max(trunk.high - trunk.low)), float(max(crown.high - crown.low))
 
 
 def grow_trees() -> list[Tree]:
-    """The trees of section 6.1 at the source's resolutions, not simplified."""
+    """Returns the trees of section 6.1 at the source's resolutions, without simplification."""
     trees = []
     for name, (trunk, crown) in TREES.items():
         text = read(ROOT / "models" / f"low-poly-{name}.json")
@@ -74,7 +74,8 @@ def grow_trees() -> list[Tree]:
 
 
 def vary_parameters(text: str) -> list[list[object]]:
-    """For each parameter of the source: its name, our key, the value, and what the spruce becomes with it."""
+    """Returns, for each parameter of the source, its name, our key, the value, and the resulting measures of the
+    spruce."""
     rows: list[list[object]] = []
     for name, key, value in (("as printed", "", ""), *PARAMETERS):
         bodies = grow_bodies(text, {key: value} if key else {})
@@ -87,7 +88,7 @@ def vary_parameters(text: str) -> list[list[object]]:
 
 def count_series(text: str, rows: tuple[Row, ...], sizes: tuple[float, float], cube: float | None, fuse: float,
                  counted: int) -> list[Row]:
-    """Triangles at the source's resolutions, along the sides of one cube or of each body's own box."""
+    """Counts triangles at the source's resolutions, relative to one cube or to each body's own box."""
     series = []
     for row in rows:
         cells = [row.resolution if cube is None else round(row.resolution * size / cube) for size in sizes]
@@ -98,7 +99,7 @@ def count_series(text: str, rows: tuple[Row, ...], sizes: tuple[float, float], c
 
 
 def compare_readings(text: str, sizes: tuple[float, float]) -> list[Reading]:
-    """The counts at resolution 100, as the readings are taken over one by one."""
+    """Returns the counts at resolution 100 while the assumptions are added one by one."""
     [published] = [row for row in SERIES if row.resolution == 100]
     steps = [
         ("each body in its own box", None, PRINTED_FUSE, 1),

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scans a digitised walnut from six places, and compares what the scanner sees of its twigs with what is there.
+"""Scans a digitised walnut from six positions, and compares the visible twigs with the true plant.
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/scan_walnut.py -o out/scan-study
 
-Writes `classes.csv` (a row an instrument, number of stations and class of diameters), `orders.csv`, `expectations.csv`
-and the figures into a folder.
-Based on: the walnut of openalea/mtg (CeCILL-C), which is no part of the project.
+Writes `classes.csv` (one row per instrument, number of stations and class of diameters), `orders.csv`,
+`expectations.csv` and the figures into a folder.
+Based on: the walnut of openalea/mtg (CeCILL-C), which is not part of the project.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ need_modules("studies/scan_walnut.py")
 from common.tables import print_findings, write_findings, write_table
 from scan_study import coverage, expectations, walnut
 
-SHOWN = "terrestrial"  #: whose points are drawn
+SHOWN = "terrestrial"  #: the instrument whose points are drawn
 STEP = 0.04  #: degrees between pulses
 QUICK_STEP = 0.25
 
 
 def write_rows(path: Path, rows: Sequence[Any]) -> None:
-    """A table of dataclasses."""
+    """Writes a table of dataclasses."""
     write_table(path, [field.name for field in fields(rows[0])], map(astuple, rows))
 
 
 def run_study(folder: Path, step: float) -> None:
-    """Scans with each instrument, then writes all files and prints what was expected."""
-    from scan_study.figures import draw_figures  # slow to import, so not for --help
+    """Scans with each instrument, writes all files and prints the expectations."""
+    from scan_study.figures import draw_figures  # slow to import, so not needed for --help
     from scan_study.pictures import draw_oak
 
     folder.mkdir(parents=True, exist_ok=True)

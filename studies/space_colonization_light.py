@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Repeats a published evaluation of trees that answer to light, and adds response B.
+"""Repeats a published evaluation of trees that respond to light, and adds response B.
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/space_colonization_light.py -o out/light-study
 
-Writes `trees.csv` (a row a tree), `means.csv` (a row a treatment), `expectations.csv` and the figures into a folder.
+Writes `trees.csv` (one row per tree), `means.csv` (one row per treatment), `expectations.csv` and the figures into a
+folder.
 Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund 2020,
 chapter 5.
 """
@@ -55,7 +56,7 @@ KEYS = ("response", "scene", "strength")
 
 
 class Counter:
-    """A line on a terminal that says how many trees are grown; nothing elsewhere."""
+    """Prints the number of grown trees in one line of a terminal. Prints nothing if the output is no terminal."""
 
     def __init__(self, total: int) -> None:
         self._total = total
@@ -70,7 +71,7 @@ class Counter:
 
 
 def list_treatments(strengths: dict[str, Sequence[float]]) -> list[Treatment]:
-    """All responses in both scenes."""
+    """Returns all responses in both scenes."""
     return [
         Treatment(response, scene, strength)
         for response, values in strengths.items()
@@ -80,7 +81,7 @@ def list_treatments(strengths: dict[str, Sequence[float]]) -> list[Treatment]:
 
 
 def grow_on_threads(treatments: Sequence[Treatment], clouds: int, threads: int) -> list[Tree]:
-    """All trees. When interrupted, it ends with those that are being grown."""
+    """Grows all trees. After an interrupt, only the current trees are completed."""
     pool = ThreadPoolExecutor(threads)
     try:
         return grow_treatments(treatments, clouds, pool, Counter(count_growths(treatments, clouds)))
@@ -110,7 +111,7 @@ def write_means(path: Path, means: Iterable[Mean]) -> None:
 
 
 def print_means(means: Iterable[Mean]) -> None:
-    """A line a treatment, for eyes."""
+    """Prints one line per treatment."""
     print("response     scene strength  height  azimuth spread altitude  centroid at   sun %  day %")
     for mean in means:
         response, scene, strength = mean.treatment
@@ -124,8 +125,8 @@ def print_means(means: Iterable[Mean]) -> None:
 
 
 def run_study(folder: Path, quick: bool, threads: int) -> None:
-    """Grows everything, then writes all files and prints the means."""
-    from light_study.figures import draw_figures  # slow to import, so not for --help
+    """Grows all trees, writes all files and prints the means."""
+    from light_study.figures import draw_figures  # slow to import, so not needed for --help
 
     folder.mkdir(parents=True, exist_ok=True)
     clouds = QUICK_CLOUDS if quick else CLOUDS

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Repeats what a published work shows of trained trees: poles, open vases, cuts to buds, espaliers, cordons.
+"""Repeats published results on trained trees: poles, open vases, cuts to buds, espaliers, cordons.
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/train_trees.py -o out/training-study
 
 Writes a table for each question, `expectations.csv` and the figures into a folder.
-Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, sections 4.1 to 5.3.
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, sections 4.1 to
+5.3.
 """
 
 from __future__ import annotations
@@ -29,11 +30,11 @@ from training_study.vase import study_vases
 
 SEEDS = 40
 QUICK_SEEDS = 20
-UPKEEP_SEEDS = 20  #: of espaliers that are followed over the years
+UPKEEP_SEEDS = 20  #: number of espaliers that are followed over the years
 
 
 def write_rows(path: Path, rows: Sequence[Any]) -> None:
-    """A row for each dataclass."""
+    """Writes one row for each dataclass."""
     write_table(path, (field.name for field in fields(rows[0])), (astuple(row) for row in rows))
 
 

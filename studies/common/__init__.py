@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What studies share: tables, expectations, the look of figures."""
+"""Common parts of the studies: tables, expectations, and the style of figures."""

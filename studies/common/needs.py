@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the studies need besides Python, and where it comes from."""
+"""The modules that the studies need in addition to Python, and how to install them."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ REMEDIES = {
 
 
 def need_modules(script: str) -> None:
-    """Ends the program, and says what to do, where a module is missing that `script` needs."""
+    """Ends the program with instructions if a module that `script` needs is missing."""
     for name in REMEDIES:
         try:
             importlib.import_module(name)
         except ModuleNotFoundError as missing:
-            # A module that is there may miss another one.
+            # An installed module may itself miss another one.
             absent = (missing.name or "").partition(".")[0]
             if absent not in REMEDIES:
                 raise

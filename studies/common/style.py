@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The look of figures."""
+"""The style of figures."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-# Colours that stay apart for all kinds of sight (Okabe and Ito).
+# Colours that people with any kind of colour vision can distinguish (Okabe and Ito).
 BLUE = "#0072B2"
 RED = "#D55E00"
 GREEN = "#009E73"
@@ -38,7 +38,7 @@ def new_figure(rows: int, columns: int, height: float) -> tuple[Figure, list[lis
 
 
 def save_figure(figure: Figure, handles: Sequence[Artist], columns: int, path: Path) -> None:
-    """Writes a PNG, with a legend below all of its axes."""
+    """Writes a PNG with a legend below all of its axes."""
     inches = 0.1 + 0.23 * math.ceil(len(handles) / columns)
     bottom = inches / figure.get_figheight()
     figure.get_layout_engine().set(rect=(0, bottom, 1, 1 - bottom))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of results, and expectations beside what came out."""
+"""Tables of results, and expectations with the values found."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Iterable
 
 @dataclass(frozen=True)
 class Finding:
-    """An expectation and what came out."""
+    """An expectation and the value found."""
 
     what: str
     expected: str
@@ -21,7 +21,7 @@ class Finding:
 
 
 def write_table(path: Path, head: Iterable[str], rows: Iterable[Iterable[object]]) -> None:
-    """A CSV file; numbers with seven digits, which is what single precision carries."""
+    """Writes a CSV file. Numbers have seven digits, the precision of 32-bit floats."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(head)
@@ -34,13 +34,13 @@ def write_findings(path: Path, findings: Iterable[Finding]) -> None:
 
 
 def print_findings(findings: Iterable[Finding]) -> None:
-    """A line an expectation, for eyes."""
+    """Prints one line per expectation."""
     for finding in findings:
         print(f"{'yes' if finding.holds else 'NO ':<4}{finding.what}: {finding.expected}; found {finding.found}")
 
 
 def positive_number(text: str) -> int:
-    """An argument of the command line."""
+    """Parses a positive number of the command line."""
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError("at least 1")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a cut does where one of the model's three adaptations to pruning is off.
+"""The effect of a cut if one of the model's three adaptations to pruning is disabled.
 
-Two cuts are made after iteration 8, each in a tree of its own: just above the topmost lateral branch, for what the tree
-divides; and just above the topmost dormant bud, for what grows in the leader's place.
+Two cuts are made after iteration 8, each in a separate tree. One is just above the topmost lateral branch and shows how
+the tree divides resource. The other is just above the topmost dormant bud and shows what replaces the leader.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ ADAPTATIONS: Mapping[str, Settings] = {
     "laterals open as terminals": change(SLIM, lateral_threshold=1, laterals_wait=False),
     "no turn to the leader": change(SLIM, takeover=0),
 }
-REGROWTH = 6  #: iterations after the cut until what has grown again is counted
+REGROWTH = 6  #: iterations after the cut until regrowth is counted
 
 
 @dataclass(frozen=True)
 class Regrowth:
-    """What grows in the place of a leader cut just above a dormant bud."""
+    """The regrowth after the leader is cut just above a dormant bud."""
 
     seed: int
-    grows: bool  #: whether anything does
-    turn: float  #: degrees from the leader's direction to the first metamer that leads on; NaN if none does
-    metamers: int  #: of the shoot that leads on, with all that it bears
+    grows: bool  #: true if anything has regrown
+    turn: float  #: degrees from the leader's direction to the first metamer of its successor; NaN without one
+    metamers: int  #: metamers of the succeeding shoot, with everything that it bears
     whole: int  #: metamers of the whole tree
-    uncut: int  #: the same without the cut
+    uncut: int  #: metamers of the whole tree without the cut
 
 
 @dataclass(frozen=True)
@@ -42,8 +42,8 @@ class Effect:
     """Means over trees."""
 
     cut: Summary  #: just above the topmost branch
-    trees: int  #: that were cut above a bud
-    grows: float  #: share of them
+    trees: int  #: number of trees that were cut above a bud
+    grows: float  #: share of these trees with regrowth
     turn: float  #: degrees
     metamers: float
     whole: float
@@ -51,7 +51,7 @@ class Effect:
 
 
 def find_bud_cut(settings: Settings, seed: int) -> Cut | None:
-    """Just above the topmost dormant bud beside which the leader has grown on; nothing where there is none."""
+    """Returns the cut just above the topmost dormant bud below the leader's tip, or None without such a bud."""
     tree = grow_tree(settings, READING.cut_at, seed)
     branched = set(tree.branched())
     dormant = [number for number in range(1, tree.last) if number not in branched]
@@ -59,13 +59,14 @@ def find_bud_cut(settings: Settings, seed: int) -> Cut | None:
 
 
 def measure_turn(tree: Tree, cut: Cut, leads_on: int) -> float:
-    """Degrees from the metamer below the cut, which is where the leader was going, to the one that leads on."""
+    """Returns the angle in degrees from the metamer below the cut, the leader's direction, to the succeeding
+    metamer."""
     cosine = float(tree.heading(int(tree.stem[cut.above])) @ tree.heading(leads_on))
     return float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
 
 
 def regrow(settings: Settings, seed: int) -> Regrowth | None:
-    """Cuts the leader above a bud and sees what grows in its place; nothing where there is no such bud."""
+    """Cuts the leader above a bud and measures the regrowth. Returns None without such a bud."""
     cut = find_bud_cut(settings, seed)
     if cut is None:
         return None

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cut of the leader: what the tree divides, with the cut and without it.
+"""The division of resource with and without a cut of the leader.
 
 Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 5.2 with
-table 5.1. The source leaves open when resources are read, which lateral is the topmost, and whether dormant buds count
-among the five below the cut; a Reading says it.
+table 5.1. The source does not specify when resources are read, which lateral is the topmost, and whether dormant buds
+count among the five below the cut. A Reading defines these choices.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ import numpy as np
 
 from .trees import Cut, Settings, Tree, grow_tree
 
-LATERALS = 5  #: as many below the cut are compared
+LATERALS = 5  #: number of laterals below the cut that are compared
 
 
 class Pair(NamedTuple):
-    """A resource without the cut, and with it."""
+    """A resource without the cut and with it."""
 
     uncut: float
     cut: float
@@ -31,13 +31,13 @@ class Pair(NamedTuple):
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read the source."""
+    """One interpretation of the source."""
 
     name: str
     cut_at: int  #: iteration after whose growth the cut is made
-    seen_after: int  #: iteration after whose growth resources are read; they are those of the next one
-    branched_before: int  #: iterations before the cut in which the topmost lateral has branched before the cut
-    counts_buds: bool  #: dormant buds count among the laterals below the cut, or branches alone
+    seen_after: int  #: iteration after whose growth resources of the next iteration are read
+    branched_before: int  #: number of iterations before the cut in which the topmost lateral must already have branched
+    counts_buds: bool  #: true: dormant buds count among the laterals below the cut; false: only branches do
 
 
 READING = Reading("as in the text", 8, 9, 0, True)
@@ -56,16 +56,16 @@ class CutTree:
     """A tree with the cut and without it."""
 
     seed: int
-    above: int  #: the metamer above which the leader was cut
-    branches: str  #: of the laterals below the cut, from the top: 1 a branch, 0 a dormant bud, when it was cut
+    above: int  #: number of the metamer above which the leader was cut
+    branches: str  #: laterals below the cut at that time, from the top: 1 for a branch, 0 for a dormant bud
     total: Pair
-    leader: float  #: what was cut away
-    laterals: tuple[Pair, ...]  #: below the cut, from the top; LATERALS of them or as many as there are
-    opens: tuple[bool, ...]  #: of each, whether it grows by the cut alone
+    leader: float  #: resource of the removed part
+    laterals: tuple[Pair, ...]  #: laterals below the cut, from the top; LATERALS of them, or fewer if there are fewer
+    opens: tuple[bool, ...]  #: for each lateral, true if it grows only because of the cut
 
     @property
     def fall(self) -> float:
-        """The change of the total, as a share of it."""
+        """The fall of the total as a share of the total."""
         return -self.total.gain / self.total.uncut
 
     @property
@@ -78,7 +78,7 @@ class CutTree:
 
     @property
     def is_alike(self) -> bool:
-        """Whether branches and buds take turns, as in the published tree."""
+        """True if branches and buds alternate, as in the published tree."""
         return self.branches == "10101"
 
 
@@ -95,7 +95,7 @@ PUBLISHED = CutTree(
 
 
 def branched_by(tree: Tree, iteration: int) -> list[int]:
-    """The metamers of the stem whose lateral buds had grown after that iteration, from the base on."""
+    """Returns the metamers of the stem whose lateral buds had grown after that iteration, from the base."""
     skeleton = tree.skeleton
     lateral = (skeleton.axis != skeleton.axis[0]) & (skeleton.order == 1) & (skeleton.birth <= iteration)
     parents = set(skeleton.parent[lateral].tolist())
@@ -103,7 +103,7 @@ def branched_by(tree: Tree, iteration: int) -> list[int]:
 
 
 def find_cut(settings: Settings, seed: int, reading: Reading = READING) -> Cut | None:
-    """Just above the topmost lateral branch; nothing where no lateral has branched or nothing stands above."""
+    """Returns the cut just above the topmost lateral branch. None if there is no branch or nothing above it."""
     tree = grow_tree(settings, reading.cut_at, seed)
     branched = branched_by(tree, reading.cut_at - reading.branched_before)
     if not branched or branched[-1] >= tree.last:
@@ -112,7 +112,7 @@ def find_cut(settings: Settings, seed: int, reading: Reading = READING) -> Cut |
 
 
 def compare_cut(settings: Settings, seed: int, reading: Reading = READING) -> CutTree | None:
-    """A tree with and without the cut of its leader; nothing where there is none to make."""
+    """Returns a tree with and without the cut of its leader, or None if no cut is possible."""
     cut = find_cut(settings, seed, reading)
     if cut is None:
         return None
@@ -133,26 +133,26 @@ def compare_cut(settings: Settings, seed: int, reading: Reading = READING) -> Cu
 
 
 def compare_cuts(settings: Settings, seeds: Sequence[int], reading: Reading = READING) -> list[CutTree]:
-    """All trees that have a leader to cut."""
+    """Returns all trees whose leader can be cut."""
     trees = (compare_cut(settings, seed, reading) for seed in seeds)
     return [tree for tree in trees if tree is not None]
 
 
 @dataclass(frozen=True)
 class Summary:
-    """Means over trees, and in how many of them the trends hold."""
+    """Means over trees, and the share of trees with the expected trends."""
 
     trees: int
-    alike: float  #: share of trees with branches and buds as in the published one
+    alike: float  #: share of trees with branches and buds as in the published tree
     total: Pair
     fall: float
-    fall_holds: float  #: share of trees in which the total falls by FALL
+    fall_holds: float  #: share of trees whose total falls by FALL
     leader: float
     leader_share: float
-    leader_holds: float  #: share of trees in which the leader has LEADER_SHARE
+    leader_holds: float  #: share of trees whose leader has LEADER_SHARE
     laterals: tuple[Pair, ...]
     all_rise: float  #: share of trees
-    second_opens: float  #: share of trees in which the second lateral from the top grows by the cut alone
+    second_opens: float  #: share of trees in which the second lateral from the top grows only because of the cut
 
 
 FALL = (0.08, 0.25)
@@ -168,7 +168,7 @@ def mean_pair(pairs: Sequence[Pair]) -> Pair:
 
 
 def summarize(trees: Sequence[CutTree]) -> Summary:
-    """Trends of at least one tree. Laterals are means over the trees that have them."""
+    """Summarizes at least one tree. Means of laterals are over the trees that have them."""
     places = range(max(len(tree.laterals) for tree in trees))
 
     def share(holds: Callable[[CutTree], bool]) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the study must show, and whether it does."""
+"""The expectations of the study, and whether they hold."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from .adaptations import Effect
 from .cuts import FALL, LEADER_SHARE, PUBLISHED, CutTree, Summary, is_within, summarize
 from .growth import TRIAL, Curve, Habit
 
-NEAR_PUBLISHED = 0.35  #: means of total and leader differ from the published tree's by less, as a share of it
+NEAR_PUBLISHED = 0.35  #: largest difference from the published total and leader, as a share
 FALL_IN = 0.95  #: share of trees
 ALL_RISE_IN = 0.90  #: share of trees
-NEAR_TRIAL = 0.25  #: metamers differ from the trial's by less, as a share of them
+NEAR_TRIAL = 0.25  #: largest difference from the trial's number of metamers, as a share
 
 
 def check_near(what: str, found: float, published: float, limit: float) -> Finding:
@@ -59,7 +59,7 @@ def check_cuts(trees: Sequence[CutTree]) -> list[Finding]:
 
 
 def check_adaptations(effects: Mapping[str, Effect]) -> list[Finding]:
-    """Each adaptation off is worse than all on, in what it is for."""
+    """Disabling an adaptation must worsen the property that it serves."""
     on = effects["all on"]
     passed, damage = effects["nothing passed back"], effects["cut buds grow again"]
     open_laterals, turn = effects["laterals open as terminals"], effects["no turn to the leader"]
@@ -82,7 +82,7 @@ def check_adaptations(effects: Mapping[str, Effect]) -> list[Finding]:
 
 
 def check_growth(curves: Mapping[str, Curve]) -> list[Finding]:
-    """Metamers and heights are those of the trial."""
+    """Metamers and heights must agree with the trial."""
     findings = []
     for name, trials in TRIAL.items():
         for trial in trials:
@@ -97,7 +97,7 @@ def check_growth(curves: Mapping[str, Curve]) -> list[Finding]:
 
 
 def check_lambda(habits: Mapping[str, Mapping[float, Habit]]) -> list[Finding]:
-    """Raised, lambda makes trees taller."""
+    """A larger lambda must make trees taller."""
     findings = []
     for name, of_set in habits.items():
         heights = [of_set[value].height for value in sorted(of_set)]

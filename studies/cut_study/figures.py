@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the table beside the published one, the trends tree by tree, adaptations, growth and apical control."""
+"""Draws the table beside the published one, trends of single trees, adaptations, growth and apical control."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from .cuts import FALL, LATERALS, LEADER_SHARE, PUBLISHED, CutTree, Pair
 from .growth import TRIAL, Curve, Habit
 
 GREY = "#9a9a9a"
-BARS = ((GREY, 0.35), (GREY, 0.9), (BLUE, 0.35), (BLUE, 0.9))  #: colour and strength, as draw_pairs() draws them
+BARS = ((GREY, 0.35), (GREY, 0.9), (BLUE, 0.35), (BLUE, 0.9))  #: colour and opacity, in the order of draw_pairs()
 SET_COLOURS = {"slim": BLUE, "full": RED, "markers": GREEN}
 
 
 def draw_pairs(axes: Axes, names: Sequence[str], published: Sequence[Pair], ours: Sequence[Sequence[Pair]]) -> None:
-    """Four bars for each name: published without and with the cut, and so the means of ours with its deciles."""
+    """Draws four bars for each name: published values without and with the cut, then our means with deciles."""
     places = np.arange(len(names))
     for k, (colour, alpha) in enumerate(BARS):
         at = places + 0.2 * (k - 1.5)
@@ -40,7 +40,7 @@ def draw_pairs(axes: Axes, names: Sequence[str], published: Sequence[Pair], ours
 
 
 def draw_table(path: Path, trees: Sequence[CutTree]) -> None:
-    """The published table, and ours with the deciles of the trees."""
+    """Draws the published table, and our values with the deciles of the trees."""
     figure, [[left, right]] = new_figure(1, 2, 3.8)
     left.set_ylabel("resource")
     draw_pairs(
@@ -61,7 +61,7 @@ def draw_table(path: Path, trees: Sequence[CutTree]) -> None:
 
 
 def draw_trends(path: Path, trees: Sequence[CutTree]) -> None:
-    """What the leader had and what the tree loses, and how much each lateral gains; a dot a tree."""
+    """Draws the leader's share and the loss of the tree, and the gain of each lateral; one dot per tree."""
     figure, [[left, right]] = new_figure(1, 2, 3.8)
     corner = (100 * LEADER_SHARE[0], 100 * FALL[0])
     sides = (100 * (LEADER_SHARE[1] - LEADER_SHARE[0]), 100 * (FALL[1] - FALL[0]))
@@ -90,7 +90,7 @@ def draw_trends(path: Path, trees: Sequence[CutTree]) -> None:
 
 
 def draw_adaptations(path: Path, effects: Mapping[str, Effect]) -> None:
-    """Bars for each adaptation that is off."""
+    """Draws bars for each disabled adaptation."""
     panels = (
         ("Trees in which all\nlaterals rise, %", [100 * effect.cut.all_rise for effect in effects.values()]),
         ("Fall of the total, %", [100 * effect.cut.fall for effect in effects.values()]),
@@ -112,7 +112,7 @@ def draw_adaptations(path: Path, effects: Mapping[str, Effect]) -> None:
 
 
 def draw_growth(path: Path, curves: Mapping[str, Curve]) -> None:
-    """Metamers and height over the iterations, with the trial's."""
+    """Draws metamers and height over the iterations, with the values of the trial."""
     figure, [[left, right]] = new_figure(1, 2, 3.8)
     for name, curve in curves.items():
         iterations, colour = np.arange(len(curve.metamers)), SET_COLOURS[name]
@@ -134,7 +134,7 @@ def draw_growth(path: Path, curves: Mapping[str, Curve]) -> None:
 
 
 def draw_lambda(path: Path, habits: Mapping[str, Mapping[float, Habit]]) -> None:
-    """Habits over lambda."""
+    """Draws habits over lambda."""
     figure, [row] = new_figure(1, 3, 3.4)
     ordinates = ("height, metamers", "height over spread", "metamers")
     for name, of_set in habits.items():
@@ -161,7 +161,7 @@ def draw_figures(
     curves: Mapping[str, Curve],
     habits: Mapping[str, Mapping[float, Habit]],
 ) -> None:
-    """All figures but the pictures of trees, as PNG files in `folder`."""
+    """Draws all figures except the pictures of trees, as PNG files in `folder`."""
     with matplotlib.rc_context(STYLE):
         draw_table(folder / "table.png", trees)
         draw_trends(folder / "trends.png", trees)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How trees without cuts grow: over the iterations, and with more or less apical control."""
+"""The growth of trees without cuts: over the iterations, and for different strengths of apical control."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ LAMBDAS = tuple(round(0.01 * k, 2) for k in range(50, 59))
 
 
 class Trial(NamedTuple):
-    """What had grown after some iterations when the sets were settled."""
+    """Measures of the trial after some iterations, when the parameter sets were fixed."""
 
     iteration: int
     metamers: int
     height: float | None = None  #: metamers
 
 
-#: Growth in the trial that settled the sets; heights are known of the slim set alone.
+#: Growth in the trial that fixed the sets. Heights are known for the slim set only.
 TRIAL: Mapping[str, Sequence[Trial]] = {
     "slim": (Trial(9, 32, 12), Trial(18, 288, 30), Trial(25, 1080, 43)),
     "full": (Trial(9, 146), Trial(18, 1640), Trial(25, 6270)),
@@ -35,19 +35,19 @@ TRIAL: Mapping[str, Sequence[Trial]] = {
 
 
 def count_metamers(tree: Tree, iterations: int) -> Floats:
-    """After each iteration, from 0 on, (iterations + 1,); of a tree that loses none."""
+    """Returns the number of metamers after each iteration from 0, (iterations + 1,), for a tree that loses none."""
     return np.array([np.count_nonzero(tree.skeleton.birth <= k) - 1 for k in range(iterations + 1)], float)
 
 
 def follow_height(tree: Tree, iterations: int) -> Floats:
-    """Its height, in metamers."""
+    """Returns the height after each iteration, in metamers."""
     births, heights = tree.skeleton.birth, tree.skeleton.position[:, 1] / LENGTH
     return np.array([heights[births <= k].max() for k in range(iterations + 1)], float)
 
 
 @dataclass(frozen=True)
 class Curve:
-    """Means and spreads over seeds after each iteration, from 0 on, each (iterations + 1,)."""
+    """Means and spreads over seeds after each iteration from 0, each (iterations + 1,)."""
 
     metamers: Floats
     metamers_spread: Floats
@@ -68,9 +68,9 @@ class Habit:
 
     metamers: float
     height: float  #: metamers
-    spread: float  #: metamers; the greatest distance from the vertical through the root
-    order: float  #: mean over all metamers; the stem has 0
-    stem_share: float  #: of all metamers
+    spread: float  #: metamers; the largest distance from the vertical through the root
+    order: float  #: mean over all metamers; 0 on the stem
+    stem_share: float  #: share of all metamers
 
     @property
     def slenderness(self) -> float:
@@ -90,7 +90,7 @@ def measure_habit(tree: Tree) -> Habit:
 
 
 def vary_lambda(settings: Settings, lambdas: Sequence[float], seeds: Sequence[int]) -> dict[float, Habit]:
-    """Mean habits after LAMBDA_ITERATIONS."""
+    """Returns mean habits after LAMBDA_ITERATIONS."""
     habits = {}
     for value in lambdas:
         varied = change(settings, resource={"lambda": value})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of trees, cut or not, side by side as in the source's figure 5.2."""
+"""Pictures of trees with and without the cut, side by side as in the source's figure 5.2."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ PICTURES = (
 
 
 def find_seed() -> int:
-    """The first tree that is branched as the published one."""
+    """Returns the seed of the first tree that is branched like the published one."""
     for seed in range(MOST_SEEDS):
         tree = compare_cut(ADAPTATIONS["all on"], seed)
         if tree is not None and tree.is_alike:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Planted values, and fits that are to find them."""
+"""Planted values, and fits that must recover them."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws what was found over what was planted, and the errors of all plantings."""
+"""Draws found values over planted values, and the errors of all plantings."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is planted: models with four variables each, and the measures that their values are to be found by."""
+"""The problems: models with four variables each, and the measures that must recover the values."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import meristem
 
 Range = Union[None, Tuple[float, float], range]
 
-PLANTINGS = 2  #: of each model
-TOLERANCE = 1e-3  #: the error at which a fit is done
+PLANTINGS = 2  #: number per model
+TOLERANCE = 1e-3  #: the error at which a fit ends
 
 
 @dataclass(frozen=True)
 class Problem:
-    """A model whose variables are drawn, grown and measured, and then sought by these measures."""
+    """A model whose variables are drawn, grown, measured, and then recovered from these measures."""
 
     model: str
-    system: str  #: that grows it
+    system: str  #: the growth system
     variables: Mapping[str, Range]  #: None for the declared range; (low, high); or whole numbers
     measures: tuple[str, ...]
     fixed: Mapping[str, float] = field(default_factory=dict)
@@ -39,7 +39,7 @@ class Found:
     variable: str
     true: float
     found: float
-    error: float  #: what they differ, as a share of the range
+    error: float  #: difference as a share of the range
     growths: int
     loss: float
     reason: str
@@ -112,14 +112,14 @@ QUICK = ("bush", "wheat")
 
 
 def measure_plant(plant: meristem.Plant) -> dict[str, Any]:
-    """All measures, and the width of the whole plant with its leaves: the mean of that along x and z."""
+    """Returns all measures, and the width of the plant with its leaves: the mean of the widths along x and z."""
     bounds = plant.bounds
     assert bounds is not None
     return {**plant.measure(threads=1), "width": float((bounds[1] - bounds[0])[[0, 2]].mean())}
 
 
 def ends_of(problem: Problem) -> dict[str, tuple[float, float]]:
-    """The least and greatest value of each variable."""
+    """Returns the smallest and largest value of each variable."""
     declared = {variable.name: (variable.min, variable.max) for variable in problem.document().variables}
     ends = {}
     for name, given in problem.variables.items():
@@ -128,7 +128,7 @@ def ends_of(problem: Problem) -> dict[str, tuple[float, float]]:
 
 
 def plant(problem: Problem, planting: int) -> dict[str, float]:
-    """The values of a planting, drawn evenly from the ranges."""
+    """Returns the values of a planting, drawn uniformly from the ranges."""
     values: dict[str, float] = {}
     for name, (low, high) in ends_of(problem).items():
         draw = random.Random(f"{problem.model} {planting} {name}")
@@ -138,7 +138,7 @@ def plant(problem: Problem, planting: int) -> dict[str, float]:
 
 
 def solve(problem: Problem, planting: int, growths: int) -> list[Found]:
-    """Plants values, measures, and seeks the values by the measures."""
+    """Plants values, measures the plant, and searches the values by the measures."""
     document = problem.document()
     truth = plant(problem, planting)
     measures = measure_plant(document.set(truth).grow())

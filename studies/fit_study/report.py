@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the manual's page quotes of the study, as lines of Markdown."""
+"""The results that the manual's page quotes, as lines of Markdown."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ REASONS = {"reached": "found", "growths": "all growths spent", "converged": "not
 
 
 def table_lines(found: Sequence[Found]) -> list[str]:
-    """A row for each planting: its errors as shares of the variables' ranges."""
+    """Returns one row for each planting: its errors as shares of the variables' ranges."""
     lines = list(HEAD)
     for model, planting in dict.fromkeys((one.model, one.planting) for one in found):
         every = [one for one in found if (one.model, one.planting) == (model, planting)]

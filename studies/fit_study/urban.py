@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shipped broad-leaved trees beside measured urban trees of their species.
+"""Compares shipped broad-leaved trees with measured urban trees of their species.
 
-The bands hold from the 5th to the 95th percentile of height, diameter at 1.3 m, crown diameter and their ratios, over
-trees of all ages. They are no part of the project: `shared/data` beside it, or the folder that MERISTEM_SHARED_DATA names,
-has them in `trees/urban_tree_ranges.csv`.
-Based on: E. G. McPherson, N. S. van Doorn, P. J. Peper: Urban tree database (Forest Service Research Data Archive 2016).
+The bands are the 5th to the 95th percentile of height, diameter at 1.3 m, crown diameter and their ratios, over trees
+of all ages. The data are not part of the project: they are in `shared/data` beside it, or in the folder that
+MERISTEM_SHARED_DATA names, in `trees/urban_tree_ranges.csv`.
+Based on: E. G. McPherson, N. S. van Doorn, P. J. Peper: Urban tree database (Forest Service Research Data Archive
+2016).
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ BESIDE_THE_PROJECT = Path(__file__).resolve().parents[3] / "shared" / "data"
 FILE = Path(os.environ.get("MERISTEM_SHARED_DATA", BESIDE_THE_PROJECT)) / "trees" / "urban_tree_ranges.csv"
 BREAST_HEIGHT = 1.3  #: metres
 
-#: Names of the file's columns by our quantities, and what brings them to metres
+#: Names of the file's columns by quantity, and the factor to metres
 QUANTITIES = {
     "height": ("height_m", 1.0),
     "diameter": ("DBH_cm", 0.01),
@@ -35,10 +36,10 @@ QUANTITIES = {
 @dataclass(frozen=True)
 class Species:
     model: str
-    name: str  #: of the plant, as its document describes it
-    measured: str | None  #: the species of the file, the model's own or its nearest kin; None for all broad-leaved trees
-    size: str | None = None  #: the variable that says how old or large it is
-    sizes: tuple[float, ...] = ()  #: values of it over its whole range, the document's own left out
+    name: str  #: name of the plant in its document
+    measured: str | None  #: species in the file, or its closest relative; None: all broad-leaved trees
+    size: str | None = None  #: the variable that determines age or size
+    sizes: tuple[float, ...] = ()  #: values over its whole range, except the document's own value
 
 
 SPECIES = (
@@ -56,13 +57,13 @@ SPECIES = (
 )
 #: Ratios of open-grown broad-leaved trees of all species
 ALL_BROAD_LEAVED = {"height_over_diameter": (16.0, 31.0, 64.0), "crown_over_height": (0.39, 0.80, 1.30)}
-THINNEST = 0.08  #: metres: about where the bands of the diameters of most species begin
+THINNEST = 0.08  #: metres; approximate begin of the diameter bands of most species
 
 Bands = dict[str, tuple[float, float, float]]  #: 5th, 50th and 95th percentile of each quantity
 
 
 def read_bands(measured: str | None) -> Bands:
-    """The bands of a species of the file."""
+    """Returns the bands of a species of the file."""
     if measured is None:
         return dict(ALL_BROAD_LEAVED)
     with open(FILE, newline="", encoding="utf-8") as file:
@@ -75,7 +76,7 @@ def read_bands(measured: str | None) -> Bands:
 
 
 def breast_diameter(skeleton: meristem.Skeleton) -> float:
-    """Diameter of the thickest stem 1.3 m above the root."""
+    """Returns the diameter of the thickest stem 1.3 m above the root."""
     rise = skeleton.position[:, 1] - skeleton.position[0, 1]
     diameter = math.nan
     for node, parent in enumerate(skeleton.parent):
@@ -87,7 +88,7 @@ def breast_diameter(skeleton: meristem.Skeleton) -> float:
 
 
 def measure_tree(plant: meristem.Plant) -> dict[str, float]:
-    """The quantities of a tree, by its tallest skeleton."""
+    """Returns the quantities of a tree, from its tallest skeleton."""
     skeleton = max((stem.skeleton for stem in plant.stems), key=lambda one: float(one.position[:, 1].max()))
     measures = skeleton.measure(threads=1, crown_rays=1000)
     height, crown, diameter = measures["height"], measures["crown_mean_width"], breast_diameter(skeleton)
@@ -102,7 +103,7 @@ def measure_tree(plant: meristem.Plant) -> dict[str, float]:
 
 
 def outside_ratios(found: dict[str, float], bands: Bands) -> list[str]:
-    """What is out of proportion in a tree whose stem is as thick as those of measured trees; nothing in a thinner one."""
+    """Returns the ratios outside their bands for a tree as thick as measured trees. Empty for a thinner tree."""
     thinnest = bands["diameter"][0] if "diameter" in bands else THINNEST
     if found["diameter"] < thinnest:
         return []
@@ -110,7 +111,7 @@ def outside_ratios(found: dict[str, float], bands: Bands) -> list[str]:
 
 
 def outside(found: dict[str, float], bands: Bands) -> list[str]:
-    """What lies outside of its band, in words."""
+    """Describes the quantities outside their bands."""
     return [
         f"{quantity} is {found[quantity]:.3g}, beyond {low:.3g} to {high:.3g}"
         for quantity, (low, _, high) in bands.items()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a leaf's form changes with age, and how well an age that was left out comes back."""
+"""The change of a leaf's form with age, and the error of interpolating an omitted age."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from meristem import grass
 
 from .measured import AgedMidrib, Floats
 
-TIP = 0.05  #: median error of the tip, of the length
+TIP = 0.05  #: median error of the tip, as a share of the length
 
 
 class Form(NamedTuple):
-    """A midrib in lengths."""
+    """A midrib in leaf lengths."""
 
     age: float
     leaf: grass.GrassLeaf
@@ -23,17 +23,17 @@ class Form(NamedTuple):
 
 @dataclass(frozen=True)
 class AgeError:
-    """Errors of a form that is made from those before and after, as shares of the length."""
+    """Errors of a form interpolated from the previous and the next age, as shares of the length."""
 
     leaf_class: int
     age: float
     tip: float
     most: float  #: anywhere along the midrib
-    nearest: float  #: of the tip, if the form before were taken as it is
+    nearest: float  #: error of the tip if the previous form is used unchanged
 
 
 def make_form(midrib: AgedMidrib) -> Form:
-    """The midrib as it was measured, with nothing smoothed."""
+    """Returns the midrib as measured, without smoothing."""
     chords = np.hypot(*np.diff(midrib.points, axis=0).T)
     places = np.append(0, np.cumsum(chords))
     s = places / places[-1]
@@ -47,12 +47,12 @@ def points_of(leaf: grass.GrassLeaf) -> Floats:
 
 
 def form_at(family: grass.MidribFamily, like: grass.GrassLeaf, age: float) -> Floats:
-    """The points of the whole midrib at an age."""
+    """Returns the points of the whole midrib at an age."""
     return points_of(grass.aged(like, family, age, full_age=min(age, 1)))
 
 
 def leave_out(leaf_class: int, forms: Sequence[Form]) -> list[AgeError]:
-    """Each age but the first and last from the others."""
+    """Interpolates each age except the first and last from the others."""
     errors = []
     for k in range(1, len(forms) - 1):
         age, leaf = forms[k]

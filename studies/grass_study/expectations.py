@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the study must show, and whether it does."""
+"""The expectations of the study, and whether they hold."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def check_forces(turns: Sequence[Turn]) -> list[Finding]:
 
 
 def check_light(lit: Mapping[Case, Lit]) -> list[Finding]:
-    """No field takes more than falls on its ground, and leaves share all of what a plant takes."""
+    """A field must not absorb more light than falls on its ground, and the shares of leaves must sum to 1."""
     most = max(of.total / FIELD.ground for case, of in lit.items() if case.stand == FIELD.name)
     off = max(abs(float(of.shares.sum()) - 1) for of in lit.values())
     return [

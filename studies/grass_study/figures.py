@@ -22,18 +22,18 @@ from .levels import Level, Time
 from .measured import SMOOTHING, AgedMidrib, MeasuredLeaf
 
 COLOURS = (BLUE, RED, GREEN, ORANGE)
-DRAWN_FITS = 4  #: of each plant
+DRAWN_FITS = 4  #: number per plant
 
 Draw = TypeVar("Draw", bound=Callable[..., None])
 
 
 def styled(draw: Draw) -> Draw:
-    """A function that draws in the style of all figures."""
+    """Wraps a function so that it draws in the style of all figures."""
     return cast(Draw, matplotlib.rc_context(STYLE)(draw))
 
 
 def draw_side(axes: Axes, leaf: grass.GrassLeaf, scale: float = 1, **style: object) -> None:
-    """A midrib from its side."""
+    """Draws the side view of a midrib."""
     axes.plot(scale * leaf.x, scale * leaf.y, **style)
 
 
@@ -47,7 +47,7 @@ def frame_side(axes: Axes) -> None:
 
 @styled
 def draw_fits(path: Path, wheat: Sequence[MeasuredLeaf], maize: Sequence[MeasuredLeaf]) -> None:
-    """Digitised points with their fits: midribs above, widths below."""
+    """Draws digitised points with their fits: midribs above, widths below."""
     some = [wheat[k] for k in np.linspace(0, len(wheat) - 1, DRAWN_FITS).astype(int)]
     some += [maize[k] for k in np.linspace(0, len(maize) - 1, DRAWN_FITS + 1).astype(int)[1:]]
     figure, [above, below] = new_figure(2, len(some), 4.2)
@@ -78,7 +78,7 @@ def draw_fits(path: Path, wheat: Sequence[MeasuredLeaf], maize: Sequence[Measure
 
 @styled
 def draw_errors(path: Path, of_fits: Mapping[str, Sequence[Fit]], smoothed: Sequence[Smoothed]) -> None:
-    """Errors over the smoothing, and those of all fits with their bounds."""
+    """Draws errors over the smoothing, and the errors of all fits with their bounds."""
     figure, [[near, long, area]] = new_figure(1, 3, 3.9)
     at = [100 * row.smoothing for row in smoothed]
     near.plot(at, [100 * row.distance_most for row in smoothed], ".-", color=BLUE, lw=1.8, ms=7)
@@ -126,7 +126,7 @@ def draw_errors(path: Path, of_fits: Mapping[str, Sequence[Fit]], smoothed: Sequ
 def draw_ages(
     path: Path, classes: Mapping[int, Sequence[AgedMidrib]], errors: Mapping[int, Sequence[AgeError]]
 ) -> None:
-    """Midribs by age, the tip's error by age."""
+    """Draws midribs by age, and the error of the tip by age."""
     figure, [row] = new_figure(1, len(classes) + 1, 3.8)
     colours = matplotlib.colormaps["viridis"]
     last = max(midribs[-1].age for midribs in classes.values())
@@ -154,7 +154,7 @@ def draw_ages(
 
 @styled
 def draw_levels(path: Path, of_wheat: Sequence[Level], times: Sequence[Time]) -> None:
-    """Errors and time over triangles."""
+    """Draws errors and time over triangles."""
     figure, [[form, area, clock]] = new_figure(1, 3, 3.6)
     triangles = [level.triangles for level in of_wheat]
     pairs = (
@@ -192,7 +192,7 @@ def wind_colour(k: int) -> object:
 
 @styled
 def draw_forces(path: Path, leaf: grass.GrassLeaf, turns: Sequence[Turn]) -> None:
-    """One leaf in rising wind both ways, how far its tip turns, and the loads for turns of many leaves."""
+    """Draws one leaf in rising wind in both directions, the turn of its tip, and loads for turns of many leaves."""
     figure, [[side, tip, load]] = new_figure(1, 3, 3.8)
     for sign in (-1, 1):
         for k, wind in enumerate(forces.WINDS):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How near fits come to the leaves that were measured."""
+"""The errors of fits to measured leaves."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from meristem import grass
 
 from .measured import SMOOTHING, AgedMidrib, Floats, MeasuredLeaf
 
-ENOUGH_POINTS = 12  #: the distance is bounded for midribs of at least this number
-DISTANCE = 0.015  #: root mean square, of the length
-LENGTH = 0.01  #: of the polyline's, for smooth midribs
-AREA = 0.02  #: of the trapezium rule's over the measured widths
-SMOOTH = 20.0  #: degrees that a smooth midrib turns to and fro
+ENOUGH_POINTS = 12  #: the distance is bounded for midribs with at least this number
+DISTANCE = 0.015  #: root mean square, as a share of the length
+LENGTH = 0.01  #: relative to the polyline's, for smooth midribs
+AREA = 0.02  #: relative to the trapezium rule's over the measured widths
+SMOOTH = 20.0  #: degrees; largest to-and-fro turn of a smooth midrib
 SMOOTHINGS = (0.0, 0.001, 0.002, SMOOTHING, 0.003, 0.005, 0.0075, 0.01, 0.015)
 
 
 @dataclass(frozen=True)
 class Fit:
-    """Errors of one fitted leaf, as shares of what was measured."""
+    """Errors of one fitted leaf, as shares of the measured values."""
 
     plant: str
     rank: int
     points: int  #: of the midrib
-    to_and_fro: float  #: degrees that the polyline turns beyond what it turns in all
+    to_and_fro: float  #: degrees; sum of absolute turns of the polyline minus its total turn
     distance: float  #: root mean square, from the digitised points
-    length: float  #: of the midrib, over the polyline's, less 1
-    area: float  #: over the trapezium rule's, less 1
+    length: float  #: length of the midrib over the polyline's, minus 1
+    area: float  #: area over the trapezium rule's, minus 1
 
     @property
     def is_long(self) -> bool:
@@ -42,19 +42,19 @@ class Fit:
 
 @dataclass(frozen=True)
 class FitSummary:
-    """The leaves of a rank, or of all."""
+    """The leaves of a rank, or all leaves."""
 
     plant: str
     rank: str
     leaves: int
     distance: float  #: median
-    distance_most: float  #: of the midribs of enough points; NaN where there are none
+    distance_most: float  #: largest, of midribs with enough points; NaN without such midribs
     length: float  #: median
     smooth: int  #: number of smooth midribs
-    length_most: float  #: largest of these, without its sign; NaN where there are none
-    area: float  #: median, without its sign
+    length_most: float  #: largest absolute value of smooth midribs; NaN without such midribs
+    area: float  #: median of absolute values
     area_most: float
-    all_hold: float  #: share of the leaves that meet all bounds which are for them
+    all_hold: float  #: share of the leaves that meet all bounds that apply to them
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Smoothed:
     smoothing: float
     distance: float  #: median root mean square distance
     distance_most: float
-    length: float  #: median of the length over the polyline's, less 1
+    length: float  #: median of the length over the polyline's, minus 1
     length_holds: float  #: share of all leaves whose length is within the bound of smooth ones
 
 
@@ -76,7 +76,7 @@ def to_and_fro(x: Floats, y: Floats) -> float:
 
 def measure_fit(leaf: MeasuredLeaf) -> Fit:
     fitted = leaf.fit()
-    # Places that end at 1 are shares of the length.
+    # Positions that end at 1 are shares of the length.
     length = fitted.midrib_length if abs(leaf.s[-1] - 1) < 1e-6 else 1.0
     measured = length * float(np.trapz(leaf.r, leaf.s))
     return Fit(
@@ -110,7 +110,7 @@ def vary_smoothing(leaves: Sequence[MeasuredLeaf]) -> list[Smoothed]:
 
 
 def length_errors(classes: Mapping[int, Sequence[AgedMidrib]]) -> list[float]:
-    """Errors of fits to midribs by age, which are smooth medians: length over the polyline's, less 1."""
+    """Returns errors of fits to midribs by age, which are smooth medians: length over the polyline's, minus 1."""
     midribs = [midrib.points for of_class in classes.values() for midrib in of_class]
     fitted = [grass.fit_leaf(points[:, 0], points[:, 1], (0, 0.5, 1), (1, 1, 0)) for points in midribs]
     return [one.midrib_length / one.polyline_length - 1 for one in fitted]
@@ -144,7 +144,7 @@ def summarize(fits: Sequence[Fit], rank: str) -> FitSummary:
 
 
 def summarize_ranks(fits: Sequence[Fit]) -> list[FitSummary]:
-    """Summaries of each rank, and of all ranks at last."""
+    """Returns summaries of each rank, followed by the summary of all ranks."""
     ranks = sorted({fit.rank for fit in fits})
     of_ranks = [summarize([fit for fit in fits if fit.rank == rank], str(rank)) for rank in ranks]
     return [*of_ranks, summarize(fits, "all")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Leaves of fewer and fewer triangles: what that costs in form, and what it gains in time."""
+"""Leaves with fewer and fewer triangles: the error in form, and the gain in time."""
 
 from __future__ import annotations
 
@@ -13,39 +13,39 @@ from meristem import grass
 from .measured import Floats, MeasuredLeaf
 
 FULL_PIECES = 200
-PIECES = (1, 2, 3, 4, 6, 8, 10, 12, 16, 20, 24, 28, 32)  #: 4 n - 2 triangles where the tip is a point
-SAMPLES = 16  #: places in each piece of a coarse midrib at which distances are taken
-TEN_OF_A_HUNDRED = 0.01  #: bound on the median Hausdorff distance, of the length
+PIECES = (1, 2, 3, 4, 6, 8, 10, 12, 16, 20, 24, 28, 32)  #: 4 n - 2 triangles if the tip is a point
+SAMPLES = 16  #: positions on each piece of a coarse midrib at which distances are measured
+TEN_OF_A_HUNDRED = 0.01  #: bound on the median Hausdorff distance, as a share of the length
 KEPT_AREA = 1e-6
-#: Triangles and milliseconds of fit and mesh, by the authors' open program (Python), as measured for this project.
+#: Triangles and milliseconds of fit and mesh by the authors' open program (Python), as measured for this project.
 AUTHORS = ((11, 0.86), (31, 0.94), (99, 1.24))
 TIMED = 40  #: leaves
-REPEATS = 5  #: timings of a leaf; the least one counts
+REPEATS = 5  #: timings of a leaf; the smallest one counts
 
 
 @dataclass(frozen=True)
 class Level:
-    """Means over leaves at one number of pieces; errors are shares."""
+    """Means over leaves for one number of pieces; errors are shares."""
 
     pieces: int
     triangles: int
-    distance: float  #: median Hausdorff distance of the midribs, of the length
+    distance: float  #: median Hausdorff distance of the midribs, as a share of the length
     distance_tenth: float  #: the ninth decile
-    area: float  #: median of the area that the points alone would lose or gain
+    area: float  #: median of the area lost or gained by the points alone
     area_tenth: float
     kept_area: float  #: largest error of the area after widths are scaled
 
 
 class Time(NamedTuple):
-    """Microseconds for a leaf."""
+    """Microseconds per leaf."""
 
     triangles: int
-    mesh: float  #: reduce and make the blade
-    all: float  #: fit, reduce and make the blade
+    mesh: float  #: reduce, and make the blade
+    all: float  #: fit, reduce, and make the blade
 
 
 def distance_to(points: Floats, line: Floats) -> Floats:
-    """The distance of each point to a line of pieces."""
+    """Returns the distance of each point to a polyline."""
     start, way = line[:-1], np.diff(line, axis=0)
     from_start = points[:, None, :] - start[None]
     share = np.clip((from_start * way).sum(2) / (way * way).sum(1), 0, 1)
@@ -58,7 +58,7 @@ def sample(line: Floats) -> Floats:
 
 
 def hausdorff(full: grass.GrassLeaf, coarse: grass.GrassLeaf) -> float:
-    """Between two midribs, in lengths."""
+    """Returns the Hausdorff distance between two midribs, in leaf lengths."""
     a, b = np.column_stack([full.x, full.y]), np.column_stack([coarse.x, coarse.y])
     return float(max(distance_to(a, b).max(), distance_to(sample(b), a).max()))
 
@@ -87,7 +87,7 @@ def measure_levels(leaves: Sequence[grass.GrassLeaf]) -> list[Level]:
 
 
 def points_are_nested(leaves: Sequence[grass.GrassLeaf]) -> bool:
-    """Whether each level's points are among those of the next finer one."""
+    """Returns true if each level's points are a subset of the next finer level's points."""
     for leaf in leaves:
         order = grass.reduction_order(leaf)
         kept = [set(grass.points_kept(order, pieces).tolist()) for pieces in PIECES]
@@ -97,7 +97,7 @@ def points_are_nested(leaves: Sequence[grass.GrassLeaf]) -> bool:
 
 
 def ten_of_a_hundred(leaves: Sequence[MeasuredLeaf]) -> float:
-    """Median Hausdorff distance of 10 points that stay of 100."""
+    """Returns the median Hausdorff distance for 10 points kept out of 100."""
     distances = []
     for measured in leaves:
         leaf = measured.fit(pieces=99).leaf
@@ -106,7 +106,7 @@ def ten_of_a_hundred(leaves: Sequence[MeasuredLeaf]) -> float:
 
 
 def least_time(call: Callable[[], object]) -> float:
-    """Microseconds."""
+    """Returns microseconds."""
     times = []
     for _ in range(REPEATS):
         start = time.perf_counter()
@@ -116,7 +116,7 @@ def least_time(call: Callable[[], object]) -> float:
 
 
 def measure_times(leaves: Sequence[MeasuredLeaf]) -> list[Time]:
-    """Means over TIMED leaves, called from Python, from points that are arrays already."""
+    """Returns means over TIMED leaves, called from Python, with points that are already arrays."""
     some = leaves[:: max(1, len(leaves) // TIMED)][:TIMED]
     fitted = [(leaf, leaf.fit(pieces=FULL_PIECES).leaf) for leaf in some]
     times = []

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Light that each leaf of a plant takes up, with its leaves curved and with straight ones.
+"""The light that each leaf of a plant absorbs, with curved and with straight leaves.
 
-Leaves and stems take up all light that meets them. A field goes on beyond its edge as a hedge that is as high as the
-topmost collar and lets nothing through; else low light from the side would reach far into it. The sky is equally bright
-everywhere: organ_light() is asked for one direction after the other, since the sky of a document counts by the sine of
-its altitude.
+Leaves and stems absorb all light that reaches them. A field continues beyond its edge as an opaque hedge as high as the
+topmost collar; otherwise low light from the side would reach far into it. The sky is equally bright everywhere.
+organ_light() is called for single directions, because the sky of a document is weighted by the sine of the altitude.
 """
 
 from __future__ import annotations
@@ -21,13 +20,13 @@ from .plants import Plant, Stand, make_document
 SKY_BANDS, SKY_TURNS = 6, 8  #: directions of the sky
 SUN_LATITUDE, SUN_DAY = 45.0, 190.0
 SUN_HOURS = tuple(np.arange(5.5, 19))
-LOWEST_SUN = 4.5  #: degrees; lower, plants alone would shade each other
-HEDGE = 3.0  #: metres, its thickness; leaves of the outermost plants reach into it
-CLEARNESS = 0.7  #: share of the sun's light that passes the air from the zenith
+LOWEST_SUN = 4.5  #: degrees; in lower sun, plants alone would shade each other
+HEDGE = 3.0  #: thickness in metres; leaves of the outermost plants reach into it
+CLEARNESS = 0.7  #: share of the sun's light that passes through the air from the zenith
 
 
 class Case(NamedTuple):
-    """What was measured, by name."""
+    """The names of a measurement's plant, form, stand and light."""
 
     plant: str
     form: str
@@ -47,7 +46,7 @@ class Ray(NamedTuple):
 class Lit:
     """Light on the leaves of a plant, means over plants; leaves from the base up."""
 
-    taken: Floats  #: by each leaf, over what falls on a square metre of open level ground: square metres
+    taken: Floats  #: square metres: light of each leaf, relative to the light on a square metre of level open ground
     areas: Floats  #: square metres
     plants: int
 
@@ -61,28 +60,28 @@ class Lit:
 
     @property
     def shares(self) -> Floats:
-        """Shares of what all leaves take."""
+        """The share of each leaf in the light of all leaves."""
         return np.asarray(self.taken / self.taken.sum())
 
     @property
     def efficiency(self) -> Floats:
-        """What each takes against the same area flat on open ground."""
+        """The light of each leaf relative to an equal area that lies on open ground."""
         return np.asarray(self.taken / self.areas)
 
 
 def level(rays: Sequence[Ray]) -> list[Ray]:
-    """The rays with strengths that make 1 on level ground together."""
+    """Returns the rays with strengths that sum to 1 on level ground."""
     ground = sum(ray.strength * float(np.sin(np.radians(ray.altitude))) for ray in rays)
     return [ray._replace(strength=ray.strength / ground) for ray in rays]
 
 
 def thin_out(rays: Sequence[Ray], step: int) -> list[Ray]:
-    """One ray of every `step`."""
+    """Returns every `step`-th ray."""
     return level(rays[step // 2 :: step])
 
 
 def sky_rays() -> list[Ray]:
-    """Rays of a sky that is equally bright everywhere."""
+    """Returns the rays of an equally bright sky."""
     sines = (np.arange(SKY_BANDS) + 0.5) / SKY_BANDS  # bands of equal solid angle
     return level(
         [
@@ -94,7 +93,7 @@ def sky_rays() -> list[Ray]:
 
 
 def sun_rays() -> list[Ray]:
-    """Rays of a clear summer's day, one for each hour."""
+    """Returns the rays of a clear summer's day, one for each hour."""
     rays = []
     for hour in SUN_HOURS:
         azimuth, altitude = meristem.sun_position(SUN_LATITUDE, SUN_DAY, float(hour))
@@ -107,7 +106,7 @@ LIGHTS: Mapping[str, Callable[[], list[Ray]]] = {"uniform sky": sky_rays, "clear
 
 
 def make_hedge(plant: Plant, stand: Stand) -> list[dict[str, Any]]:
-    """Four walls about a field; none about plants that stand alone."""
+    """Returns four walls around a field, and no walls around single plants."""
     if not stand.edge:
         return []
     height = plant.topmost
@@ -123,7 +122,7 @@ def make_hedge(plant: Plant, stand: Stand) -> list[dict[str, Any]]:
 
 
 def measure_light(plant: Plant, form: str, stand: Stand, rays: Sequence[Ray]) -> Lit:
-    """Light of the plants within the stand's edge."""
+    """Measures the light of the plants within the stand's edge."""
     document = make_document(plant, form, stand)
     hedge = make_hedge(plant, stand)
     count = len(plant.blades)

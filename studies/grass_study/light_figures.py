@@ -18,7 +18,7 @@ FORM_COLOURS = {CURVED: BLUE, ERECT: RED, CHORD: ORANGE}
 
 
 def draw_light(path: Path, plant: str, lit: Mapping[Case, Lit]) -> None:
-    """By rank what each leaf takes, alone and in a field, under the sky and the sun."""
+    """Draws the light of each leaf by rank, alone and in a field, under the sky and the sun."""
     with matplotlib.rc_context(STYLE):
         figure, rows = new_figure(2, len(LIGHTS), 5.6)
         for row, stand in zip(rows, (ALONE, FIELD)):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The measured leaves: 450 wheat midribs with widths by rank, wheat midribs by age, 13 maize blades.
 
-They are those of openalea-incubator/adel (CeCILL-C) and no part of the project; they are read from a folder beside it.
+They are from openalea-incubator/adel (CeCILL-C) and not part of the project. They are read from a folder beside it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ WHEAT_MIDRIBS = "So99.csv"
 WHEAT_WIDTHS = "SRSo.csv"
 WHEAT_AGES = "median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv"
 MAIZE = "simpleleavesdb.json"
-SMOOTHING = 0.0025  #: of midribs, as the library has it if nothing is said
+SMOOTHING = 0.0025  #: of midribs; the default of the library
 SOURCES = (WHEAT_MIDRIBS, WHEAT_WIDTHS, WHEAT_AGES, MAIZE)
 
 
@@ -56,7 +56,7 @@ def missing_files(folder: Path) -> list[str]:
 
 
 def read_wheat(folder: Path) -> list[MeasuredLeaf]:
-    """The midribs, with the widths of their rank."""
+    """Returns the midribs with the widths of their rank."""
     widths = {curve.rank: curve.points.T for curve in grass.read_widths(folder / WHEAT_WIDTHS)}
     leaves = []
     for midrib in grass.read_midribs(folder / WHEAT_MIDRIBS):
@@ -66,20 +66,20 @@ def read_wheat(folder: Path) -> list[MeasuredLeaf]:
 
 
 def read_array(stored: dict[str, Any]) -> Floats:
-    """An array as the file has it: the bytes of doubles, lowest first, in base 64."""
+    """Returns an array of the file: the bytes of doubles, little-endian, in base 64."""
     numbers = np.frombuffer(base64.b64decode(stored["__ndarray__"]), dtype="<f8")
     return numbers.reshape(stored["shape"]).astype(np.float64)
 
 
 def read_maize(folder: Path) -> list[MeasuredLeaf]:
-    """The blades in the order of their ranks."""
+    """Returns the blades in the order of their ranks."""
     by_rank: dict[str, Sequence[Sequence[dict[str, Any]]]] = json.loads((folder / MAIZE).read_text(encoding="utf-8"))
     leaves = [MeasuredLeaf("maize", int(rank), *map(read_array, leaf)) for rank, of in by_rank.items() for leaf in of]
     return sorted(leaves, key=lambda leaf: leaf.rank)
 
 
 def read_ages(folder: Path) -> dict[int, list[AgedMidrib]]:
-    """The midribs by class of leaves, in the order of their ages."""
+    """Returns the midribs by class of leaves, in the order of their ages."""
     classes: dict[int, list[AgedMidrib]] = {}
     for midrib in grass.read_midribs(folder / WHEAT_AGES):
         assert midrib.lindex is not None and midrib.age is not None

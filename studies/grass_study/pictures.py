@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures: one leaf at several numbers of triangles, and plants with curved and with straight leaves."""
+"""Pictures: one leaf with several numbers of triangles, and plants with curved and with straight leaves."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from .measured import Floats
 from .plants import FORMS, ONE, Plant, make_document
 
 DRAWN_PIECES = (1, 2, 4, 8, 16)
-FINE = 100  #: triangles, from which edges are thin
-LOOK = (50.0, 25.0)  #: degrees, from beside and from above
+FINE = 100  #: number of triangles from which edges are thin
+LOOK = (50.0, 25.0)  #: degrees, from the side and from above
 LIGHT = np.array([0.35, 0.8, 0.5])
 LEAF_COLOUR = np.array([0.36, 0.55, 0.25])
 SIZE = (300, 420)  #: pixels
 
 
 def look(points: Floats) -> Floats:
-    """Points as seen: right, up, and toward the eye."""
+    """Returns points in view coordinates: right, up, and toward the eye."""
     turn, rise = np.radians(LOOK)
-    side = np.array([np.sin(turn), 0, np.cos(turn)])  # the leaf leads away to -z, which is then to the right
+    side = np.array([np.sin(turn), 0, np.cos(turn)])  # the leaf points to -z, which is then to the right
     right = np.array([np.cos(turn), 0, -np.sin(turn)])
     eye = np.cos(rise) * right + np.array([0, np.sin(rise), 0])
     up = np.cross(eye, -side)
@@ -38,7 +38,7 @@ def look(points: Floats) -> Floats:
 
 
 def draw_mesh(axes: Axes, mesh: meristem.Mesh) -> None:
-    """Its triangles with their edges, the farthest first."""
+    """Draws triangles with their edges, farthest first."""
     corners = mesh.positions.astype(np.float64)[mesh.triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
@@ -56,7 +56,7 @@ def draw_mesh(axes: Axes, mesh: meristem.Mesh) -> None:
 
 
 def draw_triangles(path: Path, leaves: Sequence[tuple[str, grass.GrassLeaf]]) -> None:
-    """A row a leaf: reduced ones, and the whole one at last."""
+    """Draws one row per leaf: reduced leaves, and the whole leaf last."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9, 2.3 * len(leaves)), layout="constrained")
         rows = figure.subplots(len(leaves), len(DRAWN_PIECES) + 1, squeeze=False, sharex="row", sharey="row")
@@ -71,7 +71,7 @@ def draw_triangles(path: Path, leaves: Sequence[tuple[str, grass.GrassLeaf]]) ->
 
 
 def draw_plants(path: Path, plant: Plant) -> None:
-    """The plant with each form of its leaves."""
+    """Draws the plant with each form of its leaves."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9, 4.6), layout="constrained")
         for axes, form in zip(figure.subplots(1, len(FORMS)), FORMS):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Maize plants, alone or in rows, with their leaves curved or straight.
+"""Maize plants, alone or in rows, with curved or straight leaves.
 
-One is full grown, of lengths, widths and bends by rank that are made up here: each leaf is a straight one, inclined and
-turned by the stages of that name. The other is young, of the blades that were measured. Stems, heights and places are
-made up for both.
+One plant is full grown, with invented lengths, widths and bends by rank. Each of its leaves is a straight leaf to which
+the stages `inclined` and `turned` are applied. The other plant is young and has the measured blades. Stems, heights and
+positions of both are invented.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from .measured import MeasuredLeaf
 
 CENTIMETRE = 0.01
 STEM_RADIUS = 0.009  #: metres
-PIECES = 16  #: of each blade
-DEVIATION = 10  #: degrees, of azimuths from two rows
-LEAVES = 12  #: of the full-grown plant
+PIECES = 16  #: number per blade
+DEVIATION = 10  #: degrees, of azimuths from two opposite rows
+LEAVES = 12  #: number on the full-grown plant
 
 
 class Plant(NamedTuple):
@@ -36,14 +36,14 @@ class Plant(NamedTuple):
 
 
 class Stand(NamedTuple):
-    """How plants stand."""
+    """The arrangement of plants."""
 
     name: str
     rows: int
     plants: int
     row_spacing: float  #: metres
     spacing: float
-    edge: float  #: metres from the outermost places, within which plants only shade others
+    edge: float  #: metres from the outermost positions, within which plants only shade others
 
     @property
     def ground(self) -> float:
@@ -59,13 +59,13 @@ Form = Callable[[grass.GrassLeaf], grass.GrassLeaf]
 
 
 def turn_straight(leaf: grass.GrassLeaf, angle: float) -> grass.GrassLeaf:
-    """The leaf with a straight midrib, `angle` degrees away from the stem."""
+    """Returns the leaf with a straight midrib, `angle` degrees away from the stem."""
     sine, cosine = np.sin(np.radians(angle)), np.cos(np.radians(angle))
     return grass.GrassLeaf(leaf.length, leaf.width, leaf.s, sine * leaf.s, cosine * leaf.s, leaf.r)
 
 
 def chord_angle(leaf: grass.GrassLeaf) -> float:
-    """Degrees between the stem and the line from collar to tip."""
+    """Returns the angle in degrees between the stem and the line from collar to tip."""
     return float(np.degrees(np.arctan2(leaf.x[-1], leaf.y[-1])))
 
 
@@ -78,7 +78,7 @@ FORMS: Mapping[str, Form] = {
 
 
 def make_blade(share: float) -> grass.GrassLeaf:
-    """A blade of the full-grown plant; `share` is its rank, 0 the lowest and 1 the topmost."""
+    """Returns a blade of the full-grown plant. `share` is its rank: 0 for the lowest and 1 for the topmost."""
     size = 1 - 0.6 * (abs(share - 0.6) / 0.6) ** 1.8
     s = np.linspace(0, 1, 49)
     r = np.interp(s, [0, 0.1, 0.35, 0.65, 0.85, 1], [0.75, 0.9, 1, 0.82, 0.47, 0])
@@ -94,7 +94,7 @@ def full_grown() -> Plant:
 
 
 def young(maize: Sequence[MeasuredLeaf]) -> Plant:
-    """A young plant of the measured blades."""
+    """Returns a young plant with the measured blades."""
     blades = []
     for leaf in (measured.fit().leaf for measured in maize):
         blades.append(
@@ -104,7 +104,7 @@ def young(maize: Sequence[MeasuredLeaf]) -> Plant:
 
 
 def make_leaf(leaf: grass.GrassLeaf, rank: int, height: float) -> dict[str, Any]:
-    """The component of a leaf at its place on the stem, just as it is."""
+    """Returns the component of an unchanged leaf at its place on the stem."""
     return {
         "type": "grassleaf",
         "midrib_points": [[x, y] for x, y in zip(leaf.x.tolist(), leaf.y.tolist())],
@@ -120,7 +120,7 @@ def make_leaf(leaf: grass.GrassLeaf, rank: int, height: float) -> dict[str, Any]
 
 
 def make_document(plant: Plant, form: str, stand: Stand) -> meristem.Document:
-    """A stand of such plants, which differ by how they are turned and by the deviations of their leaves."""
+    """Returns the document of a stand. Its plants differ in their azimuths and in the deviations of their leaves."""
     leaves = {
         f"leaf{rank}": make_leaf(FORMS[form](leaf), rank, plant.collar(rank)) for rank, leaf in enumerate(plant.blades)
     }

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parts of the study of growth in the light: trees, what is expected of them, figures."""
+"""Parts of the study of growth in the light: trees, expectations, figures."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the study must show, as numbers: bands for means, and the strengths at which extremes lie.
+"""The expectations of the study as numbers: bands for means, and the strengths of extremes.
 
 Azimuths are compared on the circle. Lit shares and azimuths are in the units of the measures (shares of 1, degrees).
 """
@@ -23,7 +23,7 @@ Means = Mapping[Treatment, Mean]
 
 @dataclass(frozen=True)
 class Band:
-    """Means that lie between two values, or that differ so from the mean without a response."""
+    """A band for means, or for differences from the mean without a response."""
 
     response: str
     scene: str
@@ -31,14 +31,14 @@ class Band:
     strengths: Sequence[float]
     low: float
     high: float
-    change: bool = False  #: whether it is the difference from strength 0
-    relative: bool = False  #: whether that is a part of the value at strength 0
-    spread: bool = False  #: whether it is the spread
+    change: bool = False  #: true: the difference from strength 0 is compared
+    relative: bool = False  #: true: the difference is relative to the value at strength 0
+    spread: bool = False  #: true: the spread is compared
 
 
 @dataclass(frozen=True)
 class Extreme:
-    """A measure that is lowest or highest within some strengths, among others."""
+    """A measure whose minimum or maximum must be at some of the strengths."""
 
     scene: str
     measure: str
@@ -83,7 +83,7 @@ def value_of(mean: Mean, measure: str, spread: bool = False) -> float:
 
 
 def change_of(means: Means, mean: Mean, measure: str, relative: bool = False) -> float:
-    """Difference of a measure from that without a response, in the same scene and series."""
+    """Returns the difference of a measure from the measure without a response, in one scene and series."""
     plain = means[mean.treatment._replace(strength=0)].measures[measure]
     change = mean.measures[measure] - plain
     return change / plain if relative else change
@@ -101,7 +101,7 @@ def name_series(response: str, scene: str, measure: str, spread: bool) -> str:
 
 
 def check_band(band: Band, means: Means) -> Finding | None:
-    """None where the strengths were not studied."""
+    """Returns None if the strengths were not studied."""
     treatments = [Treatment(band.response, band.scene, strength) for strength in band.strengths]
     studied = [means[treatment] for treatment in treatments if treatment in means]
     if not studied:
@@ -123,7 +123,7 @@ def check_band(band: Band, means: Means) -> Finding | None:
 
 
 def check_extreme(extreme: Extreme, means: Means) -> Finding | None:
-    """None where not all strengths were studied."""
+    """Returns None if some strengths were not studied."""
     treatments = [Treatment(extreme.response, extreme.scene, strength) for strength in extreme.among]
     if any(treatment not in means for treatment in treatments):
         return None
@@ -139,7 +139,7 @@ def check_extreme(extreme: Extreme, means: Means) -> Finding | None:
 
 
 def check_line(means: Means) -> list[Finding]:
-    """Altitudes in scene A fall strictly and nearly on a line."""
+    """Altitudes in scene A must fall strictly and nearly linearly."""
     treatments = [Treatment("shift", "A", shift) for shift in SHIFTS]
     studied = [means[treatment] for treatment in treatments if treatment in means]
     shifts = [mean.treatment.strength for mean in studied]
@@ -154,6 +154,6 @@ def check_line(means: Means) -> list[Finding]:
 
 
 def check_expectations(means: Means) -> list[Finding]:
-    """All expectations whose treatments were studied."""
+    """Checks all expectations whose treatments were studied."""
     found = [check_band(band, means) for band in BANDS] + [check_extreme(extreme, means) for extreme in EXTREMES]
     return [finding for finding in found if finding is not None] + check_line(means)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the results as the published figures 5.4 to 5.6 do, the same for response B, and what was expected."""
+"""Draws the results like the published figures 5.4 to 5.6, the equivalent for response B, and the expectations."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ from .trees import AZIMUTHS, HELD_HEIGHT, LIT_SHARES, Tree, Treatment
 
 @dataclass(frozen=True)
 class Line:
-    """Means of a response in a scene, in a picture with others."""
+    """Means of a response in a scene, drawn with others in one picture."""
 
     name: str
     response: str
     scene: str
     measure: str
     colour: str
-    change: bool = False  #: whether the difference from strength 0 is drawn
+    change: bool = False  #: true: the difference from strength 0 is drawn
 
     @property
     def panel(self) -> Panel:
@@ -45,7 +45,7 @@ class Line:
 
 
 def values_of(line: Line, means: Means) -> tuple[Floats, Floats]:
-    """Strengths and what is drawn over them, each (n,)."""
+    """Returns strengths and the drawn values, each (n,)."""
     strengths, values, _ = series_of(line.panel, means)
     if line.change:
         values = values - values[0]
@@ -53,7 +53,8 @@ def values_of(line: Line, means: Means) -> tuple[Floats, Floats]:
 
 
 def draw_band(axes: Axes, band: Band, line: Line, width: float) -> None:
-    """A box at the band's strengths, `width` wider at each end; without an upper bound, to the top of the axes."""
+    """Draws a box at the band's strengths, `width` wider at each end. Without an upper bound, it reaches the top of the
+    axes."""
     top = axes.get_ylim()[1] if band.high == ANY else line.panel.factor * band.high
     low = line.panel.factor * band.low
     ends = [min(band.strengths) - width, max(band.strengths) + width]
@@ -66,7 +67,7 @@ def matches(band: Band, line: Line) -> bool:
 
 
 def draw_lines(axes: Axes, title: str, ordinate: str, lines: Sequence[Line], means: Means) -> None:
-    """Lines over the boxes in which they are expected, the legend below."""
+    """Draws lines over the boxes in which they are expected, with the legend below."""
     for line in lines:
         axes.plot(*values_of(line, means), ".-", color=line.colour, lw=1.8, ms=6, label=line.name)
     if lines[0].measure in AZIMUTHS:
@@ -88,7 +89,7 @@ def draw_lines(axes: Axes, title: str, ordinate: str, lines: Sequence[Line], mea
 
 
 def draw_expected(path: Path, means: Means) -> None:
-    """Means of responses A and B over boxes: what the specification expects."""
+    """Draws means of responses A and B over the boxes that the specification expects."""
     still, day = LIT_SHARES
     change = "change of lit share, points"
     both = (("scene A", "A", RED), ("scene B", "B", BLUE))
@@ -116,7 +117,7 @@ def draw_expected(path: Path, means: Means) -> None:
 
 
 def draw_gain(path: Path, means: Means) -> None:
-    """Bars: by how much each response changes the lit share in each scene, with the height of the trees."""
+    """Draws bars for the change of the lit share by each response in each scene, with the height of the trees."""
     bars = (
         ("Response A, 0.010 m", "shift", 0.010, RED),
         ("Response A, 0.005 m, cloud scaled", "shift_scaled", 0.005, RED),
@@ -146,7 +147,7 @@ def draw_gain(path: Path, means: Means) -> None:
 
 
 def draw_figures(folder: Path, trees: Sequence[Tree], means: Means) -> None:
-    """All figures, as PNG files in `folder`."""
+    """Draws all figures, as PNG files in `folder`."""
     still, day = LIT_SHARES
     shifts = (("Scene A: still sun", "shift", "A"), ("Scene B: building, a day's sun", "shift", "B"))
     answers = (("Limited space, scene A", "limit", "A"), ("Drift at held height, scene B", "drift", "B"))

@@ -18,8 +18,8 @@ from .trees import AZIMUTHS, LIT_SHARES, Mean, Tree, Treatment
 Floats = NDArray[np.float64]
 Means = Mapping[Treatment, Mean]
 
-FIRST_AZIMUTH = -45.0  #: axes of azimuths begin here, as the published ones, so that north is not torn apart
-WIDEST_SPREAD = 90.0  #: degrees; azimuths that scatter more have no mean worth drawing
+FIRST_AZIMUTH = -45.0  #: axes of azimuths begin here, like the published ones, so that north is not divided
+WIDEST_SPREAD = 90.0  #: degrees; azimuths with a larger spread have no meaningful mean
 
 STRENGTH_NAMES = {
     "shift": "shift of the cloud, m per step",
@@ -32,7 +32,7 @@ STRENGTH_NAMES = {
 
 @dataclass(frozen=True)
 class Panel:
-    """One response in one scene, and what is drawn of it."""
+    """One response in one scene, and the drawn measure."""
 
     title: str
     response: str
@@ -41,7 +41,7 @@ class Panel:
 
     @property
     def factor(self) -> float:
-        """From the measure's unit to the one drawn: shares are drawn as percent."""
+        """The factor from the measure's unit to the drawn unit; shares are drawn as percent."""
         return 100.0 if self.measure in LIT_SHARES else 1.0
 
 
@@ -56,12 +56,12 @@ AXIS_NAMES = {
 
 
 def wrap_azimuths(azimuths: Floats) -> Floats:
-    """From FIRST_AZIMUTH on, within a turn."""
+    """Wraps azimuths to a full turn from FIRST_AZIMUTH."""
     return (azimuths - FIRST_AZIMUTH) % 360 + FIRST_AZIMUTH
 
 
 def series_of(panel: Panel, means: Means) -> tuple[Floats, Floats, Floats]:
-    """Strengths in rising order, means and spreads, each (n,)."""
+    """Returns strengths in rising order, means and spreads, each (n,)."""
     chosen = [mean for mean in means.values() if mean.treatment[:2] == (panel.response, panel.scene)]
     chosen.sort(key=lambda mean: mean.treatment.strength)
     strengths = np.array([mean.treatment.strength for mean in chosen])
@@ -71,7 +71,7 @@ def series_of(panel: Panel, means: Means) -> tuple[Floats, Floats, Floats]:
 
 
 def points_of(panel: Panel, trees: Sequence[Tree]) -> tuple[Floats, Floats]:
-    """Strength and value of each tree, each (n,)."""
+    """Returns strength and value of each tree, each (n,)."""
     chosen = [tree for tree in trees if tree.plan.treatment[:2] == (panel.response, panel.scene)]
     strengths = np.array([tree.plan.treatment.strength for tree in chosen])
     return strengths, panel.factor * np.array([tree.measures[panel.measure] for tree in chosen])
@@ -83,7 +83,7 @@ def label_azimuths(axes: Axes) -> None:
 
 
 def draw_panel(axes: Axes, panel: Panel, trees: Sequence[Tree], means: Means, colour: str) -> None:
-    """Trees as dots, their mean as a line, its spread as a band."""
+    """Draws trees as dots, their mean as a line, and its spread as a band."""
     band: dict[str, Any] = {"color": colour, "alpha": 0.16, "lw": 0}
     strengths, values, spreads = series_of(panel, means)
     places, dots = points_of(panel, trees)
@@ -103,7 +103,7 @@ def draw_panel(axes: Axes, panel: Panel, trees: Sequence[Tree], means: Means, co
 
 
 def share_scales(grid: Sequence[Sequence[Axes]], panels: Sequence[Sequence[Panel]]) -> None:
-    """One scale for all panels of a measure."""
+    """Sets equal scales for all panels of a measure."""
     flat = [(axes, panel) for row, of_row in zip(grid, panels) for axes, panel in zip(row, of_row)]
     for measure in {panel.measure for _, panel in flat}:
         same = [axes for axes, panel in flat if panel.measure == measure]
@@ -116,7 +116,7 @@ def share_scales(grid: Sequence[Sequence[Axes]], panels: Sequence[Sequence[Panel
 def draw_grid(
     path: Path, panels: Sequence[Sequence[Panel]], trees: Sequence[Tree], means: Means, colours: Sequence[str]
 ) -> None:
-    """A figure of panels, a colour a row."""
+    """Draws a figure of panels, with one colour per row."""
     figure, grid = new_figure(len(panels), len(panels[0]), 3.1 * len(panels) + 0.3)
     for row, of_row, colour in zip(grid, panels, colours):
         for axes, panel in zip(row, of_row):
@@ -126,5 +126,5 @@ def draw_grid(
 
 
 def name_columns(columns: Sequence[tuple[str, str, str]], measures: Sequence[str]) -> list[list[Panel]]:
-    """A row a measure and a column a response in a scene."""
+    """Returns panels with one row per measure and one column per response in a scene."""
     return [[Panel(title, response, scene, measure) for title, response, scene in columns] for measure in measures]

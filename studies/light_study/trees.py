@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Grows the trees of the study, measures them and takes means over clouds.
+"""Grows the trees of the study, measures them and computes means over clouds.
 
 Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund 2020,
-chapter 5. Scene A has a still sun in the south; scene B a building in the south, and a day in May. Each tree grows into
-a cloud of its own, raw and without thickness, and is measured under the still sun and under the day's, with the
-obstacles of its scene.
+chapter 5. Scene A has a constant sun in the south. Scene B has a building in the south, and the sun of a day in May.
+Each tree grows into its own cloud, without post-processing and radii. It is measured under the constant sun and under
+the day's, with the obstacles of its scene.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ GROWTH_LIGHT: Mapping[str, Light] = {"A": STILL_SUN, "B": DAY}
 
 PROFILE = ((0, 0.4), (0.96, 1.42), (1.6, 2.61), (0, 3.8))  #: radius and height of the crown, metres
 STEP = 0.02  #: metres
-WITHOUT_LIMIT = 1e6  #: metres; the greatest influence that a document can say
-HELD_HEIGHT = 3.7  #: metres; of the trees of "shift_scaled"
-SCALE_ROUNDS = 2  #: how often these trees are grown, each time with better scales
+WITHOUT_LIMIT = 1e6  #: metres; the largest influence that a document accepts
+HELD_HEIGHT = 3.7  #: metres; height of the trees of "shift_scaled"
+SCALE_ROUNDS = 2  #: number of times that these trees are grown, with better scales each time
 
 AZIMUTHS = ("inclination_azimuth", "centroid_azimuth")
 LIT_SHARES = ("lit_share_still", "lit_share_day")
@@ -46,11 +46,11 @@ MEASURES = (
 
 
 class Treatment(NamedTuple):
-    """What is done to ten trees that differ by their clouds alone."""
+    """A treatment of ten trees that differ only in their clouds."""
 
     response: str  #: "shift", "shift_scaled" (in a scaled cloud), "shift_held" (hold_height), "limit" or "drift"
     scene: str  #: "A" or "B"
-    strength: float  #: of the response: metres per step, the share of points left out, or steps per step; 0 is none
+    strength: float  #: of the response: metres per step, the share of points removed, or steps per step; 0: no response
 
 
 class Plan(NamedTuple):
@@ -58,7 +58,7 @@ class Plan(NamedTuple):
 
     treatment: Treatment
     seed: int
-    scale: float  #: of the cloud
+    scale: float  #: scale of the cloud
 
 
 @dataclass(frozen=True)
@@ -76,12 +76,12 @@ class Mean:
     treatment: Treatment
     trees: int
     scale: float
-    measures: dict[str, float]  #: of azimuths the circular mean
-    spreads: dict[str, float]  #: standard deviations, of azimuths the circular one
+    measures: dict[str, float]  #: circular mean for azimuths
+    spreads: dict[str, float]  #: standard deviations; circular for azimuths
 
 
 def light_response(treatment: Treatment) -> dict[str, Any]:
-    """The key `light` of a document's `colonize`."""
+    """Returns the key `light` of a document's `colonize`."""
     if treatment.response == "limit":
         return {"limit": {"share": treatment.strength, "radius": 0.3, "k": 0.1}}
     if treatment.response == "drift":
@@ -90,7 +90,7 @@ def light_response(treatment: Treatment) -> dict[str, Any]:
 
 
 def make_document(scene: str, light: Light) -> meristem.Document:
-    """The tree of the study under a light, in scene "A" or "B", without a response to it."""
+    """Returns the tree of the study under a light, in scene "A" or "B", without a response to the light."""
     tree = {
         "type": "colonize",
         "crown": {"profile": PROFILE},
@@ -105,7 +105,7 @@ def make_document(scene: str, light: Light) -> meristem.Document:
 
 
 def grow_tree(plan: Plan) -> Tree:
-    """Grows and measures a tree on the calling thread, the same wherever it runs."""
+    """Grows and measures a tree on the calling thread. The result does not depend on the thread."""
     scene = plan.treatment.scene
     document = make_document(scene, GROWTH_LIGHT[scene]).set(
         {
@@ -123,19 +123,21 @@ def grow_tree(plan: Plan) -> Tree:
 
 
 def circular_mean(azimuths: ArrayLike, weights: ArrayLike = 1.0) -> float:
-    """Where the weighted sum of unit vectors points; degrees, also in the result, from 0 to below 360."""
+    """Returns the direction of the weighted sum of unit vectors. Azimuths and result are in degrees, from 0 to below
+    360."""
     angles = np.radians(np.asarray(azimuths, float))
     return float(np.degrees(np.angle(np.sum(weights * np.exp(1j * angles)))) % 360)
 
 
 def circular_spread(azimuths: ArrayLike) -> float:
-    """The circular standard deviation sqrt(-2 ln R), R the length of the mean unit vector; degrees."""
+    """Returns the circular standard deviation sqrt(-2 ln R) in degrees. R is the length of the mean unit vector."""
     length = abs(np.mean(np.exp(1j * np.radians(np.asarray(azimuths, float)))))
     return float(np.degrees(np.sqrt(-2 * np.log(min(length, 1.0)))))
 
 
 def take_mean(trees: Sequence[Tree]) -> Mean:
-    """The mean of the trees of one treatment. That of centroids points to the mean of the centroids themselves."""
+    """Returns the mean of the trees of one treatment. The mean of centroid azimuths is the azimuth of the mean
+    centroid."""
     columns = {name: np.array([tree.measures[name] for tree in trees]) for name in MEASURES}
     means = {name: float(np.mean(column)) for name, column in columns.items()}
     spreads = {name: float(np.std(column)) for name, column in columns.items()}
@@ -147,7 +149,7 @@ def take_mean(trees: Sequence[Tree]) -> Mean:
 
 
 def grow_trees(plans: Sequence[Plan], pool: Executor, count: Callable[[], None]) -> list[Tree]:
-    """All trees in the order of `plans`; calls `count` after each. What one raises is raised at once."""
+    """Grows all trees in the order of `plans` and calls `count` after each. Raises the first exception immediately."""
     futures = [pool.submit(grow_tree, plan) for plan in plans]
     for future in as_completed(futures):
         future.result()
@@ -156,7 +158,7 @@ def grow_trees(plans: Sequence[Plan], pool: Executor, count: Callable[[], None])
 
 
 def group_by_treatment(trees: Iterable[Tree]) -> dict[Treatment, list[Tree]]:
-    """The trees of each treatment, both in their order."""
+    """Returns the trees of each treatment, both in their order."""
     groups: dict[Treatment, list[Tree]] = {}
     for tree in trees:
         groups.setdefault(tree.plan.treatment, []).append(tree)
@@ -164,7 +166,7 @@ def group_by_treatment(trees: Iterable[Tree]) -> dict[Treatment, list[Tree]]:
 
 
 def correct_scales(trees: Sequence[Tree]) -> dict[Treatment, float]:
-    """Scales of clouds with which the mean height of each treatment would be HELD_HEIGHT, were they in proportion."""
+    """Returns scales of clouds that would give each treatment the mean height HELD_HEIGHT, assuming proportionality."""
     means = {treatment: take_mean(group) for treatment, group in group_by_treatment(trees).items()}
     return {treatment: mean.scale * HELD_HEIGHT / mean.measures["height"] for treatment, mean in means.items()}
 
@@ -172,7 +174,8 @@ def correct_scales(trees: Sequence[Tree]) -> dict[Treatment, float]:
 def grow_treatments(
     treatments: Sequence[Treatment], clouds: int, pool: Executor, count: Callable[[], None]
 ) -> list[Tree]:
-    """The trees of all treatments, one for each cloud. "shift_scaled" must have the scenes and strengths of "shift"."""
+    """Grows the trees of all treatments, one per cloud. "shift_scaled" must have the scenes and strengths of
+    "shift"."""
     plain = [treatment for treatment in treatments if treatment.response != "shift_scaled"]
     trees = grow_trees([Plan(treatment, seed, 1.0) for treatment in plain for seed in range(clouds)], pool, count)
     scaled = [tree for tree in trees if tree.plan.treatment.response == "shift"]
@@ -187,5 +190,5 @@ def grow_treatments(
 
 
 def count_growths(treatments: Sequence[Treatment], clouds: int) -> int:
-    """How often grow_treatments() grows a tree."""
+    """Returns how often grow_treatments() grows a tree."""
     return clouds * sum(SCALE_ROUNDS if treatment.response == "shift_scaled" else 1 for treatment in treatments)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Trunk and crown of low-poly trees as meshes, and what can be counted on them."""
+"""Trunk and crown of low-poly trees as meshes, and counts of their elements."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SPRUCE = ROOT / "docs" / "manual" / "figures" / "low-poly-study" / "spruce.json"
 
 @dataclass(frozen=True)
 class Body:
-    """Triangles as rows of vertices, and the box around them."""
+    """Triangles as rows of vertices, and their bounding box."""
 
     triangles: NDArray[numpy.int64]
     low: NDArray[numpy.float64]
@@ -32,12 +32,12 @@ NOTHING = Body(numpy.zeros((0, 3), numpy.int64), numpy.zeros(3), numpy.zeros(3))
 
 
 def read(path: Path) -> str:
-    """A document's text."""
+    """Returns a document's text."""
     return path.read_text(encoding="utf-8")
 
 
 def grow_bodies(text: str, values: Mapping[str, object], component: str = "tree") -> dict[str, Body]:
-    """The `trunk` and the `crown` of a document's component, whose values are set by their keys."""
+    """Returns the `trunk` and the `crown` of a document's component, with values set by their keys."""
     paths = {f"{component}.{key}": value for key, value in values.items()}
     plant = meristem.Document(text, set=paths).grow(threads=1)
     bodies = {"trunk": NOTHING, "crown": NOTHING}
@@ -47,7 +47,7 @@ def grow_bodies(text: str, values: Mapping[str, object], component: str = "tree"
         name = plant.materials[part.material].name
         if name not in (component, f"{component}_crown"):
             continue
-        # Flat faces and seams of textures repeat points.
+        # Flat faces and texture seams repeat points.
         positions, number = numpy.unique(
             numpy.asarray(part.mesh.positions, numpy.float64), axis=0, return_inverse=True)
         triangles = number.reshape(-1)[numpy.asarray(part.mesh.triangles)]
@@ -57,7 +57,7 @@ def grow_bodies(text: str, values: Mapping[str, object], component: str = "tree"
 
 
 def count_open_edges(body: Body) -> int:
-    """Edges that do not have one triangle on either side; 0 for a closed mesh."""
+    """Returns the number of edges without exactly one triangle on either side; 0 for a closed mesh."""
     edges = numpy.concatenate([body.triangles[:, [0, 1]], body.triangles[:, [1, 2]], body.triangles[:, [2, 0]]])
     there = {(int(a), int(b)) for a, b in edges}
     repeated = len(edges) - len(there)

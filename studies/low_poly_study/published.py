@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the source prints.
+"""The published values.
 
 Based on: F. Heuer, Algorithmische Erzeugung von 3D-Low-Poly-Bäumen, Hamburg 2022, tables 4.3 and 6.1, figures B.3 to
 B.5.
@@ -34,7 +34,7 @@ SERIES = (
 
 
 class Parameter(NamedTuple):
-    """A parameter of table 4.3: its name there, our key, and a value that it is set to instead of the spruce's."""
+    """A parameter of table 4.3: its name there, our key, and a value that replaces the spruce's."""
 
     name: str
     key: str

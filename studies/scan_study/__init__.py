@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What scanners see of a digitised walnut, against what is there."""
+"""Compares scans of a digitised walnut with the true plant."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How much of the walnut a scan sees, and how thick it looks, by the diameter and the order of its segments."""
+"""The visible part of the walnut in a scan and its apparent thickness, by the diameter and the order of segments."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 from .walnut import STATIONS, Segments
 
 FEW = 5  #: points that a segment needs to count as seen
-MANY = 30  #: points from which a cylinder can be fitted to a segment
+MANY = 30  #: points that suffice to fit a cylinder to a segment
 CLASSES = (0.0, 0.004, 0.006, 0.008, 0.01, 0.015, 0.02, 0.04, 1.0)  #: limits of diameters, metres
 
 
 @dataclass(frozen=True)
 class Coverage:
-    """A class of segments under one instrument and number of stations."""
+    """A class of segments for one instrument and number of stations."""
 
     instrument: str
     stations: int
-    low: float  #: least diameter, metres
+    low: float  #: smallest diameter, metres
     high: float
     segments: int
     length: float  #: metres
@@ -34,7 +34,7 @@ class Coverage:
 
 @dataclass(frozen=True)
 class OrderCoverage:
-    """The shoots of one order from all stations."""
+    """The shoots of one order, from all stations."""
 
     instrument: str
     order: int
@@ -46,7 +46,7 @@ class OrderCoverage:
 
 @dataclass(frozen=True)
 class Located:
-    """For each point the segment that it is of, and its distance from that one's axis in metres."""
+    """For each point, its segment and its distance from the segment's axis in metres."""
 
     segment: NDArray[np.int64]
     distance: NDArray[np.float64]
@@ -54,7 +54,7 @@ class Located:
 
 
 def distance_to(position: NDArray[Any], begin: NDArray[Any], end: NDArray[Any]) -> NDArray[np.float64]:
-    """Metres from points to one segment, or to segments row by row."""
+    """Returns distances in metres from points to one segment, or to one segment per row."""
     way = end - begin
     share = np.clip(np.sum((position - begin) * way, axis=-1) / np.sum(way * way, axis=-1), 0, 1)
     distance: NDArray[np.float64] = np.linalg.norm(position - (begin + share[:, None] * way), axis=-1)
@@ -62,7 +62,7 @@ def distance_to(position: NDArray[Any], begin: NDArray[Any], end: NDArray[Any]) 
 
 
 def locate(scan: Mapping[str, NDArray[Any]], segments: Segments) -> Located:
-    """The labels say which shoot each point is of; of its segments, the nearest one is taken."""
+    """Finds the segment of each point: the nearest segment of the shoot in the point's label."""
     order = np.argsort(segments.axis, kind="stable")
     axes = segments.axis[order]
     first = np.searchsorted(axes, np.arange(axes[-1] + 2))
@@ -83,7 +83,7 @@ def locate(scan: Mapping[str, NDArray[Any]], segments: Segments) -> Located:
 
 
 def cover_classes(instrument: str, located: Located, segments: Segments, stations: int) -> list[Coverage]:
-    """A row a class of diameters, with the points from the first stations alone."""
+    """Returns one row per class of diameters, using only points of the first stations."""
     taken = (located.station < stations) & (located.segment >= 0)
     of = located.segment[taken]
     counts = np.bincount(of, minlength=len(segments))
@@ -130,7 +130,7 @@ def cover_orders(instrument: str, located: Located, segments: Segments) -> list[
 
 
 def share_of_length(rows: Sequence[Coverage], member: str) -> float:
-    """Share of the length of all classes together."""
+    """Returns the share of the length of all classes together."""
     seen = sum(float(getattr(row, member)) * row.length for row in rows)
     return seen / sum(row.length for row in rows)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What scans of real trees let one expect, and whether these scans show it."""
+"""Expectations from scans of real trees, and whether these scans fulfil them."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws how much is seen by diameter, how thick it looks, and the points themselves."""
+"""Draws the visible share by diameter, the apparent thickness, and the points."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from .expectations import of
 from .pictures import save_in_few_colours
 from .walnut import STATIONS
 
-COUNTS = ((1, ORANGE), (2, GREEN), (3, RED), (STATIONS, BLUE))  #: of stations, with their colours
+COUNTS = ((1, ORANGE), (2, GREEN), (3, RED), (STATIONS, BLUE))  #: numbers of stations, with their colours
 LOOKS = (("terrestrial", BLUE), ("phase", GREEN), ("ray", ORANGE))
 DPI = 100
 
 
 def names_of(rows: Sequence[Coverage]) -> list[str]:
-    """Classes in millimetres."""
+    """Returns the names of classes in millimetres."""
     names = [f"{1000 * row.low:.0f}–{1000 * row.high:.0f}" for row in rows]
     return [*names[:-1], f"over {1000 * rows[-1].low:.0f}"]
 
@@ -68,7 +68,7 @@ def draw_thickness(path: Path, rows: Sequence[Coverage]) -> None:
 
 
 def draw_points(path: Path, scan: Mapping[str, NDArray[Any]]) -> None:
-    """The points from the east, coloured by order, by station and by the error of their distance."""
+    """Draws the points from the east, coloured by order, by station and by the error of their distance."""
     figure = Figure(figsize=(11, 5.2), layout="constrained")
     panels = figure.subplots(1, 3)
     position = scan["position"]

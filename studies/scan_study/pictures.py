@@ -13,19 +13,19 @@ from numpy.typing import NDArray
 from PIL import Image
 
 SIZE = (620, 570)  #: width and height, pixels
-WIDTH = 9.0  #: metres that the picture is wide
-GROUND = -0.35  #: metres: height of its lower edge
+WIDTH = 9.0  #: width of the picture, metres
+GROUND = -0.35  #: height of the picture's lower edge, metres
 COLOURS = {"ground": (0.72, 0.70, 0.66), "wood": (0.42, 0.28, 0.16), "organ": (0.30, 0.52, 0.18), "obstacle": (0.5, 0.5, 0.5)}
 MOST_ERROR = 0.03  #: metres
 
 
 def save_in_few_colours(image: Image.Image, path: Path) -> None:
-    """As PNG: thousands of points of few colours take half the bytes that way."""
+    """Saves a PNG with a palette, which halves the size of pictures with few colours."""
     image.convert("RGB").quantize(48, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def draw_points(path: Path, position: NDArray[Any], colour: NDArray[Any]) -> None:
-    """As seen from the south, without perspective."""
+    """Draws the view from the south without perspective."""
     width, height = SIZE
     image = np.ones((height, width, 3))
     metre = width / WIDTH
@@ -53,7 +53,7 @@ def draw_oak(folder: Path, step: float) -> None:
     position = scan["position"]
     inside = (np.abs(position[:, 0]) < WIDTH / 2 + 0.5) & (np.abs(position[:, 2]) < WIDTH / 2 + 0.5)
     kinds = np.array([COLOURS[kind] for kind in scan["kind"][inside]])
-    # Far points are lighter, so that the crown has depth.
+    # Far points are lighter, so that the crown shows depth.
     depth = np.clip((position[inside, 2] + 4) / 8, 0, 1)[:, None]
     draw_points(folder / "oak-kind.png", position[inside], kinds * (0.65 + 0.35 * depth) + 0.12 * (1 - depth))
     wood = scan["kind"] == "wood"

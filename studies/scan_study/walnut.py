@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The digitised walnut as a plant, its segments with their true sizes, and scans of it.
 
-The walnut is `noylum2.mtg` of openalea/mtg (CeCILL-C), which is no part of the project: it lies in `shared/data/trees`
-beside the project, or below the folder that MERISTEM_SHARED_DATA names.
+The walnut is `noylum2.mtg` of openalea/mtg (CeCILL-C) and not part of the project. It is in `shared/data/trees` beside
+the project, or below the folder that MERISTEM_SHARED_DATA names.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ STATIONS = 6
 DISTANCE = 8.0  #: metres from the stem to the scanner
 HEIGHT = 1.6  #: metres above ground
 
-#: Instruments by name. A ray has no width, so it shows what the width of the others costs.
+#: Instruments by name. A ray has no width, so it shows the effect of the width of the others.
 INSTRUMENTS: Mapping[str, Mapping[str, Any]] = {
     "terrestrial": {"kind": "terrestrial"},
     "phase": {"kind": "phase"},
@@ -51,14 +51,15 @@ class Segments:
 
 
 def grow_walnut() -> meristem.Plant:
-    """The bare walnut, its root at the origin, with tubes that are round down to the thinnest twigs."""
+    """Returns the bare walnut with its root at the origin. Its tubes are round down to the thinnest twigs."""
     surface = {"sides": 64, "error": 0.005}
     tree = {"type": "skeleton", "file": str(FILE), "unit": 0.01, "diameter_unit": 0.001, "surface": surface}
     return meristem.Document({"meristem": 1, "name": "Walnut", "components": {"tree": tree}}).grow()
 
 
 def segments_of(plant: meristem.Plant) -> Segments:
-    """Segments whose nodes are apart; a lateral's first one has its own first radius, as its tube has."""
+    """Returns segments of non-zero length. The first segment of a lateral has the radius of its first node, like its
+    tube."""
     skeleton = plant.stems[0].skeleton
     parent = skeleton.parent.astype(int)
     nodes = np.flatnonzero(parent >= 0)
@@ -76,7 +77,7 @@ def segments_of(plant: meristem.Plant) -> Segments:
 
 
 def stations() -> NDArray[np.float64]:
-    """Positions of the scanner in the order in which they are used: each next one is far from those before."""
+    """Returns positions of the scanner in the order of use: each is far from the earlier ones."""
     azimuths = 2 * np.pi * np.array([0, 3, 1, 4, 2, 5]) / STATIONS
     return np.stack(
         [DISTANCE * np.sin(azimuths), np.full(STATIONS, HEIGHT), -DISTANCE * np.cos(azimuths)], axis=1
@@ -84,6 +85,6 @@ def stations() -> NDArray[np.float64]:
 
 
 def scan_walnut(plant: meristem.Plant, instrument: str, step: float) -> dict[str, NDArray[Any]]:
-    """All points of an instrument from the six stations; `step` in degrees."""
+    """Returns all points of an instrument from the six stations; `step` is in degrees."""
     wanted = {**INSTRUMENTS[instrument], "step": step}
     return plant.scan(instrument=wanted, stations=stations())

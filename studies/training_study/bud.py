@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a branch goes that is cut back to a bud that faces down.
+"""The direction of a branch that is cut back to a bud that faces down.
 
-Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figure 5.3: one branch
-cut above its fourth metamer. From there to the seventh metamer it was about 20 degrees lower than without the cut, and
-from its base about 8 degrees.
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figure 5.3: one
+branch cut above its fourth metamer. From there to the seventh metamer it was about 20 degrees lower than without the
+cut, and from its base about 8 degrees.
 """
 
 from __future__ import annotations
@@ -23,25 +23,25 @@ CUT_AT = 10
 MOST_LATER = 6  #: iterations until the branch has grown again
 REGROWN = 3  #: metamers above the cut
 TAKEOVER = 0.4
-SHORTEST, LONGEST = 6, 9  #: metamers of a branch that is cut, so that it is cut near the fourth, as in the source
+SHORTEST, LONGEST = 6, 9  #: metamers of a branch that is cut, so that the cut is near the fourth, as in the source
 
 
 @dataclass(frozen=True)
 class Branch:
-    """One branch with the cut and without it, angles in degrees above the horizontal."""
+    """One branch with the cut and without it; angles are in degrees above the horizontal."""
 
     set: str
     seed: int
     shoot: str
-    above: int  #: metamers that the cut has left
+    above: int  #: metamers left by the cut
     stretch: float  #: from the cut to the third metamer above it, without the cut
     stretch_cut: float
-    whole: float  #: from the branch's base to the same metamer, without the cut
+    whole: float  #: from the branch's base to that metamer, without the cut
     whole_cut: float
 
 
 def fitting_branches(skeleton: meristem.Skeleton) -> list[str]:
-    """Labels of branches on the stem that are about as long as the source's, from the base on."""
+    """Returns the labels of branches on the stem with about the length of the source's, from the base."""
     found = []
     metamer, labels = skeleton["metamer"], skeleton.labels
     for axis in np.unique(skeleton.axis[skeleton.order == 1]):
@@ -52,7 +52,7 @@ def fitting_branches(skeleton: meristem.Skeleton) -> list[str]:
 
 
 def follow(skeleton: meristem.Skeleton, node: int, count: int) -> list[int] | None:
-    """The nodes that lead on from one: along its axis, and where that is cut along the lateral there."""
+    """Returns the nodes that continue from one: along its axis, or along the lateral if the axis is cut."""
     children, way = find_children(skeleton), []
     for _ in range(count):
         ahead = children.get(node, [])
@@ -75,7 +75,7 @@ def study_branch(name: str, seed: int, label: str) -> Branch | None:
     try:
         after = grow_skeleton(settings, CUT_AT, seed, cut)
     except meristem.InputError:
-        return None  # no bud of it faces down
+        return None  # none of its buds faces down
     above = len(nodes_of(after, label))
     for later in range(1, MOST_LATER + 1):
         tree = grow_skeleton(settings, CUT_AT + later, seed, cut)
@@ -97,7 +97,7 @@ def study_branch(name: str, seed: int, label: str) -> Branch | None:
 
 
 def study_buds(seeds: Sequence[int]) -> list[Branch]:
-    """All branches of such a length that grow again."""
+    """Returns all branches of such a length that grow again."""
     found = []
     for name in SETS:
         for seed in seeds:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A cordon at 45 degrees in both models of light.
 
-Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figure 4.5: with shade
-from straight above a slanting stem shades itself, branches badly, and not at all downward.
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figure 4.5. With
+shade from vertically above, an inclined stem shades itself, branches poorly, and has no downward branches.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ LIGHTS: Mapping[str, tuple[Any, Any]] = {
     "shade along the light": (FULL, {"sun": {"azimuth": 270, "altitude": 45}}),
     "markers": (MARKERS, None),
 }
-# The stem leans to the east, and the light comes from the west, at a right angle to it.
+# The stem leans to the east. The light comes from the west, at a right angle to the stem.
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Cordon:
     seed: int
     stem: int  #: metamers
     branches: int  #: on the stem
-    below: int  #: of them on its under side
+    below: int  #: branches on the lower side of the stem
     metamers: int  #: on branches
     gathered: float  #: light of all buds
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The espalier over the years: whether it has its arms, whether it stays as it is, and what upkeep does for that.
+"""The espalier over the years: whether it has its arms, whether it is stable, and the effect of upkeep.
 
-Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3 and figure
-4.13, whose tree "stabilises after some iterations".
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3 and
+figure 4.13, whose tree "stabilises after some iterations".
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from .trees import LENGTH, SLIM, count_metamers, grow_skeleton
 
 LAYERS = 3
 ESPALIER = change(SLIM, resource={"alpha": 2.3})
-#: At 2.3 the arms of the third layer are ready at iteration 17 only; at 2.4 most are so at 16.
+#: At 2.3, the arms of the third layer are complete at iteration 17 only; at 2.4, most are complete at 16.
 VIGOROUS = change(SLIM, resource={"alpha": 2.4})
 YEARS = tuple(range(1, 26))
 SEEN = 15
-SHORTEST = 6  #: metamers of an arm that is counted and measured
+SHORTEST = 6  #: smallest number of metamers of an arm that is counted and measured
 
 
 @dataclass(frozen=True)
@@ -33,14 +33,14 @@ class Arms:
     seed: int
     left: int
     right: int
-    inclination: float  #: the largest of any arm above or below the horizontal, degrees, from its first metamer to its tip
-    off_plane: float  #: the largest of any arm from the plane of the wires, degrees
+    inclination: float  #: degrees; largest angle of an arm, from first metamer to tip, to the horizontal
+    off_plane: float  #: degrees; largest angle of an arm to the plane of the wires
 
 
 def arms_of(skeleton: meristem.Skeleton, seed: int) -> Arms:
-    """Arms are what stands on the leader, with what has succeeded it."""
+    """Measures the arms: the shoots on the leader, with their successors."""
     rank, parent = skeleton["rank"], skeleton.parent.astype(np.int64)
-    arm = np.zeros(len(skeleton), np.int64)  # the first node of the arm that each node is on
+    arm = np.zeros(len(skeleton), np.int64)  # the first node of the arm of each node
     for node in range(1, len(skeleton)):
         if rank[node] == 1:
             arm[node] = node if rank[parent[node]] == 0 else arm[parent[node]]
@@ -59,7 +59,7 @@ def arms_of(skeleton: meristem.Skeleton, seed: int) -> Arms:
 
 @dataclass(frozen=True)
 class Upkeep:
-    """One way to keep the tree, after one iteration; means over trees."""
+    """One way of upkeep after one iteration; means over trees."""
 
     upkeep: str
     iteration: int
@@ -76,15 +76,15 @@ def layers() -> list[dict[str, Any]]:
     ]
 
 
-#: Spurs with at most 2 metamers in all; each shoot cut back by itself, as the source's text may be read; nothing.
+#: Spurs with at most 2 metamers in all; single shoots cut back, as another reading of the source's text; no upkeep.
 UPKEEP: Mapping[str, list[dict[str, Any]]] = {
     "spurs and limit": [{"do": "limit", "shoots": "rank == 1", "metamers": 12}, {"do": "spur", "metamers": 2}],
     "shoots cut to 2": [{"do": "cut", "shoots": "rank >= 2", "above": 2}],
     "none": [],
 }
-#: The first of them for the more vigorous tree.
+#: The first of these ways for the more vigorous tree.
 VIGOROUS_UPKEEP = "spurs and limit, alpha 2.4"
-LAST_OF_NONE = 16  #: without upkeep it grows too large to follow
+LAST_OF_NONE = 16  #: without upkeep, the tree becomes too large to follow
 
 
 def grow_espalier(seed: int, iterations: int, upkeep: str = "spurs and limit", settings: Any = ESPALIER) -> meristem.Skeleton:
@@ -113,7 +113,7 @@ def metamers_at(upkeep: Sequence[Upkeep], name: str, iteration: int) -> float:
     return next(row.metamers for row in upkeep if row.upkeep == name and row.iteration == iteration)
 
 
-#: The espalier where one of the model's adaptations to pruning is off.
+#: The espalier without one of the model's adaptations to pruning.
 ADAPTATIONS: Mapping[str, Any] = {
     "all on": ESPALIER,
     "cut buds grow again": change(ESPALIER, damage=False),
@@ -125,14 +125,14 @@ ADAPTATIONS: Mapping[str, Any] = {
 
 @dataclass(frozen=True)
 class Broken:
-    """What an adaptation does for the espalier; means over trees after SEEN iterations."""
+    """The effect of an adaptation on the espalier; means over trees after SEEN iterations."""
 
     adaptation: str
     trees: int
     two_arms: float  #: share of trees with two arms in each layer
     metamers: float
     height: float  #: metres
-    inclination: float  #: mean over trees of the largest of any arm, degrees
+    inclination: float  #: mean over trees of the largest inclination of an arm, degrees
 
 
 def study_adaptations(seeds: Sequence[int]) -> list[Broken]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the study must show, and whether it does."""
+"""The expectations of the study, and whether they hold."""
 
 from __future__ import annotations
 

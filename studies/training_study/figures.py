@@ -17,12 +17,12 @@ from .bud import Branch
 from .espalier import Upkeep
 from .trees import SETS, SLIM, make_document
 
-SIZE = (300, 340)  #: pixels of a picture
+SIZE = (300, 340)  #: size of a picture, pixels
 SERIES = (3, 6, 9, 12, 15)
 
 
 def draw_poles(path: Path, seeds: Sequence[int]) -> None:
-    """Distances along the stem, as in the source's figure 5.1."""
+    """Draws distances along the stem, as in the source's figure 5.1."""
     with matplotlib.rc_context(STYLE):
         figure, [axes] = new_figure(1, 2, 3.4)
         handles: list[Any] = []
@@ -70,7 +70,7 @@ def draw_buds(path: Path, branches: Sequence[Branch]) -> None:
 
 
 def draw_row(path: Path, titles: Sequence[str], documents: Sequence[Any], view: tuple[float, float] | None = None) -> None:
-    """Pictures side by side, each at a scale of its own."""
+    """Draws pictures side by side, each with its own scale."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9, 9 * SIZE[1] / SIZE[0] / len(documents) + 0.5), layout="constrained")
         for axes, title, document in zip(np.atleast_1d(figure.subplots(1, len(documents))), titles, documents):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How straight a pole holds a stem.
+"""How straight a pole keeps a stem.
 
-Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figures 4.11 and 5.1:
-one tree after 18 iterations, with a pole and without.
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figures 4.11 and
+5.1: one tree after 18 iterations, with a pole and without.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def pole_of(weight: float) -> list[dict[str, Any]]:
 
 
 def distances(name: str, weight: float, seed: int) -> NDArray[np.float64]:
-    """The distance of the end of each metamer of the stem, from its base on, in metamers."""
+    """Returns the distance of each metamer's end from this vertical, from the stem's base up, in metamers."""
     skeleton = grow_skeleton(SETS[name], ITERATIONS, seed, pole_of(weight))
     stem = np.flatnonzero(skeleton.axis == skeleton.axis[0])[1:]
     position = skeleton.position[stem].astype(float) - skeleton.position[0]

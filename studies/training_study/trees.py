@@ -33,7 +33,7 @@ def make_document(
 
 
 def grow_skeleton(settings: Settings, iterations: int, seed: int, operations: Operations = (), **more: Any) -> meristem.Skeleton:
-    """A tree alone in the open; the same for the same arguments."""
+    """Grows a single tree without obstacles. Equal arguments give equal trees."""
     return make_document(settings, iterations, seed, operations, **more).grow(threads=1).stems[0].skeleton
 
 
@@ -42,7 +42,7 @@ def count_metamers(skeleton: meristem.Skeleton) -> int:
 
 
 def count_beyond(skeleton: meristem.Skeleton) -> NDArray[np.int64]:
-    """How many metamers stand on each node, the node itself included."""
+    """Returns the number of metamers that each node bears, including the node itself."""
     beyond = np.ones(len(skeleton), np.int64)
     parent = skeleton.parent.astype(np.int64)
     for node in range(len(skeleton) - 1, 0, -1):  # parents come first
@@ -58,7 +58,7 @@ def find_children(skeleton: meristem.Skeleton) -> dict[int, list[int]]:
 
 
 def incline(way: NDArray[Any]) -> float:
-    """Degrees of a vector above the horizontal."""
+    """Returns the degrees of a vector above the horizontal."""
     return float(np.degrees(np.arcsin(way[1] / np.linalg.norm(way))))
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What becomes of a tree whose leader is cut above its third branch.
+"""The growth of a tree whose leader is cut above its third branch.
 
-Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figure 4.12: one tree
-cut after some 10 iterations and seen after 25, beside the same tree without the cut.
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, figure 4.12: one
+tree cut after about 10 iterations and shown after 25, beside an equal tree without the cut.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .trees import LENGTH, SLIM, count_beyond, find_children, grow_skeleton
 
 CUT_AT = (8, 9, 10)
 SEEN = 25
-BRANCH = 3  #: the cut is made above it
+BRANCH = 3  #: the cut is made above this branch
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Vase:
     seed: int
     height: float  #: metamers, without the cut
     height_cut: float
-    share: float  #: of all metamers on the largest of the arms, the leader above the cut being one
+    share: float  #: share of the largest arm in all metamers; the leader above the cut counts as an arm
     share_cut: float
 
     @property
@@ -41,14 +41,14 @@ def operations(cut_at: int) -> list[dict[str, Any]]:
 
 
 def find_stump(skeleton: meristem.Skeleton) -> int | None:
-    """The number of metamers of the stem that the cut has left; nothing where none was made."""
+    """Returns the number of metamers of the stem left by the cut. None if no cut was made."""
     stem = np.flatnonzero(skeleton.axis == skeleton.axis[0])
     cut = skeleton["cut_at"][stem]
     return len(stem) - 1 if cut[-1] > 0 else None
 
 
 def largest_share(skeleton: meristem.Skeleton, stump: int) -> float:
-    """What stands on each metamer of the stem up to the stump's end, aside and above: the share of the largest."""
+    """Returns the share of the largest arm in all arms on the stem up to the cut, including the leader above it."""
     stem = np.flatnonzero(skeleton.axis == skeleton.axis[0])
     beyond, children = count_beyond(skeleton), find_children(skeleton)
     below = set(stem[: stump + 1].tolist())
@@ -57,7 +57,7 @@ def largest_share(skeleton: meristem.Skeleton, stump: int) -> float:
 
 
 def study_vases(seeds: Sequence[int]) -> list[Vase]:
-    """All trees that have a third branch when they are to be cut."""
+    """Returns all trees that have a third branch when they are cut."""
     vases = []
     for cut_at in CUT_AT:
         for seed in seeds:

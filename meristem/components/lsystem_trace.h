@@ -46,8 +46,8 @@ struct LsystemTrace {
 };
 
 /// Traces an instance of the component with this id. Instances are ordered by their number of recursions, then by their
-/// numbers among siblings. Random numbers equal those of the plant's growth. Returns nothing if the component has no
-/// instance or is no lsystem. Throws what expand(), derive() and draw() throw.
+/// numbers among siblings. Random numbers equal the numbers of the plant's growth. Returns nothing if the component has
+/// no instance or is no lsystem. Throws what expand(), derive() and draw() throw.
 std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
                                           const LsystemTraceWish& wish, double time, Progress& progress);
 

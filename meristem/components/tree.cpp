@@ -18,8 +18,8 @@ Skeleton straight_stem(const StemParameters& form, const Site& site) {
   return skeleton;
 }
 
-/// Returns the bends of a stem caused by its branches. Their positions are those of links without their own keys, which
-/// depend only on lengths and not on the stem's bends.
+/// Returns the bends of a stem caused by its branches. The branches have the positions of links without their own keys.
+/// These depend only on lengths, not on the stem's bends.
 std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emitter& out) {
   Placement outward = tree.branching;
   outward.angle = kPi / 2;

@@ -56,7 +56,8 @@ class StockIndex {
     for (std::uint32_t k = 0; k < all.size(); ++k) add(all[k].rank, all[k].leaf, k);
     sort();
   }
-  /// Returns the entries of a rank, or of one leaf of the rank. Empty if there are none. Cost: logarithmic.
+  /// Returns the entries of a rank, or of one leaf of the rank. Empty if the rank or leaf does not exist. Cost:
+  /// logarithmic.
   std::span<const std::uint32_t> find(int rank, std::optional<int> leaf = {}) const;
   const std::vector<int>& ranks() const { return ranks_; }  ///< existing ranks, in rising order
 

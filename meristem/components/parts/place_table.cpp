@@ -17,7 +17,7 @@ namespace meristem {
 namespace {
 
 constexpr double kEarthRadius = 6371008.8;  // mean radius, metres
-// The permitted range of a column, equal to that of the document's keys.
+// The permitted range of a column, equal to the range of the document's keys.
 struct ColumnRange {
   double low = 0;
   double high = 0;

@@ -111,7 +111,7 @@ class StemPathBuilder {
     return node;
   }
 
-  /// Returns a node's frame, whose heading is midway between those of the adjacent sections.
+  /// Returns a node's frame, whose heading is midway between the headings of the adjacent sections.
   Frame frame_midway(Vec3 position, Vec3 heading, Vec3 right) const {
     heading = normalized_or(heading + heading_, heading_);
     right += right_;

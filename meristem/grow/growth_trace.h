@@ -147,8 +147,8 @@ class GrowthTrace {
   /// byte by byte, a growth limited to that number of iterations. `scene` must be the scene of the growth. Requires
   /// that steps were recorded. Throws what Grower::take_skeleton() throws.
   Skeleton standing(int step, const Scene& scene, Progress& progress) const;
-  /// Returns the marks of a step, or of the last step if `step` is larger: those that `wish` names and that were
-  /// recorded. Throws InputError if they exceed the limits. Throws Cancelled.
+  /// Returns the marks of a step, or of the last step if `step` is larger. Only recorded marks that `wish` names are
+  /// returned. Throws InputError if they exceed the limits. Throws Cancelled.
   StepMarks marks(int step, TraceWish wish, const Progress& progress) const;
   virtual std::uint64_t bytes() const = 0;  ///< memory in bytes
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The response of colonizing trees to light. Response A moves the whole cloud of attraction points toward brighter
-// positions before each step. Response B applies light to single points. It removes points in the deepest shade, moves
-// each point by the light at its nearest node, can hold the cloud's height, and disables points in the shade of
-// existing growth.
+// positions before each step. Response B applies light to single points. It removes points in the deepest shade and
+// moves each point by the light at its nearest node. It can also hold the cloud's height, and disable points in the
+// shade of existing growth.
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 4.4, with the settled reading of its equations 4.19 to 4.24; response B is our own.

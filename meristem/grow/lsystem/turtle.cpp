@@ -383,7 +383,7 @@ class Turtle {
 
   /// Places a component. Skips the name module and returns its number of parameters.
   std::uint16_t place(const double* parameter) {
-    // The parameters of the name follow those of ~.
+    // The parameters of the name follow the parameters of ~.
     const std::size_t next = at_ + 1;
     if (next == word_.module_count()) fail("is a ~ without a name", "the name of a component behind it");
     const LetterIndex letter = word_.letters[next];

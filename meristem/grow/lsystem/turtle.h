@@ -90,9 +90,10 @@ struct Drawing {
 /// The segment that follows without a bracket continues the axis. If there is none, the widest child continues it, and
 /// among equally wide ones the straightest. Segments without length make no node.
 ///
-/// Throws InputError at `path` for unmatched braces, polygons with more than 2,000 corners, a ~ without a name,
-/// brackets nested deeper than a million, and positions and radii beyond a million kilometres. Throws InputError before
-/// making more nodes than the limit, or more instances (including polygons and sites). Throws Cancelled.
+/// Throws InputError at `path` for unmatched braces, polygons with more than 2,000 corners, and a ~ without a name.
+/// Throws it also for brackets nested deeper than a million, and for positions and radii beyond a million kilometres.
+/// Throws InputError before making more nodes than the limit, or more instances (including polygons and sites). Throws
+/// Cancelled.
 Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
              const Limits& limits, const std::string& path, Progress& progress);
 

@@ -37,7 +37,7 @@ class WordContext {
   void find(const Grammar& grammar, std::span<const LetterIndex> letters, ContextNeeds needs, const Progress& progress);
 
   /// Returns true if the module at `position` matches the rule's contexts. Then `matched` contains the positions of the
-  /// left context's modules, followed by those of the right context's. Brackets have no entry.
+  /// left context's modules, followed by the right context's positions. Brackets have no entry.
   bool matches(const Rule& rule, std::uint32_t position, std::vector<std::uint32_t>& matched) const;
 
  private:

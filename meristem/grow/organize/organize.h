@@ -143,9 +143,9 @@ struct OrganizeSeed {
 /// Existing wood has birth 0. It keeps its radii, which grow with the tips that it gains. All of its buds are open,
 /// unless its columns `terminal_bud` and `lateral_bud` contain their states and `bud_angle` their positions.
 ///
-/// Growth throws InputError before making nodes that exceed the limits, if an operation names a shoot that none of its
-/// trees has, if a seed is in an obstacle, and if nothing has grown at all. Throws std::invalid_argument for parameters
-/// out of range. `scene` must outlive the growth.
+/// Growth throws InputError before making nodes that exceed the limits, and if an operation names a shoot that none of
+/// its trees has. Throws it also if a seed is in an obstacle, and if nothing has grown at all. Throws
+/// std::invalid_argument for parameters out of range. `scene` must outlive the growth.
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
                                        const Limits& limits, std::string component);

@@ -135,8 +135,8 @@ TEST(OrganizeCut, ALateralThatTakesOverTurnsToWhereTheTerminalWent) {
   EXPECT_LT(angle_to_stem(100), 2);
 }
 
-/// Returns the mean inclination of the leader above a cut of the stem at iteration 8, over 20 seeds; without a cut,
-/// that of the stem there. Only growth after iteration 10 counts, because a successor still turns until then.
+/// Returns the mean inclination of the leader above a cut of the stem at iteration 8, over 20 seeds. Without a cut,
+/// uses the stem at this height. Only growth after iteration 10 counts, because a successor still turns until then.
 double mean_inclination(OrganizeParameters parameters, bool cuts) {
   if (cuts) parameters = with_cuts(parameters, {{.at = 8, .shoot = "main", .above = 6}});
   double sum = 0;

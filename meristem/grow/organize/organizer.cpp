@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One iteration: the light of the buds, the resource that this light makes, its division among the buds, the growth of
-// new metamers, the shedding of shoots, and the operations on the tree. All plants of a stand use the light at the
-// beginning of the round. After the last iteration, one more round counts light and resource for the skeleton's
+// One iteration computes the light of the buds and the resource that this light makes, and divides the resource among
+// the buds. Then new metamers grow, shoots are shed, and operations are performed. All plants of a stand use the light
+// at the beginning of the round. After the last iteration, one more round counts light and resource for the skeleton's
 // columns.
 #include <algorithm>
 #include <cmath>

@@ -65,8 +65,8 @@ struct ShootChoice {
   static ShootChoice leader() { return {Kind::leader, "leader", {}, "shoots"}; }
 };
 
-/// A cut just above a living bud or a lateral shoot. If there is none at the position, the cut moves down to the next
-/// one.
+/// A cut just above a living bud or a lateral shoot. If the position has no such bud or shoot, the cut moves down to
+/// the next one.
 struct Cut {
   /// Where a shoot is cut.
   enum class Place {

@@ -9,7 +9,7 @@ namespace meristem {
 /// A crown that is rotated, scaled and moved by a frame.
 class PlacedCrown : public Crown {
  public:
-  /// `frame` maps the crown's coordinates to those of the surrounding space; its axes must be linearly independent.
+  /// `frame` maps the crown's coordinates to the surrounding space; its axes must be linearly independent.
   PlacedCrown(CrownPointer crown, const Frame& frame);
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;

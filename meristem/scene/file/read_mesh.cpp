@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads closed meshes from files. OBJ has its own parser here, because a closed body needs only the statements `v` and
-// `f`, and common libraries (such as tinyobjloader) do not report the line of an error.
+// Reads closed meshes from files. OBJ has its own parser here: a closed body needs only the statements `v` and `f`, and
+// common libraries (such as tinyobjloader) do not report the line of an error.
 #include "meristem/scene/file/read_mesh.h"
 
 #include <charconv>

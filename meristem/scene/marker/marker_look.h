@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the bricks of markers that each bud may see: those that touch its perception cone and have available markers.
-// Buds are processed in the order of their bricks, so that consecutive buds read the same memory. Buds in bricks
-// without available markers, the majority in an old crown, cost least.
+// Finds the bricks of markers that each bud may see. Such a brick touches the bud's perception cone and has available
+// markers. Buds are processed in the order of their bricks, so that consecutive buds read the same memory. Buds in
+// bricks without available markers, the majority in an old crown, cost least.
 #pragma once
 
 #include <cmath>

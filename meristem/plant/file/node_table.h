@@ -40,8 +40,9 @@ struct NodeTable {
 };
 
 /// Reads the text of a table. The names in its head line decide the form. Throws InputError with line and column in
-/// `file` for: missing columns (with the nearest name), texts instead of numbers, duplicate numbers, missing parents,
-/// parents in a circle, numbers out of range (base/number_limit.h), no nodes, or more nodes than `limits` allow.
+/// `file` for missing columns (with the nearest name), texts instead of numbers, and numbers out of range
+/// (base/number_limit.h). Throws it also for duplicate node numbers, missing parents, parents in a circle, no nodes,
+/// and more nodes than `limits` allow.
 NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits);
 
 /// How the nodes of a file are placed in the world.

@@ -2,7 +2,7 @@
 // Reads plants from multiscale tree graphs (MTG), the tables that botanists use to code and digitise plants. Each line
 // names an entity (plant, axis, growth unit, internode), states how it is joined to another entity, and gives values.
 //
-// The syntax is that of the MTG user guide, section "File syntax", form A: scales and classes; `/` for parts, `<` for
+// The syntax is form A of the MTG user guide, section "File syntax". It has scales and classes; `/` for parts, `<` for
 // successors, `+` for branches; indentation by columns; `^` for the entity above in the same column; `<<` and `++` for
 // runs of entities; `<.<` and `+.+` for runs that share values; `*` for a later measurement of an entity, whose values
 // replace the earlier ones; aliases. Rules of a DESCRIPTION section are not enforced, but their names are checked.

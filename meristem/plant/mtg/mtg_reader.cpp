@@ -334,7 +334,7 @@ class TreeReader {
     return vertex;
   }
 
-  /// Follows the bases of `vertex` to an entity of at least `scale`. Returns `vertex` if there is none.
+  /// Follows the bases of `vertex` to an entity of at least `scale`. Returns `vertex` if no such entity exists.
   MtgVertex finer_base(MtgVertex vertex, int scale) const {
     MtgVertex base = vertex;
     while (base != kNoVertex && tree_.scale(base) < scale) base = finer_base_[base];

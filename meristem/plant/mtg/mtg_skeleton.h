@@ -43,9 +43,10 @@ struct MtgSkeleton {
 /// `node` that numbers all nodes, each once and parents first, defines the order of the nodes. Features `axis` and
 /// `order` then also apply if they are consistent. So the output of `write_skeleton_mtg` is read back unchanged.
 ///
-/// Throws InputError, with the line in `file`, for a scale without entities, missing features, roots without
-/// coordinates, coordinates beyond 1000 km, negative diameters, and more than 16 numbers for each node that `limits`
-/// allow. Throws std::invalid_argument for units that are not positive. Cost: linear, plus sorting the nodes.
+/// Throws InputError, with the line in `file`, for a scale without entities, missing features and roots without
+/// coordinates. Throws it also for coordinates beyond 1000 km, negative diameters, and more than 16 numbers for each
+/// node that `limits` allow. Throws std::invalid_argument for units that are not positive. Cost: linear, plus sorting
+/// the nodes.
 MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry,
                         const Limits& limits);
 

@@ -18,8 +18,8 @@ class CutWounds {
   /// Updates the indices after Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
   /// Makes wood swell around its cuts, as callus grows over them. The cross-section of the skeleton, whose radii must
-  /// be set, increases by the share `callus` of the sections of all cuts at a node. Toward the root, half of this
-  /// spreads over kCallusReach radii. Stems that are often cut back to one place therefore grow heads.
+  /// be set, increases by the share `callus` of the sections of all cuts at a node. Toward the root, the increase
+  /// halves every kCallusReach radii. Stems that are often cut back to one place therefore grow heads.
   void swell(double callus, Skeleton& skeleton) const;
   static constexpr double kCallusReach = 2;
   /// Writes the columns of the tree's skeleton.

@@ -130,23 +130,23 @@ export async function settled(page) {
   });
 }
 
-/// Does something, and waits until the text is another one than before and the page has had the time to show it.
+/// Does something, and waits until the text is another one than before and the page has had the time to show it. The limit
+/// of time begins when the act has ended: a slow machine may take long for the moves of a drag.
 export async function changes(page, act) {
-  await page.evaluate((limit) => {
+  await page.evaluate(() => {
     const { state } = window.studio.document;
     const { text } = state.get();
     window.text_changes = new Promise((done) => {
-      const end = (has_changed) => {
+      const stop = state.subscribe(() => {
+        if (state.get().text === text) return;
         stop();
-        clearTimeout(timer);
-        requestAnimationFrame(() => setTimeout(() => done(has_changed)));
-      };
-      const stop = state.subscribe(() => state.get().text !== text && end(true));
-      const timer = setTimeout(() => end(false), limit);
+        requestAnimationFrame(() => setTimeout(() => done(true)));
+      });
     });
-  }, kLongest);
+  });
   await act();
-  if (await page.evaluate(() => window.text_changes)) return;
+  const within = (limit) => Promise.race([window.text_changes, new Promise((done) => setTimeout(() => done(false), limit))]);
+  if (await page.evaluate(within, kLongest)) return;
   const state = await page.evaluate(() => [window.studio.chosen.get(), document.activeElement.outerHTML.slice(0, 200), ...window.studio.toasts.shown.get().map((one) => one.text), window.studio.document.state.get().text]);
   throw new Error(`the text stays what it is: ${state.join('\n')}`);
 }

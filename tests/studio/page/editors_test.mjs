@@ -112,6 +112,7 @@ test('the outline of a leaf stays within the limits of its two numbers, which ar
   for (const name of ['x-low', 'x-high']) assert.equal(await drawer().locator(`[data-limit="${name}"]`).count(), 1, name);
   await one_step(() => drag(page, widest, [400, 0], { steps: 12 }));
   assert.equal((await said('leaf')).polygon[1][0], 1, 'the largest half width');
+  await one_step(() => drag(page, drawer().locator('.curve-point').nth(2), [12, 0])); // the fields show the point that was moved last
   await one_step(() => type_into(page, drawer().getByRole('textbox', { name: 'polygon, x of point 3' }), '1.445'));
   assert.equal((await said('leaf')).polygon[2][0], 1);
   await one_step(() => type_into(page, drawer().getByRole('textbox', { name: 'polygon, y of point 3' }), '1.2'));

@@ -74,7 +74,7 @@ void move(Stem& stem, const Frame& frame) {
   }
 }
 
-/// Who takes the blocks of an expansion; for the length of one call.
+/// The receiver of the blocks of an expansion. Used during one call only.
 struct BlockTaker {
   FunctionRef<void(const Plant& block)> take;
   std::size_t block_size = kExpandedBlock;
@@ -82,8 +82,8 @@ struct BlockTaker {
 
 class Expander {
  public:
-  /// Adds to `to`, which has all of `own` but its plantings. With `blocks`, `to` has no stems and organs of `own`, and
-  /// loses those of each block that was taken.
+  /// Expands into `to`, a copy of `own` without its plantings. With `blocks`, `to` begins without stems and organs.
+  /// They are passed on block by block and then removed.
   Expander(const Plant& own, Plant& to, const Limits& limits, const Progress& progress,
            const BlockTaker* blocks = nullptr)
       : to_(to), limits_(limits), progress_(progress), blocks_(blocks) {
@@ -91,7 +91,7 @@ class Expander {
       for (const StemPart& part : stem.parts) count(part.component, part.instance);
     }
     const bool is_bare = own.stems.empty() && own.organs.empty();
-    // the individual of everything outside plantings
+    // The individual of everything outside plantings.
     if (to.individuals.empty() && !is_bare) to.individuals.emplace_back();
     for (std::uint32_t k = 0; k < to.individuals.size(); ++k) {
       individuals_.emplace(std::pair(to.individuals[k].component, to.individuals[k].number), k);
@@ -123,7 +123,7 @@ class Expander {
     }
   }
 
-  /// Hands out what was added since the last block.
+  /// Passes on everything that was added since the last block.
   void give_block() {
     if (size_ == 0) return;
     blocks_->take(to_);
@@ -220,9 +220,9 @@ class Expander {
   Plant& to_;
   const Limits& limits_;
   const Progress& progress_;
-  const BlockTaker* blocks_;      // null: all stays in the plant
+  const BlockTaker* blocks_;      // null: everything stays in the plant
   std::uint64_t size_ = 0;        // nodes and organs since the last block
-  int deforming_ = 0;             // number of deformed places around what is added
+  int deforming_ = 0;             // number of deformed places around the added plant
   std::uint64_t mesh_bytes_ = 0;  // bytes of the deformed meshes
   std::map<std::pair<const PlantVariant*, std::string>, Numbers> numbers_;
   std::map<std::string, std::uint32_t> instances_;                              // the next number of each component

@@ -49,14 +49,14 @@ bool has_plantings(const Plant& plant);
 /// nodes or instances. Throws Cancelled.
 Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress);
 
-/// The number of nodes and organs that a block of expand_in_blocks has, about. Raised, blocks take more memory.
+/// Approximate number of nodes and organs in a block of expand_in_blocks(). Larger: more memory per block.
 inline constexpr std::size_t kExpandedBlock = 1'000'000;
 
 /// Calls `take` with the stems and organs of expanded() in their order, in blocks, and returns all individuals. The
 /// first block is `plant` itself, which is not copied. A later block is a copy of one or several placed plants. It ends
-/// after the plant with which it reaches `block_size` nodes and organs; a deformed planting's place is not divided.
-/// Materials, prototypes and individuals of a block have the indices that expanded() gives them; later blocks have more
-/// of them. Memory: one block, and all deformed geometry. Throws as expanded(), and what `take` throws.
+/// after the plant that makes it reach `block_size` nodes and organs. Places of deformed plantings are not divided.
+/// Materials, prototypes and individuals have the indices of expanded(); later blocks contain more of them. Memory: one
+/// block, and all deformed geometry. Throws what expanded() and `take` throw.
 std::vector<Individual> expand_in_blocks(const Plant& plant, const Limits& limits, const Progress& progress,
                                          FunctionRef<void(const Plant& block)> take,
                                          std::size_t block_size = kExpandedBlock);

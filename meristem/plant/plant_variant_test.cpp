@@ -101,7 +101,7 @@ TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
   EXPECT_EQ(expanded(plant, limits, Progress()).stems.size(), 1000U);
 }
 
-/// A plant with a stem of its own, a clump of twigs that stands twice, and a twig.
+/// A plant with its own stem, a clump of twigs at two places, and a twig.
 Plant nested_plant() {
   auto clump = std::make_shared<Plant>(*twig()->plant);
   clump->plantings.push_back({"twig", twig(), {{at({1, 0, 0}), 0, 0, 8}, {at({-1, 0, 0}), 1, 0}}});

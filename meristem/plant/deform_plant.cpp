@@ -42,7 +42,7 @@ struct Bend {
 std::vector<DVec3> directions_of(const Skeleton& skeleton) {
   std::vector<DVec3> directions(skeleton.node_count(), DVec3(kUp));
   for (auto node = static_cast<NodeIndex>(skeleton.node_count()); node-- > 0;) {
-    // the first child, which has a higher index, has written the root's direction
+    // The first child, which has a higher index, has written the root's direction.
     if (skeleton.is_root(node)) continue;
     const NodeIndex parent = skeleton.parent[node];
     directions[node] = DVec3(normalized_or(skeleton.position[node] - skeleton.position[parent], kUp));

@@ -29,7 +29,7 @@ Skeleton decimate(const Skeleton& skeleton, double tolerance, double step) {
 Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpen is_open, TrackedNodes* tracked) {
   const double limit = tolerance - step / 2;
   const std::vector<NodeIndex> only_child = only_children(skeleton);
-  // length removed since the last kept node, up to this node
+  // Length removed since the last kept node, up to this node.
   std::vector<double> removed_length(skeleton.node_count(), 0);
   std::vector<NodeIndex> kept(skeleton.node_count());  // new index of the nearest kept node toward the root
   const auto end = skeleton.extra.find(kEndColumn);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests that are answered later, when a job has been done or when the thread that grows has looked at the plant.
+// Requests with a later answer: from a job, or from the thread that grows.
 #include <filesystem>
 #include <new>
 #include <type_traits>

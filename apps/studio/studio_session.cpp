@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests that are answered at once; session_jobs.cpp has those that are answered later.
+// A page's document, and the requests with an immediate answer. Requests with a later answer are in session_jobs.cpp.
 #include "studio_session.h"
 
 #include <algorithm>

@@ -30,7 +30,8 @@ program=${MERISTEM:-build/release/bin/meristem}
 if [[ ${MERISTEM_INSIDE:-} != yes ]]; then
   trap 'kill -KILL "$child" 2>/dev/null || true' EXIT
   trap 'exit 130' INT TERM HUP
-  MERISTEM_INSIDE=yes setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child --mount-proc "$0" "$@" &
+  MERISTEM_INSIDE=yes setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child --mount-proc \
+    tests/systems/debian.sh "$@" &
   child=$!
   wait "$child"
   exit
@@ -44,7 +45,7 @@ ccache=${CCACHE_DIR:-$PWD/build/systems/ccache}
 eval "$(sed -nE '/^(build|python|test)_packages=\(/,/\)$/p' dev)"
 packages=("${build_packages[@]}" "${python_packages[@]}" "${test_packages[@]}")
 # Validators of JSON and what they need take longer to install than everything else.
-[[ $mode != --quick ]] || packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev python3)
+[[ $mode != --quick ]] || packages=("${build_packages[@]}" libgtest-dev libgmock-dev librapidcheck-dev python3)
 
 title() { printf '\n== %s (%s s)\n' "$*" "$SECONDS"; }
 
@@ -84,11 +85,11 @@ need_packages() {
     >"$work/packages.log" 2>&1 || { tail -n 20 "$work/packages.log"; fail "could not install the packages"; }
 }
 
-# Configures a build folder of this name with all options of CI.
+# Configures a build folder of this name as users do, with the tests and with warnings as errors.
 configure() {
   local name=$1
   shift
-  within cmake --preset doors -B "$work/$name" -DMERISTEM_ROOM_TESTS=ON -DMERISTEM_WERROR=ON "$@" >"$work/$name.log" 2>&1 ||
+  within cmake --preset release -B "$work/$name" -DMERISTEM_TESTS=ON -DMERISTEM_TEST_OPTIONS=-O0 -DMERISTEM_WERROR=ON "$@" >"$work/$name.log" 2>&1 ||
     { cat "$work/$name.log"; fail "could not configure"; }
 }
 
@@ -104,39 +105,41 @@ build() {
 compile_users_of_libraries() {
   title "compile what includes a library"
   grep -rlE --include='*.cpp' --exclude-dir=node_modules --exclude='*_test.cpp' \
-    '#include (<(png|turbojpeg|libqhull|CLI|nlohmann|boost|tbb|zlib)|"meristem/base/embree|"apps/cli/commands)' meristem apps |
+    '#include (<(png|turbojpeg|libqhull|CLI|nlohmann|boost|tbb|zlib)|"meristem/(base/embree|shape/ray_trees)|"apps/cli/commands)' meristem apps |
     python3 -c '
-import json, os, sys
+import json, os, re, sys
 users = {os.path.abspath(line.strip()) for line in sys.stdin}
 for entry in json.load(open(sys.argv[1])):
     if entry["file"] in users:
-        os.makedirs(os.path.dirname(os.path.join(entry["directory"], entry["output"])), exist_ok=True)
+        output = os.path.join(entry["directory"], re.search(r" -o (\S+)", entry["command"])[1])
+        os.makedirs(os.path.dirname(output), exist_ok=True)
         print("cd", entry["directory"], "&&", entry["command"])' "$work/sources/compile_commands.json" >"$work/commands"
   within xargs -d '\n' -P "$jobs" -n 1 sh -c <"$work/commands"
   printf '%s sources compile\n' "$(wc -l <"$work/commands")"
 }
 
-# Runs room tests of a build.
+# Runs the test programs of rooms, all of them even if one fails.
 run_tests() {
-  local program
-  for program in "$@"; do
-    title "run ${program##*/}"
-    within "$program" --gtest_brief=1 --gtest_color=no
+  local tests bad=0
+  for tests in "$@"; do
+    title "run ${tests##*/}"
+    within "$tests" --gtest_brief=1 --gtest_color=no || bad=1
   done
+  return $bad
 }
 
 quick() {
-  configure quick -DMERISTEM_PYTHON_MODULE=OFF -DMERISTEM_BENCH=OFF -DMERISTEM_VALIJSON=/usr/include
+  local options=(-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DMERISTEM_VALIJSON=/usr/include)
+  configure quick "${options[@]}"
   build quick meristem_base_tests meristem_scene_tests
   run_tests "$work"/quick/bin/meristem_{base,scene}_tests
-  configure sources -DMERISTEM_PYTHON_MODULE=OFF -DMERISTEM_BENCH=OFF -DMERISTEM_VALIJSON=/usr/include \
-    -DCMAKE_UNITY_BUILD=OFF -DMERISTEM_PRECOMPILE=OFF
+  configure sources "${options[@]}" -DCMAKE_UNITY_BUILD=OFF -DMERISTEM_PRECOMPILE=OFF
   compile_users_of_libraries
 }
 
 full() {
   local targets
-  configure full -DMERISTEM_BENCH=OFF
+  configure full -DMERISTEM_PYTHON_MODULE=ON
   mapfile -t targets < <(sed -nE 's/^meristem_room\((.*)$/\1/p' meristem/*/CMakeLists.txt | awk '{ print "meristem_" $1 "_tests" }')
   build full meristem_cli meristem_python "${targets[@]}"
   run_tests "${targets[@]/#/$work/full/bin/}"

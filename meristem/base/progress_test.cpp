@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "meristem/base/lock_unless_stopped.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/stoppable_mutex.h"
 
 namespace meristem::progress_test {
 
@@ -135,15 +135,15 @@ TEST(ProgressPart, StopsAlone) {
   EXPECT_FALSE(whole.is_cancelled());
 }
 
-TEST(LockUnlessStopped, WaitsForTheLockOrForTheStop) {
-  std::timed_mutex mutex;
+TEST(StoppableMutex, WaitsUntilItIsFreeOrUntilTheStop) {
+  StoppableMutex mutex;
   Progress progress;
-  EXPECT_TRUE(lock_unless_stopped(mutex, &progress).owns_lock());
-  const std::unique_lock<std::timed_mutex> held(mutex);
+  EXPECT_TRUE(mutex.wait(&progress).owns_lock());
+  const std::unique_lock<StoppableMutex> held(mutex);
   bool is_stopped = false;
   std::thread waiting([&] {
     try {
-      lock_unless_stopped(mutex, &progress);
+      const auto lock = mutex.wait(&progress);
     } catch (const Cancelled&) {
       is_stopped = true;
     }
@@ -151,6 +151,22 @@ TEST(LockUnlessStopped, WaitsForTheLockOrForTheStop) {
   progress.cancel();
   waiting.join();
   EXPECT_TRUE(is_stopped);
+}
+
+TEST(StoppableMutex, IsHeldByOneOfManyThreads) {
+  StoppableMutex mutex;
+  int count = 0;
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&] {
+      for (int step = 0; step < 1000; ++step) {
+        const auto lock = mutex.wait(nullptr);
+        ++count;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(count, 4000);
 }
 
 }  // namespace meristem::progress_test

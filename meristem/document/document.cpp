@@ -5,15 +5,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "meristem/base/lock_unless_stopped.h"
 #include "meristem/base/name_table.h"
+#include "meristem/base/stoppable_mutex.h"
 #include "meristem/document/animation_keys.h"
 #include "meristem/document/instance_variables.h"
 #include "meristem/document/json.h"
@@ -417,7 +416,7 @@ namespace {
 
 /// Results of files that all reads of one document at other times share.
 struct SharedReads {
-  std::timed_mutex mutex;  // one read at a time
+  StoppableMutex mutex;  // one read at a time
   ReadStore store;
 };
 
@@ -429,7 +428,7 @@ std::function<Document(double, const Progress*)> reading_again(const Document& d
   auto shared = std::make_shared<SharedReads>();
   return [text = document.source.text, file = document.source.file, &registry, again, shared](
              double time, const Progress* progress) {
-    const auto lock = lock_unless_stopped(shared->mutex, progress);
+    const auto lock = shared->mutex.wait(progress);
     ReadOptions now = again;
     now.time = time;
     now.store = &shared->store;

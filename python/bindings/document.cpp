@@ -11,7 +11,6 @@
 #include "call.h"
 #include "errors.h"
 #include "meristem/base/atomic_file.h"
-#include "meristem/base/lock_unless_stopped.h"
 #include "meristem/document/bundle.h"
 #include "meristem/document/grow_moving.h"
 #include "meristem/document/json.h"
@@ -221,7 +220,7 @@ DocumentPointer document_from_state(const py::tuple& state) {
 DocumentInPython::DocumentInPython(WrittenDocument written, const NamedByDocuments& named, const Progress& progress,
                                    std::shared_ptr<SharedWork> shared_work)
     : WrittenDocument(std::move(written)), shared(std::move(shared_work)) {
-  const auto reading = lock_unless_stopped(shared->reading, &progress);
+  const auto reading = shared->reading.wait(&progress);
   shared->files.reload();
   document = read_document(text, file, named.types,
                            {.overrides = overrides,

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
+#include "meristem/base/stoppable_mutex.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 
@@ -30,7 +31,7 @@ std::string models_folder();
 struct SharedWork {
   std::mutex painting;
   GrowthCache textures;
-  std::timed_mutex reading;
+  StoppableMutex reading;
   ReadStore files;
   std::mutex growing;
   GrowthCache growth;
@@ -88,14 +89,15 @@ class PlantInPython {
 
   /// With a copy of each placed plant. Throws InputError where they pass a limit.
   const Plant& plant() const;
-  /// As it has grown.
+  /// Returns the plant without copies of placed plants.
   const Plant& unexpanded() const { return grown_.plant; }
   const std::vector<Diagnostic>& warnings() const { return grown_.warnings; }
   const GrowthTraces& traces() const { return grown_.traces; }
-  /// What has grown, with all up to a part. On a thread without the interpreter's lock. Throws as complete_growth does.
+  /// Returns the growth, completed up to a part. Must be called on a thread without the interpreter's lock. Throws as
+  /// complete_growth does.
   const GrownDocument& up_to(GrownPart part, Progress& progress);
-  /// As it has grown, with pictures in place of sketches if textures cut holes: what measures of leaves need. Throws
-  /// Cancelled.
+  /// Returns the plant without copies of placed plants. Paints textures if they cut holes, because measures of leaves
+  /// need the holes. Throws Cancelled.
   const Plant& with_holes(Progress& progress);
   /// The meshes for rays alone (mesh_for_rays), or all meshes if they have been made. Throws as mesh_for_rays does.
   std::shared_ptr<const MeshScene> ray_meshes(Progress& progress);

@@ -3,6 +3,8 @@
 // both versions share, and follow rays with the functions below.
 #pragma once
 
+#include <cstddef>
+
 #if MERISTEM_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
@@ -18,6 +20,10 @@ inline constexpr const char* kEmbreeDevice = "threads=1,user_threads=1";
 #else
 inline constexpr const char* kEmbreeDevice = nullptr;
 #endif
+
+/// Bytes that Embree's monitor of memory counts for an instance beside its part of the tree. Only Embree 4 tells the
+/// monitor of the object of each instance.
+inline constexpr std::size_t kCountedInstanceBytes = MERISTEM_EMBREE >= 4 ? 240 : 0;
 
 #if MERISTEM_EMBREE >= 4
 

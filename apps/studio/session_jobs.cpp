@@ -165,7 +165,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
   return std::nullopt;
 }
 
-/// Has the thread that grows answer the request by what has grown.
+/// Answers the request later, on the thread that grows, with `question(last growth, progress)`.
 template <class Question>
 void StudioSession::ask_grown(double id, Question question) {
   grower_->ask(

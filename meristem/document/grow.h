@@ -76,14 +76,14 @@ void paint_plant(const Document& document, Plant& plant, Progress& progress, Gro
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
                       GrowthCache* cache = nullptr);
 
-/// Returns the meshes that a plant which has grown from the document has for rays alone (ray_meshes.h), at level 0.
+/// Returns the meshes for rays (ray_meshes.h) of a plant that has grown from the document, at level 0.
 /// Textures with holes must be painted (paint_plant). Throws what grow_document throws.
 MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress);
 /// Returns these meshes, and frees the plant while they are made.
 MeshScene mesh_for_rays(const Document& document, Plant&& plant, Progress& progress);
 
-/// Counts the geometry of the meshes of level 0 of a plant that has grown from the document, and makes none
-/// (geometry_count.h). Throws what grow_document throws.
+/// Counts the geometry of the meshes of a plant at level 0, without making the meshes (geometry_count.h). Throws what
+/// grow_document throws.
 GeometryCount count_geometry(const Document& document, const Plant& plant, Progress& progress);
 
 /// The meshes of a plant that has grown from the document, for a view that draws a limited number of triangles

@@ -156,9 +156,8 @@ struct Prototype {
 
   /// The id that its instances draw their random numbers by.
   const std::string& drawn_as() const { return shown.empty() ? id : shown; }
-  const ComponentBase& base() const {
-    return type->base(parameters.get());
-  }  ///< the parameters that all components have
+  /// Returns the parameters that all components have.
+  const ComponentBase& base() const { return type->base(parameters.get()); }
 };
 
 /// The names of those rows of a component that grows which growth does not ask for: where only they change, what has

@@ -51,9 +51,8 @@ struct EmittedStem {
   std::shared_ptr<const GrowingStem> growing{};  ///< it stands as at a step of its growth, and so is `trimmed`; or null
 
   std::uint64_t id() const { return site.key.bits(); }  ///< Site::stem of sites on it
-  const std::shared_ptr<const Deformation>& deformation() const {
-    return deformation_at(site);
-  }  ///< deformation of the stem, or null
+  /// Returns the deformation of the stem, or null.
+  const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
   /// What Site::individual says of sites on the root of this number, and on this node.
   std::uint64_t individual_of_root(std::uint32_t root) const {
     return root == 0 ? site.individual : site.key.child("root").child(root).bits();

@@ -83,7 +83,8 @@ struct GrowthTraces {
   /// that has ended before, and of all others, its last step's. Throws as GrowthTrace::marks(), and InputError where
   /// placed plants have more than 4 million marks.
   StepMarks marks(int of_step, TraceWish wish, const Progress& progress) const;
-  /// The same growth by growth: the own ones in their order, then those of placed plants place by place.
+  /// Returns the marks of each growth: first the growths of the document in their order, then the growths of placed
+  /// plants, place by place.
   std::vector<GrowthMarks> marks_of_growths(int of_step, TraceWish wish, const Progress& progress) const;
   bool has_growths() const;     ///< whether anything was recorded of any plant
   std::uint64_t bytes() const;  ///< memory of all records

@@ -6,8 +6,8 @@
 
 namespace meristem {
 
-/// How what is read from a file comes to stand in a document: its up axis is turned up, then it is scaled, turned and
-/// moved, all of it in 64 bits.
+/// The position of a file's content in a document. The up axis of the file is turned up; then the content is scaled,
+/// rotated and moved. All of this is done in 64 bits.
 struct ImportPose {
   /// The axis of the file that points up.
   enum class Up { y, z };

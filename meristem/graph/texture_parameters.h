@@ -29,7 +29,7 @@ struct TextureParameters {
   std::optional<LeafRecipe> leaf;            ///< painted leaf
   std::optional<PetalRecipe> petal;          ///< painted petal
   std::optional<PictureParameters> picture;  ///< pictures from files
-  int pixels = 512;                          ///< a side, of those that are made
+  int pixels = 512;                          ///< side length of painted textures
 
   bool is_empty() const { return !bark && !leaf && !petal && !picture; }  ///< true if no texture is given
 };

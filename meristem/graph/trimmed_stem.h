@@ -50,8 +50,8 @@ class TrimmedStem {
   /// A frame at a position of the whole stem, moved to `to` on what is left and turned as the stem is there.
   Frame moved(const Frame& frame, StemPosition from, StemPosition to) const;
 
-  /// A site at a position of a whole stem that grows, which has been moved to `to` on what stands: on the bark as it is
-  /// by now, as large as it has come to be, and with its birth.
+  /// Moves a site of a growing stem from the position `from` of the whole stem to `to` on the remaining stem. The site
+  /// then stands on the present bark, with its present size and its birth.
   void settle(const GrowingStem& growing, StemPosition from, StemPosition to, Site& site) const;
 
   std::uint64_t bytes() const;  ///< heap memory

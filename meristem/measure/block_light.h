@@ -15,15 +15,16 @@
 
 namespace meristem {
 
+/// Measures the light on organs, block by block.
 class BlockLight {
  public:
-  /// `meshes` are those of the whole plant, and `scene` has the light; both must outlive this. Throws Cancelled,
-  /// MachineError (memory).
+  /// `meshes` are the meshes of the whole plant, and `scene` contains the light. Both must outlive this object. Throws
+  /// Cancelled, MachineError (memory).
   BlockLight(const MeshScene& meshes, const Scene& scene, Progress& progress);
   ~BlockLight();
 
-  /// The light on the organs of the next block, whose areas are known. Its meshes and textures must outlive this.
-  /// Counts organs into the caller's stage of `progress`.
+  /// Returns the light on each organ of the next block. `areas` has the area of each organ. The block's meshes and
+  /// textures must outlive this object. Counts organs into the caller's stage of `progress`.
   std::vector<LitOrgan> measure(const Plant& block, std::span<const OrganArea> areas, Progress& progress);
 
  private:

@@ -160,8 +160,8 @@ LeafLayers empty_layers(const Span& heights, double layer_height) {
   return layers;
 }
 
-/// Adds up the leaf area of each layer. Each run of `grain` organs has its own sum, and the sums are added in order, so
-/// that the result depends neither on threads nor on how the plant comes in blocks.
+/// Adds up the leaf area of each layer. Each run of `grain` organs has its own sum, and the sums are added in order.
+/// The result therefore depends neither on threads nor on the sizes of blocks.
 class LayerSum {
  public:
   /// Runs are longer where there are many layers, so that their sums stay small.

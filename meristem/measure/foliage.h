@@ -16,8 +16,8 @@ struct OrganArea {
   double petiole = 0;  ///< square metres of its petiole's triangles
 };
 
-/// The leaves of a plant. A leaf is an organ whose material is two-sided: a blade without thickness, as the components
-/// `leaf` makes them (petals made so count as well); closed organs such as fruits are none.
+/// The leaves of a plant. A leaf is an organ with a two-sided material: a blade without thickness, such as the
+/// component `leaf` makes. Petals from this component count as leaves. Closed organs such as fruits do not.
 struct Foliage {
   std::uint64_t leaves = 0;  ///< number of leaves
   double area = 0;           ///< square metres of blades, one side, without the holes of their textures
@@ -43,9 +43,9 @@ struct LeafLayers {
   double high(std::size_t layer) const { return low(layer + 1); }
 };
 
-/// Whether organs of this prototype are leaves.
+/// Returns true if organs of this prototype are leaves.
 bool is_leaf(const Plant& plant, const OrganPrototype& prototype);
-/// Whether an organ of the plant is a leaf.
+/// Returns true if an organ of the plant is a leaf.
 bool is_leaf(const Plant& plant, const Organ& organ);
 
 /// Whether textures of the plant, or of plants placed in it, cut holes: then they must be painted before leaves are

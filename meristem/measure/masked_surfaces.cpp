@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The share of a triangle that a texture's mask covers is found once per triangle of a prototype, at the middles of
-// equal small triangles about a pixel wide: a picture that fills half of its rectangle counts half.
+// Finds the share of each triangle that is no hole, once per triangle of a prototype. The triangle is divided into
+// equal small triangles about a pixel wide, and the mask is read at their middles. A picture that fills half of its
+// rectangle therefore counts half.
 #include "meristem/measure/masked_surfaces.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr std::size_t kOrgansPerTask = 1024;
 constexpr int kLeastCuts = 4;  // of a triangle's sides, to ask a mask
 constexpr int kMostCuts = 128;
 
-/// Which share of a triangle in uv a mask covers.
+/// Returns the share of a triangle in uv that is no hole of the mask.
 double covered_share(const AlphaMask& mask, const Image& picture, const std::array<Vec2, 3>& uv) {
   const Vec2 pixels(picture.width, picture.height);
   const auto side = [&](int a, int b) { return glm::length((uv[a] - uv[b]) * pixels); };

@@ -16,7 +16,7 @@
 
 namespace meristem {
 
-/// Areas of triangles under a frame: area vectors turn and scale by the cofactors of its axes.
+/// Computes areas of triangles under a frame. Area vectors are multiplied by the cofactors of the axes of the frame.
 class AreaInFrame {
  public:
   explicit AreaInFrame(const Frame& frame) {
@@ -33,7 +33,7 @@ class AreaInFrame {
   DVec3 yz_, zx_, xy_;
 };
 
-/// What the organs of a prototype have in common.
+/// The triangles that all organs of a prototype share.
 struct MaskedSurface {
   const Mesh* mesh = nullptr;
   std::vector<DVec3> vectors;   ///< twice the area vector of each triangle, in its own frame
@@ -47,7 +47,7 @@ class MaskedSurfaces {
   /// `block` must outlive this. Throws std::invalid_argument if a texture with holes is a sketch.
   void add_new(const Plant& block);
   const MaskedSurface& of(const Organ& organ) const { return surfaces_[organ.prototype]; }
-  /// The area of each organ of a block. Counts organs into the caller's stage of `progress`.
+  /// Returns the area of each organ of a block. Counts organs into the caller's stage of `progress`.
   std::vector<OrganArea> areas(const Plant& block, Progress& progress) const;
 
  private:

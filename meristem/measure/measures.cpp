@@ -175,7 +175,7 @@ class PlantMeasurer {
     are_apart_ = are_apart_ && leaf.individual != kNoIndividual;
   }
 
-  /// All leaves, and those of each tree unless leaves belong to several trees.
+  /// Sets the leaf measures of the stand. Sets those of each tree only if no leaf belongs to several trees.
   void tell_leaves(std::size_t individuals, StandMeasures& stand) {
     leaves_.tell(stand.whole);
     if (!are_apart_) return;

@@ -121,16 +121,17 @@ struct MeasureOptions {
 StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
                                 const MeasureOptions& options, Progress& progress);
 
-/// Measures a plant with its leaves and meshes, where it stands; `scene` is that of the light, which need not be the
-/// one that it grew in. Where leaves have textures with holes, these must be painted (has_holes, foliage.h). `meshes`
-/// are those of make_mesh_scene, or of make_ray_meshes, which light needs alone; geometry is theirs. Placed plants are
-/// measured in blocks (expand_in_blocks), so memory does not grow with their places. Begins stages of `progress`.
-/// Throws InputError past `limits`, Cancelled.
+/// Measures a plant with its leaves and meshes. `scene` contains the light, which can be another one than during
+/// growth. Textures with holes must be painted before (has_holes, foliage.h). `meshes` must be the result of
+/// make_mesh_scene or make_ray_meshes for this plant; the measures of geometry are counted in them. Placed plants are
+/// measured in blocks (expand_in_blocks), so memory does not grow with the number of places. Begins stages of
+/// `progress`. Throws InputError if `limits` are exceeded, and Cancelled.
 StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 
-/// Measures a plant without meshes, whose limits then do not matter. Its geometry has no value until
-/// Measures::set_geometry. Throws as above, and std::invalid_argument if options ask for the light on organs.
+/// Measures a plant without meshes. Limits of triangles and geometry do not apply, and measures of geometry have no
+/// value until Measures::set_geometry is called. Throws as above, and std::invalid_argument if options request the
+/// light on organs.
 StandMeasures measure_plant(const Plant& plant, const Limits& limits, const Scene& scene, const MeasureOptions& options,
                             Progress& progress);
 

@@ -36,7 +36,7 @@ void add_columns(std::vector<T>& to, const std::vector<T>& from) {
   for (std::size_t k = 0; k < from.size(); ++k) to[k] += from[k];
 }
 
-/// From north over east, in [0, 2 pi); none for a vertical vector.
+/// Returns the azimuth from north over east in [0, 2 pi). Returns nothing for a vertical vector.
 std::optional<double> azimuth_of(DVec3 vector) {
   if (vector.x == 0 && vector.z == 0) return {};
   const double azimuth = math::atan2(vector.x, -vector.z);

@@ -15,7 +15,7 @@
 
 namespace meristem {
 
-/// What is measured on one tree.
+/// The measurements of one tree.
 struct TreeRecord {
   TreeForm form;  ///< without the crown's hull
   ForkSamples forks;
@@ -24,15 +24,15 @@ struct TreeRecord {
   Vec3 position{0};  ///< of the root, metres
 };
 
-/// The record of each tree of a skeleton, in the order of the roots. Throws Cancelled.
+/// Measures each tree of a skeleton, in the order of the roots. Throws Cancelled.
 std::vector<TreeRecord> record_trees(const Skeleton& skeleton, const Scene* scene, const MeasureOptions& options,
                                      const Progress& progress);
 
-/// The measures of a stand of all trees that were added.
+/// Adds up the measures of the trees of a stand.
 class StandSum {
  public:
   void add(const TreeRecord& tree);
-  /// To be called once, after the last tree.
+  /// Returns the measures of the stand. Must be called once, after the last tree.
   Measures finish();
 
  private:

@@ -111,7 +111,7 @@ PlantFacts shoots_of(const Plant& plant, const Progress& progress) {
   return facts;
 }
 
-/// The shoots of a plant's organs, which are told by prototype.
+/// Finds the shoot of each organ, and lists the shoots by prototype.
 void find_shoots_of_organs(const Plant& plant, PlantFacts& facts, Progress& progress) {
   std::vector<std::uint32_t> shoots(plant.organs.size(), kNoShoot);
   parallel_for(shoots.size(), kOrgansPerSearch, [&](std::size_t begin, std::size_t end) {
@@ -136,7 +136,7 @@ PlantFacts facts_of(const Plant& plant, Progress& progress) {
   return facts;
 }
 
-/// Appends a plant, and those that stand in it, each once.
+/// Appends a plant and all plants placed in it, each of them once.
 void gather(const Plant& plant, std::unordered_set<const Plant*>& known, std::vector<const Plant*>& plants) {
   if (!known.insert(&plant).second) return;
   plants.push_back(&plant);

@@ -50,7 +50,7 @@ struct ShootOrigin {
 
 struct LabelFacts;
 
-/// What a plant has to say about the surfaces of its meshes, which may be made later.
+/// The labels of a plant, before its meshes are made.
 class PlantLabels {
  public:
   /// `plant` need not outlive it. Begins a stage of `progress`, which counts organs. Throws InputError past `limits`,
@@ -76,7 +76,8 @@ class SurfaceLabels {
   /// `scene` must outlive it; `plant` need not. Begins a stage of `progress`, which counts organs. Throws InputError
   /// past `limits`, Cancelled.
   SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress);
-  /// Like the constructor above, for the labels of the plant. The meshes may be those of make_ray_meshes.
+  /// Like the constructor above, with labels that were read from the plant before. `scene` can also be the result of
+  /// make_ray_meshes.
   SurfaceLabels(PlantLabels&& labels, const MeshScene& scene);
   ~SurfaceLabels();
   SurfaceLabels(const SurfaceLabels&) = delete;

@@ -69,8 +69,8 @@ Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progr
 /// Access to a plant's expansion. Refers to the plant itself if it has no plantings.
 class ExpandedPlant {
  public:
-  /// `plant` must outlive this object unless it has plantings. `limits` must be those of the plant's document. Throws
-  /// as expanded() does.
+  /// `plant` must outlive this object unless it has plantings. `limits` must be the limits of the plant's document.
+  /// Throws as expanded() does.
   ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress);
   /// The expanded plant.
   const Plant& operator*() const { return *plant_; }

@@ -21,9 +21,8 @@ struct Texture {
   bool has_normals() const { return !normals.is_empty(); }  ///< true if the texture has a picture of normals
   /// Returns false for a sketch: a texture that the program makes, still without pixels and mean.
   bool is_painted() const { return colour.is_empty() || !colour.rgba.empty(); }
-  std::uint64_t bytes() const {
-    return colour.rgba.capacity() + normals.rgba.capacity();
-  }  ///< heap memory of both pictures
+  /// Returns the heap memory of both pictures.
+  std::uint64_t bytes() const { return colour.rgba.capacity() + normals.rgba.capacity(); }
 };
 
 }  // namespace meristem

@@ -13,9 +13,9 @@
 
 namespace meristem {
 
-/// Adds by how much the blended bodies of all stems are thickened; the least radius is the largest of all bodies.
+/// Adds the thickening of the blended bodies of all stems to `whole`. The least radius is the largest of all bodies.
 void add_thickening(const Plant& plant, Thickening& whole);
-/// Returns true if any stem has a blended body or a crown body that is seen.
+/// Returns true if any stem has a blended body or a visible crown body.
 bool has_bodies(const Plant& plant);
 
 /// About how many triangles the blended bodies and crowns of a plant have. A guess by their resolution, unless the

@@ -20,9 +20,9 @@ struct GeometryCount {
 
 GeometryCount count_geometry(const MeshScene& scene);
 
-/// The geometry of the mesh scene that make_mesh_scene makes of a plant at level 0, which is not made: tubes are
-/// planned, and each closed body is made and dropped. Limits on triangles and on bytes of geometry hold for bodies
-/// alone. Begins a stage of `progress`, which counts plants. Throws InputError past limits, Cancelled.
+/// Counts the geometry that make_mesh_scene would make of a plant at level 0. Tubes are only planned. Each closed body
+/// is made and freed again, so limits on triangles and on bytes of geometry apply to closed bodies only. Begins a stage
+/// of `progress`, which counts plants. Throws InputError past limits, Cancelled.
 GeometryCount count_geometry(const Plant& plant, const Limits& limits, Progress& progress);
 
 }  // namespace meristem

@@ -56,7 +56,7 @@ Box MeshScene::bounds() const {
 
 namespace {
 
-/// Lets go of the plant once its own meshes are made, and then of each variant that stands in it.
+/// Frees the plant when its own meshes are made, and each placed variant when the meshes of the variant are made.
 MeshScene make_meshes(std::shared_ptr<const Plant> plant, const OwnMeshOptions& options, Progress& progress) {
   const auto& [limits, detail, cache, use] = options;
   check_detail(detail);

@@ -32,9 +32,8 @@ struct MeshInstances {
   /// What of the plant it shows; null where that is not known, as in coarser levels of small plants and in obstacles.
   std::shared_ptr<const MeshOrigin> origin{};
 
-  std::size_t place_count() const {
-    return places == nullptr ? 1 : places->size();
-  }  ///< number of places of the plant that the part belongs to
+  /// Returns the number of places of the plant that the part belongs to.
+  std::size_t place_count() const { return places == nullptr ? 1 : places->size(); }
   /// Instances in all, place by place.
   std::size_t count() const { return frames.size() * place_count(); }
   /// Returns the frame of an instance in the world.
@@ -43,9 +42,8 @@ struct MeshInstances {
                              : (*places)[instance / frames.size()] * frames[instance % frames.size()];
   }
   std::uint64_t triangle_count() const { return mesh->triangle_count() * count(); }  ///< triangles of all instances
-  Vec3 tint(std::size_t instance) const {
-    return tints.empty() ? Vec3(1) : tints[instance % frames.size()];
-  }  ///< returns the tint of an instance
+  /// Returns the tint of an instance.
+  Vec3 tint(std::size_t instance) const { return tints.empty() ? Vec3(1) : tints[instance % frames.size()]; }
   /// The plant that an instance belongs to.
   std::uint32_t individual(std::size_t instance) const { return individuals.empty() ? 0 : individuals[instance]; }
 };

@@ -168,7 +168,7 @@ TEST(MeshScene, RejectsIndicesThatPointNowhere) {
   rejects([](Plant& plant) { plant.prototypes[0].mesh = nullptr; });
 }
 
-/// A stand of different plants, of which `alive` knows whether they still exist.
+/// A stand of different plants; `alive` knows whether they still exist.
 Plant stand_of(std::size_t plants, std::vector<std::weak_ptr<const Plant>>& alive) {
   Plant stand = plant_of_all_sorts();
   for (std::size_t k = 0; k < plants; ++k) {

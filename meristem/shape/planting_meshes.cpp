@@ -65,7 +65,7 @@ class PlantingClothier {
     }
   }
 
-  /// Lets go of a variant, unless its places are still to be chosen.
+  /// Returns a variant. Keeps no reference to it unless its places must still be chosen.
   std::shared_ptr<const PlantVariant> take_variant(std::size_t k) {
     return recipe_.shown_places ? variants_[k] : std::move(variants_[k]);
   }

@@ -20,7 +20,7 @@ namespace meristem {
 
 /// How the meshes of placed plants are made.
 struct PlantingRecipe {
-  /// Makes the meshes of a variant, and may let go of it. Called on several threads at once.
+  /// Makes the meshes of a variant, and may free the variant. Called on several threads at once.
   std::function<VariantMeshes(std::shared_ptr<const PlantVariant> variant, Progress& progress)> make;
   /// Adds everything that the result of `make` depends on besides the variant.
   std::function<void(const PlantVariant& variant, Fingerprint& key)> add_key;

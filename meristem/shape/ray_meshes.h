@@ -8,9 +8,9 @@
 
 namespace meristem {
 
-/// Returns the meshes that make_mesh_scene makes of a plant at level 0, with what rays need alone: tubes have no
-/// normals and tangents, and uvs only under textures with holes; instances have no tints. Takes about half of the
-/// memory. The textures with holes must be painted before. Throws as make_mesh_scene does.
+/// Returns the meshes that make_mesh_scene makes of a plant at level 0, without the attributes that rays do not need.
+/// Tubes have no normals and tangents, and have uvs only under textures with holes. Instances have no tints. Takes
+/// about half of the memory. Textures with holes must be painted before. Throws as make_mesh_scene does.
 MeshScene make_ray_meshes(const Plant& plant, const Limits& limits, Progress& progress);
 
 /// Makes the same meshes, and frees the plant while it makes them, as make_mesh_scene does.

@@ -53,7 +53,7 @@ class ModelsTest(unittest.TestCase):
             print(f"{name:<20} {first_seconds:7.2f} s {time.monotonic() - begin:7.2f} s {first['triangles']:>8} triangles")
 
     def check_components(self, head: dict[str, Any], tree: dict[str, Any]) -> None:
-        """What is drawn is made of the document's own components and obstacles."""
+        """Checks that the drawn components are components or obstacles of the document."""
         drawn = {batch["component"] for batch in head.get("batches", [])}
         own = set(tree["components"]) | {name for name in drawn if name.startswith("scene.obstacles[")}
         self.assertLessEqual(drawn, own)

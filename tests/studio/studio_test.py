@@ -135,7 +135,7 @@ mv {notes}/page {notes}/page.html
                     studio.process.send_signal(signal.SIGINT)
                     with self.assertRaises(Closed):
                         page.wait(lambda message: False)
-                    # The program may be ended while work is in hand, so the private page goes first of all.
+                    # The private page is removed first, because the program may end before its work does.
                     self.assertEqual(list((notes / "temporary").iterdir()), [])
                 self.assertEqual(studio.process.wait(timeout=60), 0)
 

@@ -141,9 +141,8 @@ class Session {
   std::size_t undo_count() const { return done_.size(); }    ///< number of steps that undo() can take back
   std::size_t redo_count() const { return undone_.size(); }  ///< number of steps that redo() can make again
 
-  const std::vector<Override>& overrides() const {
-    return options_.overrides;
-  }  ///< values that replace values of the text
+  /// Returns the values that replace values of the text.
+  const std::vector<Override>& overrides() const { return options_.overrides; }
   /// Values that replace those of the text until the next call, as during the drag of a slider; the text stays.
   void set_overrides(std::vector<Override> overrides, const Progress* progress = nullptr);
   /// Reads the files that have changed on the disk since they were read, and the document with them.

@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// A number of parts that may have a fraction: of 3.4 there are four, of which the last has come to be by 0.4.
+/// A number of parts, which may have a fraction. 3.4 means four parts, and the last one has grown by 0.4.
 struct Count {
   double value = 0;  ///< may have a fraction
 
@@ -14,9 +14,9 @@ struct Count {
   /// A count of `number`, which may have a fraction.
   Count(double number) : value(number) {}  // NOLINT(google-explicit-constructor): counts are numbers
 
-  /// How many there are, with the one that is coming to be.
+  /// Returns the number of parts, with the last one that is still growing.
   std::uint32_t parts() const { return static_cast<std::uint32_t>(std::ceil(value)); }
-  /// How far the last one has come to be: above 0, at most 1.
+  /// Returns how far the last part has grown: above 0, at most 1.
   double last() const { return value > 0 ? value - (std::ceil(value) - 1) : 1; }
 
   bool operator==(const Count&) const = default;

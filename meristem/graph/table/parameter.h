@@ -140,7 +140,7 @@ struct Parameter {
   std::vector<std::string> choices;            ///< the values of a choice
   std::size_t count = 0;                       ///< number of integers
   PointsForm together = PointsForm::line;      ///< what points or positions are together
-  InSpace in_space = InSpace::none;            ///< what it says of space
+  InSpace in_space = InSpace::none;            ///< role of the value in space, for grips of editors
   /// The table of an object, or of the elements of a list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
   const Kinds& (*kinds)() =

@@ -88,9 +88,8 @@ class ParameterReader {
     std::string file_path;  ///< path of the parameter
     std::string other;      ///< path of the other parameter, or empty
   };
-  const std::vector<Meaningless>& meaningless() const {
-    return meaningless_;
-  }  ///< such parameters, in the order of reading
+  /// Returns such parameters, in the order of reading.
+  const std::vector<Meaningless>& meaningless() const { return meaningless_; }
   /// The candidate nearest to `name`, until the number of faults exceeds what is shown. Empty as well once all searches
   /// together have looked at kMaxNamesCompared candidates, so that many faults among many names cost little time.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;

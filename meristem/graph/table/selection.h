@@ -19,13 +19,13 @@ struct Formula {
   bool operator==(const Formula& other) const { return text == other.text; }
 };
 
-/// One over the sites along a stem or over instances, which says yes or no.
+/// A formula over sites along a stem or over instances. A result other than 0 means true.
 using Condition = Formula;
 
 /// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.
 struct Selection {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;  ///< first and last number, both included
-  std::vector<Condition> conditions;                            ///< conditions, each of which selects
+  std::vector<Condition> conditions;                            ///< an instance that meets one of them is selected
   std::size_t names = 0;                                        ///< variables that conditions may use
 
   bool is_empty() const { return ranges.empty() && conditions.empty(); }  ///< true if it selects nothing

@@ -64,7 +64,7 @@ struct Site {
   std::uint64_t section = 0;        ///< id of the section that the parent has given to a surface; 0: it gave none
   RandomKey surface = RandomKey();  ///< key of that surface
   std::uint64_t individual = 0;     ///< id of the plant that the site is part of; 0: of none
-  std::uint32_t row = kNoRow;       ///< of the table that has placed the site or what it hangs on, from 0
+  std::uint32_t row = kNoRow;       ///< row, from 0, of the table that placed the site or one of its ancestors
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
   Clock clock;                                              ///< how time runs for the instance
   double appeared = 0;  ///< when it came to be, by its clock, seconds; plus infinity where it has not yet

@@ -226,7 +226,7 @@ class Table {
   Table&& members(M P::*member, N M::*inner, const ParameterTable& table) && {
     return rows_of(table, offset_of(((*original_).*member).*inner));
   }
-  /// The range of the second numbers of the points of the row just written; its other range is that of the first.
+  /// Sets the range of the second numbers of points, for the last row. The range of the first numbers stays.
   Table&& second(double min, double max, UsualSpan usual = {}) && {
     NumberRange form = table_.parameters.back().form;
     form.min = min;

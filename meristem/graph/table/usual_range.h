@@ -8,17 +8,18 @@
 
 namespace meristem {
 
-/// Whether a row holds numbers with a form of their own: one, or lists of them.
+/// Returns true if a row contains a number, or lists of numbers, with a range.
 bool has_numbers(const Parameter& row);
 
-/// The usual range of a row of numbers, in document units: what the row says; an end that it leaves open follows from
-/// its default, its hard range and its unit. Both ends are finite, lie in the hard range (above it where its lower end
-/// is excluded), are whole for whole numbers, and differ unless only one number is allowed; between them lie all
-/// numbers of `fallback`, the row's default.
+/// Returns the usual range of a row of numbers, in document units. The row can set its ends. A missing end is derived
+/// from the default, the hard range and the unit.
 ///
-/// What is derived is the hard range where that is narrow: at most 2 wide, or 10 times the default's size. Else it goes
-/// to 4 times the default, or where that is 0 or not given as far as the unit suggests, from 0, the hard minimum, or
-/// the same below 0 where that is allowed.
+/// Both ends are finite and within the hard range, and whole for whole numbers. They differ unless only one number is
+/// allowed. All numbers of `fallback`, the row's default, lie between them.
+///
+/// A narrow hard range (at most 2 wide, or 10 times the default) is the usual range. Otherwise the upper end is 4 times
+/// the default. If the default is 0 or missing, the unit determines the upper end. The lower end is 0, the hard
+/// minimum, or the negative upper end if negative numbers are allowed.
 UsualSpan usual_range(const Parameter& row, const Value& fallback);
 
 /// The usual ranges of the first and of the second numbers of points. They are equal if the row has one range for both.

@@ -30,8 +30,8 @@ struct KeyedRange {
 /// a sample of measured values; an expression; or both.
 ///
 /// For an instance with a sample v is drawn from that, by the instance's key and the parameter's name.
-/// For child i of n a range gives v = first + i (last - first) / (n - 1), and first when n = 1; n has the fraction to
-/// which the last child has come to be. The expression is
+/// For child i of n a range gives v = first + i (last - first) / (n - 1), and first if n = 1. n can have a fraction, if
+/// the last child is still growing. The expression is
 /// applied to that v. Results are clamped to the parameter's range; results that are not finite are an InputError at
 /// `path`.
 struct Varying {
@@ -39,8 +39,8 @@ struct Varying {
   std::uint64_t name_hash = 0;               ///< hash of the path within the component: the random stream's purpose
   double first = 0;                          ///< in document units
   double last = 0;                           ///< in document units
-  std::shared_ptr<const Sample> sample;      ///< in place of the range: v is drawn from it; null: none
-  std::shared_ptr<const KeyedRange> keys{};  ///< in place of the range: both ends over the time of the site's clock
+  std::shared_ptr<const Sample> sample;      ///< replaces the range: v is drawn from it; null: no sample
+  std::shared_ptr<const KeyedRange> keys{};  ///< replaces the range: both ends over the time of the site's clock
   std::optional<Expression> expression;      ///< applied to v; unset: v is the value
   std::size_t names = 0;    ///< variables that the expression may use: the variables of sites, and what sites are given
   double min = 0;           ///< least allowed value, in document units

@@ -57,7 +57,7 @@ class Scanner {
   /// would fly into the scene, Cancelled, MachineError (memory).
   Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
           Progress& progress);
-  /// Like the constructor above, with what labels say of the plant, which need not exist any more.
+  /// Like the constructor above, with labels that were read from the plant before. The plant can be freed already.
   Scanner(PlantLabels&& labels, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
   ~Scanner();
   Scanner(const Scanner&) = delete;

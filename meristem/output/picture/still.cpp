@@ -134,7 +134,7 @@ bool shows_obstacles(const Scene& scene, const StillOptions& options) {
   return !options.transparent && has_visible(scene.obstacles);
 }
 
-/// Frames the plants, or obstacles where there are none.
+/// Returns the camera and the ground for the plants. Uses the obstacles if there are no plants.
 Framing framing_of(const MeshScene& plants, const Scene& scene, const View& view, const StillOptions& options,
                    const Progress& progress) {
   const bool has_obstacles = shows_obstacles(scene, options);

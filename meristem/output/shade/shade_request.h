@@ -36,9 +36,8 @@ struct ShadeDay {
   int day = 1;                 ///< day of the year
   std::optional<Date> date{};  ///< unset: the day of any year
 
-  std::string text() const {
-    return date ? date_text(*date) : std::to_string(day);
-  }  ///< the date, or the number of the day
+  /// Returns the date, or the number of the day.
+  std::string text() const { return date ? date_text(*date) : std::to_string(day); }
 };
 
 /// What a request means in a scene.

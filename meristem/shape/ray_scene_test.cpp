@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/embree.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "tests/support/sample_scenes.h"

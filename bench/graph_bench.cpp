@@ -6,8 +6,11 @@
 // its distinct meshes, and what all instances would take as triangles of their own. `maize`: 100,000 maize plants of 13
 // leaves each, in the same way. `table`, `measured`, `written` are what a user waits for, from the document's text to
 // numbers or a file, on one thread; `to_all`, the time of making all of the plant that there is over ours.
+// `components`: a document of many components, each on the first by a link of its own, is expanded. `exponent` is the
+// power of the number of components that the processor time grows with.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -101,6 +104,7 @@ class Times {
     state.counters["processor_ms"] = 1e3 * processor_;
   }
   double best() const { return best_; }
+  double processor() const { return processor_; }
 
  private:
   template <class Call>
@@ -197,6 +201,38 @@ void maple_written(benchmark::State& state) {
   std::filesystem::remove(path);
 }
 BENCHMARK(maple_written)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+std::string text_of_components(std::size_t count) {
+  std::string components = R"("c0": {"type": "leaf"})";
+  std::string links;
+  for (std::size_t k = 1; k < count; ++k) {
+    const std::string id = "c" + std::to_string(k);
+    components += ", \"" + id + R"(": {"type": "leaf"})";
+    links += (k == 1 ? R"(["c0", ")" : R"(, ["c0", ")") + id + "\"]";
+  }
+  return R"({"meristem": 1, "components": {)" + components + R"(}, "links": [)" + links + "]}";
+}
+
+void components(benchmark::State& state) {
+  const auto expanded = [&](std::size_t count) {
+    const Document document = read_document(text_of_components(count), "", meristem::builtin_components());
+    Progress progress;
+    Times times;
+    for (int k = 0; k < 3; ++k) {
+      times.measure([&] { benchmark::DoNotOptimize(expand(document.graph, document.scene, 0, progress)); });
+    }
+    return times;
+  };
+  const auto few = sized<std::size_t>(4'000, 100);
+  const std::size_t many = 25 * few;
+  for (auto _ : state) {
+    const Times of_many = expanded(many);
+    of_many.tell(state);
+    state.counters["exponent"] = std::log(of_many.processor() / expanded(few).processor()) / std::log(25);
+  }
+  state.counters["components"] = static_cast<double>(many);
+}
+BENCHMARK(components)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 /// What the process of its own does.
 int grow_and_write(const char* path, const char* file) {
@@ -301,6 +337,7 @@ int main(int count, char** arguments) {
                                            {"edit_shoots", "best_ms", Asked::at_most, 20},
                                            {"edit_trunk", "best_ms", Asked::at_most, 20},
                                            {"edit_leaves_of_grown_oak", "best_ms", Asked::at_most, 20},
+                                           {"components/iterations:1", "exponent", Asked::at_most, 1.1},
                                            {"maple_whole_process", "ms", Asked::at_most, 1000},
                                            {"table/oak", "best_ms", Asked::at_most, 70},
                                            {"measured/oak", "best_ms", Asked::at_most, 85},

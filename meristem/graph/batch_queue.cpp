@@ -82,10 +82,10 @@ Way* BatchQueue::way_onward(const Batch& parent, LinkIndex link) {
   const ComponentIndex to = graph_.links[link].to;
   if (!in_slices_) return nullptr;
   if (parent.way == nullptr) return graph_.components[to].type->grow ? nullptr : roots_.emplace_back(new_way(to));
-  for (const auto& [known, way] : parent.way->onward) {
-    if (known == link) return way;
-  }
-  return parent.way->onward.emplace_back(link, new_way(to)).second;
+  std::vector<std::pair<LinkIndex, Way*>>& onward = parent.way->onward;
+  const auto place = std::ranges::lower_bound(onward, link, {}, &std::pair<LinkIndex, Way*>::first);
+  if (place != onward.end() && place->first == link) return place->second;
+  return onward.emplace(place, link, new_way(to))->second;
 }
 
 /// Hands on what all ways have made since the last growth, as if each way had been one batch: shorter ways come first.

@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <typeinfo>
 #include <unordered_map>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -63,7 +64,12 @@ class Expansion {
                                  typeid(PlantVariant), typeid(PlacedGrowth)}),
         is_sliced_(options.cache == nullptr),
         made_(graph.components.size()),
-        meshes_(graph.components.size()) {}
+        meshes_(graph.components.size()),
+        counted_mesh_bytes_(graph.components.size()) {
+    for (const Prototype& prototype : graph.components) {
+      if (watches_growth(prototype)) watched_.insert(prototype.shown);
+    }
+  }
 
   Plant run() {
     if (traces_ != nullptr) {
@@ -73,7 +79,7 @@ class Expansion {
     }
     walk();
     for (FinishedBatch& finished : queue_.take_results()) hand_on(std::move(finished));
-    Plant plant = assembly_.run(mesh_bytes(), progress_);
+    Plant plant = assembly_.run(mesh_bytes_, progress_);
     plant.plantings = grow_plantings(graph_, std::move(planting_), view_, traces_, results_, progress_);
     results_.end();
     return plant;
@@ -179,9 +185,7 @@ class Expansion {
     TraceWish wish = view_.wish;
     if (wish.has(TracePart::markers) || step_of(prototype)) wish = wish | TraceWish{TracePart::steps};
     if (shows_outcome()) wish = wish | TraceWish{TracePart::outcome};
-    for (const Prototype& other : graph_.components) {
-      if (other.shown == prototype.id && watches_growth(other)) wish = wish | TraceWish{TracePart::points};
-    }
+    if (watched_.contains(prototype.id)) wish = wish | TraceWish{TracePart::points};
     return wish;
   }
 
@@ -396,9 +400,10 @@ class Expansion {
     for (const Emitted& block : result->blocks) {
       for (const Emitted::EmittedPrototype& made : block.prototypes) meshes.keep(made.key, made.mesh);
     }
+    count_mesh_bytes(component);
     const Limits& limits = graph_.limits;
     const bool fits = nodes_ + result->nodes <= limits.nodes && instances_ + result->offered <= limits.instances &&
-                      mesh_bytes() <= limits.mesh_bytes;
+                      mesh_bytes_ <= limits.mesh_bytes;
     return fits ? result : nullptr;
   }
 
@@ -415,10 +420,11 @@ class Expansion {
     return *meshes;
   }
 
-  std::uint64_t mesh_bytes() const {
-    std::uint64_t sum = 0;
-    for (const std::shared_ptr<SharedMeshes>& meshes : meshes_) sum += meshes != nullptr ? meshes->bytes() : 0;
-    return sum;
+  /// Adds what the meshes of a component have grown by since the last call to the bytes of all meshes.
+  void count_mesh_bytes(ComponentIndex component) {
+    const std::uint64_t bytes = meshes_of(component).bytes();
+    mesh_bytes_ += bytes - counted_mesh_bytes_[component];
+    counted_mesh_bytes_[component] = bytes;
   }
 
   /// What an emitter of the batch's instances needs to know; its progress is set by who uses it.
@@ -440,7 +446,7 @@ class Expansion {
             .wants_branch_sites = wants(links, true),
             .site_names = graph_.site_names.size(),
             .site_names_hash = variables_.names_hash(),
-            .mesh_bytes = mesh_bytes() - meshes.bytes(),
+            .mesh_bytes = mesh_bytes_ - counted_mesh_bytes_[batch.component],
             .instances = instances_,
             .nodes = nodes_};
   }
@@ -470,6 +476,7 @@ class Expansion {
     for (const Emitted& emitted : result->blocks) {
       result->growth_steps = std::max(result->growth_steps, emitted.growth_steps);
     }
+    count_mesh_bytes(batch.component);
     result->nodes = context.nodes - nodes_;
     result->offered = context.instances - instances_;
     return result;
@@ -645,6 +652,9 @@ class Expansion {
   std::uint64_t instances_ = 1;                    // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
+  std::vector<std::uint64_t> counted_mesh_bytes_;      // by component
+  std::uint64_t mesh_bytes_ = 0;                       // the sum of these
+  std::unordered_set<std::string_view> watched_;       // ids of components whose growth others show
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "meristem/graph/graph.h"
@@ -22,9 +24,12 @@ class InstanceVariables {
   std::vector<Site> draw(ComponentIndex component, std::vector<Site> sites) const;
 
  private:
+  std::span<const InstanceVariable* const> variables_of(ComponentIndex component) const;
+
   const Graph& graph_;
   double time_;
   std::uint64_t names_hash_;
+  std::unordered_map<ComponentIndex, std::vector<const InstanceVariable*>> by_owner_;
 };
 
 }  // namespace meristem

@@ -358,8 +358,9 @@ class Sorter {
     for (const std::uint32_t k : order_) {
       const Row& row = rows_[k];
       NodeIndex parent = parent_[k] == kNoRow ? kNoNode : node_of[parent_[k]];
+      // NaN equals nothing, so rows without a branch would all be entries of their own.
       const std::uint32_t branch =
-          branches.emplace(row.branch, static_cast<std::uint32_t>(branches.size())).first->second;
+          has_branches ? branches.emplace(row.branch, static_cast<std::uint32_t>(branches.size())).first->second : 0;
       const auto add = [&](DVec3 position) {
         table_.parent.push_back(parent);
         table_.position.push_back(position);

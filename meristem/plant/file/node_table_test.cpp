@@ -3,6 +3,7 @@
 #include "meristem/plant/file/node_table.h"
 
 #include <cmath>
+#include <ctime>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -212,6 +213,16 @@ TEST(NodeTable, RadiiAreLimitedInMetres) {
   EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,1e3,-1\n0,0,1,1.5e3,0\n"),
             "t.csv:3: the radius of 1500 m is too large; expected radii up to 1000 m");
   EXPECT_EQ(skeleton("x,y,z,radius,parent\n0,0,0,1e3,-1\n").radius[0], 1000);
+}
+
+TEST(NodeTable, RowsWithoutBranchesAreReadInLinearTime) {
+  constexpr int kRows = 300'000;
+  std::string text = "id,parent,x,y,z\n0,-1,0,0,0\n";
+  for (int k = 1; k < kRows; ++k) text += fmt::format("{},{},0,0,{}\n", k, k - 1, 0.001 * k);
+  const std::clock_t begin = std::clock();
+  EXPECT_EQ(read_node_table(text, "t.csv", {}).node_count(), kRows);
+  // The square of the rows would take minutes.
+  EXPECT_LT(std::clock() - begin, 20 * CLOCKS_PER_SEC);
 }
 
 TEST(NodeTable, MoreNodesThanMayBeAreRefusedWhileTheyAreRead) {

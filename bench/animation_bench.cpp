@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of films. `keyed_leaves`: a frame of a tree of 200,000 triangles whose leaves have keys, with the cache; only
-// the leaves are made anew; `to_cold`, the time of growing all of it over ours in the same run. `growth`: a frame of
-// the oak that grows over time; `growths`, how many skeletons all frames together have grown. `maple`: a frame of the
-// large maple with 4 million triangles whose leaves have keys; `grown_mb`, by how much more memory the process holds
-// after all of its 250 frames than after the first 25.
+// Frames of films. `keyed_leaves` makes a frame of a tree of 200,000 triangles whose leaves have keys, with the cache.
+// Only the leaves are made anew. `to_cold` is the time of growing everything, divided by the time with the cache, in
+// one run. `growth` makes a frame of the oak that grows over time; `growths` is the number of skeletons that all frames
+// together have grown. `maple` makes a frame of the large maple with 4 million triangles whose leaves have keys.
+// `grown_mb` is the additional memory of the process after all 250 frames, compared with the memory after the first 25.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -30,7 +30,7 @@ using meristem::bench::sized;
 
 constexpr double kFilm = 10;  // seconds
 
-/// The document with these overrides, "PATH=VALUE".
+/// Returns the document with these overrides, "PATH=VALUE".
 Document read(const std::string& file, const std::vector<std::string>& sets) {
   const std::string path = std::string(MERISTEM_SOURCE_DIR) + "/" + file;
   meristem::ReadOptions options;
@@ -43,7 +43,7 @@ GrownDocument frame(const Document& document, double time, GrowthCache* cache) {
   return grow_document(document, progress, {.time = time, .up_to = GrownPart::meshes, .cache = cache});
 }
 
-/// Megabytes of memory that the process holds now.
+/// Returns the present memory of the process in megabytes.
 double held_mb() {
   long pages = 0;
   long resident = 0;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Space colonization of an ellipsoid crown, from 2,400 to 240,000 points, with as many nodes per point at every size:
-// step 0.02 (2400/N)^(1/3) m, influence 17 steps, kill distance 2 steps. Counters: nodes, steps, peak memory of the
-// process. `growth` is ours; `rebuilt_tree` finds nearest nodes with a k-d tree of all nodes, built anew in every step;
-// `new_nodes_tree` with one of the step's new nodes alone. All three must grow the same tree, or the program fails.
-// After the runs it prints how cost grows with N, and the ratios of one thread of ours to the two, by medians.
+// Space colonization of an ellipsoid crown, from 2,400 to 240,000 points, with an equal number of nodes per point at
+// every size. The step is 0.02 (2400/N)^(1/3) m, the influence 17 steps, the kill distance 2 steps. Counters: nodes,
+// steps, peak memory of the process. `growth` is the library's growth. `rebuilt_tree` finds nearest nodes with a k-d
+// tree of all nodes, built anew in every step. `new_nodes_tree` uses a k-d tree of the step's new nodes alone. All
+// three must grow an identical tree, or the program fails. After the runs the program prints the growth of the cost
+// with N, and the ratios of one thread of the library to the two references, by medians.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -32,7 +33,7 @@ using meristem::Vec3;
 
 const meristem::RandomKey kKey(1);
 
-/// Uniform in an ellipsoid with half axes of 0.33, 0.55 and 0.33 m that touches the root from above.
+/// Returns points, uniform in an ellipsoid with half axes of 0.33, 0.55 and 0.33 m that touches the root from above.
 std::vector<Vec3> ellipsoid(std::uint64_t count) {
   std::vector<Vec3> points;
   for (std::uint64_t trial = 0; points.size() < count; ++trial) {
@@ -58,7 +59,7 @@ class NodeTree {
   NodeTree(const std::vector<Vec3>& nodes, std::size_t first) : nodes_(nodes), first_(first), tree_(3, *this, {10}) {
     tree_.buildIndex();
   }
-  /// The nearest node and its squared distance.
+  /// Returns the nearest node and its squared distance.
   std::pair<NodeIndex, float> nearest(Vec3 point) const {
     const float query[3] = {point.x, point.z, point.y};
     std::uint32_t index = 0;
@@ -113,7 +114,7 @@ Skeleton grow(const std::vector<Vec3>& points) {
   return std::move(stand.take_skeletons(progress)[0]);
 }
 
-/// What is grown, whatever radii and axes say.
+/// Returns a hash of the positions and parents of the nodes, without radii and axes.
 std::string form_hash(const Skeleton& skeleton) {
   return meristem::hash128_hex(std::as_bytes(std::span(skeleton.position))).substr(0, 8) +
          meristem::hash128_hex(std::as_bytes(std::span(skeleton.parent))).substr(0, 8);
@@ -188,7 +189,7 @@ void new_nodes_tree(benchmark::State& state) {
 }
 BENCHMARK(new_nodes_tree)->Apply(as_reference);
 
-/// Prints exponent and ratios of what was run, and returns whether all grew the same.
+/// Prints exponent and ratios of the runs. Returns true if all runs grew equal trees.
 bool compare_runs() {
   const auto seconds = [](const std::string& name, std::uint64_t count) {
     const auto found = runs().find({name, count});

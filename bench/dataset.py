@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Data sets of many plants: equal bytes on all engines, what engines cost, memory, going on, and killed workers.
+"""Measures data sets of many plants: equal bytes on all engines, costs of engines, memory, continued runs, and killed
+workers.
 
     PYTHONPATH=build/release/python /usr/bin/python3 bench/dataset.py [PART...]
 
-The parts are digests, ratio, overhead, memory, resume, killed and oaks; all of them by default. The last one prints
-what an oak costs by what is kept of it, as the manual tells it. Each plant of digests, memory, resume and killed is a
-sapling of about a millisecond; ratio and overhead take trees of about 20 ms, as many points as that takes on this
-machine. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs
-everything in sizes that take no time. Engines that are not installed are left out, and said so.
+The parts are digests, ratio, overhead, memory, resume, killed and oaks; all of them by default. The last part prints
+the cost of an oak for each kind of file, for the manual. Each plant of digests, memory, resume and killed is a sapling
+of about a millisecond. The parts ratio and overhead use trees of about 20 ms; their number of points is chosen for this
+machine. The lines of the table are written to the file named by MERISTEM_BENCH_TABLE. MERISTEM_BENCH=small runs
+everything in tiny sizes. Engines that are not installed are left out, with a message.
 """
 
 from __future__ import annotations
@@ -97,7 +98,7 @@ def dask(workers: int) -> Iterator[Executor]:
 
 
 def warm(executor: Executor) -> None:
-    """Has every worker import the module, so that what is measured is the tasks."""
+    """Makes every worker import the module, so that only the tasks are measured."""
     for _ in meristem.batch(meristem.Document(SAPLING), seeds=range(40), measure="height", executor=executor):
         pass
 
@@ -167,7 +168,7 @@ def digests(scratch: Path) -> None:
 
 
 def points_for(seconds: float) -> int:
-    """How many points a tree has that takes about as long on this machine."""
+    """Returns the number of points of a tree that takes about this time on this machine."""
     points = 200
     while True:
         document = tree(points)
@@ -282,7 +283,7 @@ def killed(scratch: Path) -> None:
     tell(f"killed twice, {made.found} of {plants} kept", "equal" if same else "different", "equal", same)
 
 
-#: What is kept of each oak, as rows of the manual.
+#: The files of each oak, as rows of the manual.
 KEPT: dict[str, dict[str, Any]] = {
     "measures": {"measures": "all"},
     "skeleton as .csv and .mtg": {"files": [".csv", ".mtg"]},
@@ -305,7 +306,8 @@ def byte_count(size: float) -> str:
 
 
 def oaks(scratch: Path) -> None:
-    """Processor seconds and bytes per oak: reading the document and painting its textures once included."""
+    """Returns processor seconds and bytes per oak, including one reading of the document and one painting of its
+    textures."""
     plants = 1 if SMALL else 8
     for number, (what, kept) in enumerate(KEPT.items()):
         if SMALL and number > 1:

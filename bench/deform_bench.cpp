@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deformations. `axes_of_maple`: the large maple of more than 5 million triangles under an ffd on axes, expanded;
-// `more_ms` is by how much longer that takes than without one in the same run. `geometry_of_maple`: the same on
-// geometry, with its meshes; `more_ms` likewise, and `meshes`, how many there are then. `ffd` and `hyperpatch`: a mesh
-// of a million vertices with normals, deformed on one thread; `to_plain`, its time over that of a loop that does the
-// same sum for each vertex, written out by hand.
+// Deformations. `axes_of_maple` expands the large maple of more than 5 million triangles under an ffd on axes.
+// `more_ms` is the additional time, compared with the maple without an ffd in the same run. `geometry_of_maple` uses an
+// ffd on geometry and makes the meshes; `more_ms` is the additional time, and `meshes` is the number of meshes. `ffd`
+// and `hyperpatch` deform a mesh of a million vertices with normals on one thread. `to_plain` is their time divided by
+// the time of a hand-written loop that computes the same sum for each vertex.
 #include <algorithm>
 #include <chrono>
 #include <string>
@@ -44,7 +44,7 @@ double seconds_of(Call call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The maple, under an ffd with these parameters where they are given.
+/// Returns the maple, under an ffd if its parameters are given.
 meristem::Document maple(const std::string& ffd) {
   std::string text = meristem::read_text_file(kMaple);
   if (!ffd.empty()) {
@@ -61,7 +61,7 @@ meristem::Document maple(const std::string& ffd) {
 
 const std::string kBend = R"("dx": "x + 0.02*y^2", "dy": "y - 0.01*x*y", "on": )";
 
-/// How much longer `work` takes on the deformed maple than on the plain one.
+/// Measures the additional time of `work` on the deformed maple, compared with the plain maple.
 template <class Work>
 void compare(benchmark::State& state, const std::string& ffd, Work work) {
   const meristem::Document plain = maple(""), deformed = maple(ffd);
@@ -105,7 +105,7 @@ Mesh many_vertices() {
   return mesh;
 }
 
-/// A vertex as a plain loop moves it.
+/// Moves a vertex as a plain loop does.
 template <class Map>
 void move_plainly(Mesh& mesh, Map map) {
   for (std::size_t k = 0; k < mesh.positions.size(); ++k) {

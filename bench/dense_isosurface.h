@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marching cubes as they are first written: a tree's function at all corners of a grid, and all cells in their order.
+// Plain marching cubes: evaluates a tree's function at all corners of a grid, and visits all cells in order.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct DenseGrid {
   float coordinate(int axis, int k) const { return static_cast<float>(origin[axis] + cell * k); }
 };
 
-/// Cells of side `cell` about a body, whose corners are those that extract_isosurface samples.
+/// Returns cells of side `cell` about a body, with the corners that extract_isosurface samples.
 inline DenseGrid dense_grid(const ImplicitBody& body, double cell) {
   const double margin = body.reach() + 2 * cell;
   DenseGrid grid{.origin = body.low() - margin, .cell = cell};
@@ -40,8 +40,8 @@ inline DenseGrid dense_grid(const ImplicitBody& body, double cell) {
   return grid;
 }
 
-/// What make_stem_body makes of a skeleton with one root: axes that blend one after another, each the union of cones;
-/// from the first a box is cut away, below the ground.
+/// The body that make_stem_body makes from a skeleton with one root. The axes blend one after another, and each axis is
+/// a union of cones. A box below the ground is cut away from the first axis.
 class DenseTree {
  public:
   explicit DenseTree(const ImplicitBody& body) : base_(moved(std::get<distance::FlatCone<double>>(body.solids()[0]))) {
@@ -74,7 +74,7 @@ class DenseTree {
     return tree;
   }
 
-  /// All segments everywhere.
+  /// Evaluates all segments everywhere.
   void fill(DenseGrid& grid) const {
     float* out = grid.values.data();
     for (int z = 0; z < grid.size.z; ++z) {
@@ -86,7 +86,7 @@ class DenseTree {
     }
   }
 
-  /// Each segment in its own box alone, which is padded by as far as its axis blends and two cells.
+  /// Evaluates each segment only in its own box, padded by the blend width of its axis and two cells.
   void fill_boxes(DenseGrid& grid, const ImplicitBody& body) const {
     std::fill(grid.values.begin(), grid.values.end(), kFar);
     std::vector<float> axis(grid.values.size(), kFar);
@@ -181,7 +181,7 @@ class DenseTree {
     }
   }
 
-  /// Blends an axis's values into the tree's; each is taken once.
+  /// Blends an axis's values into the tree's values. Each value is taken once.
   static void take(std::vector<float>& axis, const Span& span, float blend, DenseGrid& grid) {
     for (int z = span.low.z; z < span.high.z; ++z) {
       for (int y = span.low.y; y < span.high.y; ++y) {
@@ -202,7 +202,7 @@ class DenseTree {
   std::vector<Axis> axes_;
 };
 
-/// The surface between values below 0 and the others, whose cells do not touch the grid's border.
+/// Extracts the surface between negative and other values. Its cells must not touch the grid's border.
 class DenseMesher {
  public:
   explicit DenseMesher(const DenseGrid& grid) : grid_(grid) {
@@ -262,7 +262,7 @@ class DenseMesher {
     std::array<std::uint32_t, 20> vertices{};
     for (unsigned left = crossed_edges(pattern); left != 0; left &= left - 1) {
       const int edge = std::countr_zero(left);
-      // Other cells have met an edge before unless it lies above in both directions.
+      // Other cells have visited an edge before unless it lies above in both directions.
       if ((edge & 3) == 3) {
         made_on(cell, edge) = static_cast<std::uint32_t>(mesh_.positions.size());
         mesh_.positions.emplace_back(crossing(cell, edge));

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Times whole processes: documents, the shipped ones and trees.json if none are named, grown or drawn.
+"""Times whole processes that grow or draw documents. Default: the shipped documents and trees.json.
 
-One document a process, RUNS times after a warm-up; wall and processor seconds as minimum and median, peak memory as the
-operating system counts it, and the file's hash, which has to be the same each time. As a reference for what a process
-costs at all, `meristem --version` is timed in the same run.
+Each process handles one document, RUNS times after a warm-up. Prints the minimum and median of wall and processor
+seconds, the peak memory as the operating system counts it, and the file's hash, which must be equal each time. As the
+reference for the smallest cost of a process, `meristem --version` is timed in the same run.
 
     bench/documents.py [PROGRAM] [--runs N] [--documents FILE ...] [--endings .glb .obj .ply .skeleton.ply .csv .png]
 
@@ -33,7 +33,7 @@ def run_once(command):
 
 
 def measure(command, runs):
-    """Wall and processor seconds as (minimum, median), and the peak memory, over `runs` after one that does not count."""
+    """Returns wall and processor seconds as (minimum, median), and the peak memory, over `runs` after a warm-up."""
     run_once(command)
     walls, processors, memories = zip(*(run_once(command) for _ in range(runs)))
     spread = [(min(times), statistics.median(times)) for times in (walls, processors)]
@@ -51,7 +51,7 @@ def time_document(arguments, document, target):
     if draws:
         command += ["--size", "800x800", "--samples", "64"]
     spread, memory = measure(command, arguments.runs)
-    # In pieces: the system counts what this process holds to the peak of the next one that it starts.
+    # In pieces, because the system adds this process's memory to the peak of the next process that it starts.
     digest = hashlib.sha256()
     with open(target, "rb") as file:
         while piece := file.read(1 << 20):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions over many lanes against the same formula as a C++ function, in the same program: `native` uses the
+// Expressions over many lanes, compared with an equal formula as a C++ function in the same program. `native` uses the
 // C library's functions in radians, as an author would write it. Counters: lanes a second, and `to_native`, the
-// expression's speed as a multiple of the native code's, measured right before it.
+// expression's speed divided by the speed of the native code, which is measured right before it.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -67,7 +67,7 @@ void run_expression(const Expression& expression, Lanes& lanes) {
   benchmark::ClobberMemory();
 }
 
-/// Seconds that `work` takes, the least of several tries.
+/// Returns the shortest time of several runs of `work`, in seconds.
 template <typename Work>
 double least_seconds(Work work) {
   double least = 1e9;
@@ -99,7 +99,7 @@ void batched(benchmark::State& state, const Formula& formula) {
       least_seconds([&] { run_native(formula, lanes); }) / least_seconds([&] { run_expression(expression, lanes); });
 }
 
-/// One lane a call, as where a component has a single instance.
+/// One lane per call, as for a component with a single instance.
 void single(benchmark::State& state, const Formula& formula) {
   const Expression expression = Expression::compile(formula.text, {{"i", "u"}, {}});
   double values[] = {3, 0.25};
@@ -110,7 +110,7 @@ void single(benchmark::State& state, const Formula& formula) {
   state.SetItemsProcessed(state.iterations());
 }
 
-/// Functions without a native counterpart of the same result.
+/// Functions without a native counterpart of equal result.
 void drawing(benchmark::State& state, const char* text) {
   Lanes lanes;
   const Expression expression = Expression::compile(text, {{"i", "u"}, {}});

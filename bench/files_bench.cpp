@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binary glTF of a million triangles and of a crown of leaves, on the memory's file system. The reference is the least
-// that anybody could do: the finished bytes of the same file, written by fwrite. And a skeleton of a million nodes as
-// MTG, beside the same as CSV. Ratios are to be read within a run.
+// Binary glTF of a million triangles and of a crown of leaves, on the memory's file system. The reference is the
+// smallest possible work: fwrite writes the finished bytes of the same file. Also a skeleton of a million nodes as MTG
+// and as CSV. Compare ratios only within one run.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -106,7 +106,7 @@ void place_and_write_leaves(benchmark::State& state) {
 }
 BENCHMARK(place_and_write_leaves)->ArgName("instanced")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// A stem of a tree: axes fork at random nodes and go on for some forty.
+/// A stem of a tree: axes fork at random nodes, and each has about forty nodes.
 Plant twiggy_plant(NodeIndex nodes) {
   const RandomKey key(7);
   Plant plant;
@@ -156,7 +156,7 @@ void write_csv(benchmark::State& state) {
 }
 BENCHMARK(write_csv)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The reference: the bytes of the same files, which nobody has to make.
+/// The reference: writes the finished bytes of the same files.
 void write_finished_bytes(benchmark::State& state, const MeshScene& scene) {
   const OutputFile file;
   Progress progress;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents from text to meshes. `edit`: one number of a plant of about 200,000 triangles changes, with a cache;
-// counters tell which share of the instances and of the stems was made anew, and `to_cold`, the time without a cache
-// over ours in the same run. `maple`: the large maple of more than 5 million triangles, expanded, and in
-// `whole_process` grown and written to an instanced GLB by a process of its own; its peak memory beside the bytes of
-// its distinct meshes, and what all instances would take as triangles of their own. `maize`: 100,000 maize plants of 13
-// leaves each, in the same way. `table`, `measured`, `written` are what a user waits for, from the document's text to
-// numbers or a file, on one thread; `to_all`, the time of making all of the plant that there is over ours.
-// `components`: a document of many components, each on the first by a link of its own, is expanded. `exponent` is the
-// power of the number of components that the processor time grows with.
+// Documents from text to meshes.
+// - `edit`: one number of a plant of about 200,000 triangles changes, with a cache. Counters give the share of the
+//   instances and of the stems that were made anew. `to_cold` is the time without a cache divided by the time with it,
+//   in one run.
+// - `maple`: the large maple of more than 5 million triangles is expanded. In `whole_process`, a separate process grows
+//   the maple and writes it to an instanced GLB. Counters compare the peak memory of this process with the bytes of the
+//   distinct meshes, and with the bytes of all instances as separate triangles.
+// - `maize`: as `maple`, for 100,000 maize plants of 13 leaves each.
+// - `table`, `measured`, `written`: the work that a user waits for, from the document's text to numbers or a file, on
+//   one thread. `to_all` is the time of making the whole plant divided by the time of this work.
+// - `components`: a document of many components is expanded. Each component stands on the first by a link of its own.
+//   `exponent` is the power of the number of components with which the processor time grows.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -63,7 +66,7 @@ Document read(const std::string& file, const std::vector<Override>& overrides = 
   return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), {.overrides = overrides});
 }
 
-/// A large document; a small one of its kind in small runs.
+/// Returns a large document, or a small document of its kind in small runs.
 Document read_large(const std::string& file) {
   std::vector<Override> overrides;
   if (is_small()) {
@@ -82,15 +85,15 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Processor seconds of all threads of this process so far.
+/// Returns the processor seconds of all threads of this process so far.
 double processor_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The shortest time that a call took, and the least that all threads together worked for it: on a machine with other
-/// work the second says more.
+/// The shortest time of a call, and the smallest processor time of all threads together. On a busy machine the second
+/// is more reliable.
 class Times {
  public:
   template <class Call>
@@ -118,7 +121,7 @@ class Times {
   double processor_ = 1e9;
 };
 
-/// One number changes at every step, by a little; everything from the document's text to the meshes.
+/// One number changes slightly at every step. Measures everything from the document's text to the meshes.
 void edit(benchmark::State& state, const std::string& file, std::vector<Override> overrides, const char* path,
           double value) {
   Progress progress;
@@ -234,7 +237,7 @@ void components(benchmark::State& state) {
 }
 BENCHMARK(components)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// What the process of its own does.
+/// The work of the separate process.
 int grow_and_write(const char* path, const char* file) {
   Progress progress;
   const Document document = read_large(file);
@@ -279,7 +282,7 @@ void whole_process(benchmark::State& state, const std::string& file) {
   state.counters["meshes_mb"] = 1e-6 * distinct;
   state.counters["flat_mb"] = 1e-6 * flat;
 }
-/// `work` on a document on one thread, beside growing all of it.
+/// Measures `work` on a document on one thread, beside growing the whole document.
 template <class Work>
 void use(benchmark::State& state, const std::string& file, Work work) {
   const meristem::ThreadLimit limit(1);

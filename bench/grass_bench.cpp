@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grass leaves. `blade`: a leaf of 48 fitted pieces, reduced to what a number of triangles allows and meshed; counters
-// are the triangles and the microseconds that each takes at best. `reduce`: the order in which the points of a leaf go
-// and the leaf of 10 that is left; `to_plain` is its time over that of looking through all errors for the least in
-// every step, measured in the same run, and 1 for `agree` if both give the same points. `fit`, `age`, `live` and
-// `load`: the other stages. `from_points`: all of a leaf from its digitised points to 64 triangles; `us` is its least
-// time, `to_blade` that over the least of reducing and meshing alone. The label is the hash of the result.
+// Grass leaves.
+// - `blade`: a leaf of 48 fitted pieces is reduced to the pieces for a number of triangles and meshed. Counters are the
+//   triangles and the shortest time in microseconds.
+// - `reduce`: computes the order in which the points of a leaf are removed, and a leaf of 10 points. `to_plain` is this
+//   time divided by the time of a search through all errors in every step, in one run. `agree` is 1 if both give equal
+//   points.
+// - `fit`, `age`, `live` and `load`: the other stages.
+// - `from_points`: a whole leaf from its digitised points to 64 triangles. `us` is the shortest time, and `to_blade` is
+//   this time divided by the shortest time of reducing and meshing alone. The label is the hash of the result.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -37,7 +40,7 @@ GrassLeaf bench_leaf(std::size_t pieces) { return with_blade(arching_leaf(pieces
 
 void blade(benchmark::State& state) {
   const GrassLeaf leaf = bench_leaf(48);
-  // Four a piece, less two at the tip.
+  // Four triangles per piece, and two fewer at the tip.
   const auto pieces = static_cast<std::size_t>(state.range(0) + 2) / 4;
   Mesh mesh;
   double seconds = std::numeric_limits<double>::infinity();
@@ -65,7 +68,7 @@ double plain_error(const GrassLeaf& leaf, std::size_t a, std::size_t k, std::siz
   return square(leaf.x, leaf.y) + square(leaf.s, leaf.r);
 }
 
-/// The points in the order in which they go, the least error found by looking through all.
+/// Returns the points in the order of their removal. Finds the smallest error by a search through all errors.
 std::vector<std::uint32_t> plain_order(const GrassLeaf& leaf) {
   std::vector<std::uint32_t> left, order;
   std::vector<double> errors;
@@ -203,7 +206,7 @@ BENCHMARK(load)->ArgName("wind")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 int main(int count, char** arguments) {
   using bench::Asked;
-  // About 14 is what equal bytes allow. Half of it makes chords equal and measures the fit, where each of 48 sums and
-  // quotients waits for the one before; a quarter is reducing and meshing.
+  // Equal bytes allow about 14. Half of this time makes chords equal and measures the fit, where each of 48 sums and
+  // quotients waits for the previous one. A quarter is reducing and meshing.
   return bench::run(count, arguments, {{"from_points/points:12", "us", Asked::at_most, 12}});
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all benchmarks share. Figures that are asked for, and all that have a reference measured in the same run, are
-// one table at the end: names, figures, ratios, what is asked, and whether it holds. In a small run
-// (MERISTEM_BENCH=small, which the tests set) everything runs once, in sizes that take no time: it says only whether
-// the benchmarks still work.
+// Shared code of all benchmarks. A table at the end lists the figures that have a bound, and the figures with a
+// reference measured in the same run: names, figures, ratios, bounds, and whether the bounds are met. In a small run
+// (MERISTEM_BENCH=small, which the tests set) everything runs once, in tiny sizes. A small run only checks that the
+// benchmarks still work.
 #pragma once
 
 #include <cstdio>
@@ -27,7 +27,7 @@ inline bool is_small() {
   return is_small;
 }
 
-/// A size, or what stands for it in a small run.
+/// Returns a size, or its replacement in a small run.
 template <class Size>
 Size sized(Size whole, Size small) {
   return is_small() ? small : whole;
@@ -43,9 +43,9 @@ inline double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-/// What is asked of a figure.
+/// The bound of a figure.
 struct Asked {
-  std::string benchmark;  ///< its name as the table has it
+  std::string benchmark;  ///< its name in the table
   std::string counter;    ///< one of its counters, or "ms": the time of an iteration
   enum Bound { at_most, at_least } bound = at_most;
   double value = 0;
@@ -79,7 +79,7 @@ class TableReporter : public benchmark::ConsoleReporter {
   const std::vector<Figure>& figures() const { return figures_; }
 
  private:
-  /// `tubes/nodes:10000` without what the library adds for how it is timed.
+  /// Returns a name such as `tubes/nodes:10000`, without the library's additions about timing.
   static std::string name_of(const Run& run) {
     const std::string& arguments = run.run_name.args;
     return run.run_name.function_name + (arguments.empty() ? "" : "/" + arguments);
@@ -120,8 +120,8 @@ class TableReporter : public benchmark::ConsoleReporter {
   bool has_failed_ = false;
 };
 
-/// Runs the benchmarks, as main does; `after`, if given, looks at what they have made and says whether all is right.
-/// The table's lines go to the file that MERISTEM_BENCH_TABLE names, fields parted by tabs, to be shown together.
+/// Runs the benchmarks; main() calls it. `after`, if given, checks the results and returns true if they are right. The
+/// lines of the table are appended to the file named by MERISTEM_BENCH_TABLE, with fields separated by tabs.
 inline int run(int count, char** arguments, std::vector<Asked> asked = {}, const std::function<bool()>& after = {}) {
   std::vector<char*> given(arguments, arguments + count);
   char once[] = "--benchmark_min_time=0.000001";

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Isosurfaces of blended trees. The tree is Honda's with one axis (P. Prusinkiewicz, A. Lindenmayer: The Algorithmic
-// Beauty of Plants, 1990, figure 2.6): 511 segments, at resolution 200 unless said otherwise.
+// Isosurfaces of blended trees. The tree is Honda's tree with one axis (P. Prusinkiewicz, A. Lindenmayer: The
+// Algorithmic Beauty of Plants, 1990, figure 2.6): 511 segments, at resolution 200 by default.
 //
-// `everywhere` evaluates all segments at all corners of the grid and marches through all cells; `own_boxes` evaluates
-// each segment in its own padded box alone. Counters: triangles, bytes of the mesh; for ours also bricks, the samples
-// in them, how many solids count in a brick (fewer in each of its blocks), and the least time of some runs taken in
-// turn with what it is compared to. `scaling` does it at other resolutions, twigs as thick as the cells ask for; its
-// peak memory is the process's, from this benchmark on. `first` is the first body of a program, `to_again` its time
-// over the least of the same made again.
+// `everywhere` evaluates all segments at all corners of the grid and marches through all cells. `own_boxes` evaluates
+// each segment only in its own padded box. Counters: triangles and bytes of the mesh. For the library also bricks, the
+// samples in bricks, the number of solids in a brick (fewer in each of its blocks), and the shortest time of several
+// runs, taken in turn with the reference. `scaling` uses other resolutions, with twigs as thick as the cells require;
+// its peak memory is the memory of the process from this benchmark on. `first` makes the first body of a program.
+// `to_again` is its time divided by the shortest time of making this body again.
 //
 // `spruce_trunk` and `spruce_crown` are the bodies of F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022),
-// with the grammar as it is printed there, six steps; its own figures (table 6.1) are printed beside ours. The source's
-// bodies lie in a fixed cube and ours fill their grids, and it blends segment with segment.
+// with the printed grammar, six steps. The source's figures (table 6.1) are printed beside the library's figures. The
+// source's bodies lie in a fixed cube, and the library's bodies fill their grids. The source blends segment with
+// segment.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -80,7 +81,7 @@ std::vector<AxisIndex> all_axes(const Skeleton& skeleton) {
   return axes;
 }
 
-/// As documents make it for a resolution.
+/// Makes the body as documents do for a resolution.
 ImplicitBody stem_body(const Skeleton& skeleton, int resolution) {
   const std::vector<AxisIndex> axes = all_axes(skeleton);
   const Surface surface{.resolution = resolution};
@@ -104,7 +105,7 @@ Mesh extract_own_boxes(const ImplicitBody& body) {
   return DenseMesher(grid).run();
 }
 
-/// The least time of a thing's runs and what it made.
+/// The shortest time of the runs, and their result.
 struct Outcome {
   double seconds = 1e9;
   std::size_t triangles = 0;
@@ -126,7 +127,7 @@ struct Outcome {
   }
 };
 
-/// By the benchmark's name and resolution or threads.
+/// Results by the benchmark's name and resolution or threads.
 std::map<std::pair<std::string, int>, Outcome>& outcomes() {
   static std::map<std::pair<std::string, int>, Outcome> all;
   return all;
@@ -156,7 +157,7 @@ void first(benchmark::State& state) {
   state.counters["triangles"] = static_cast<double>(mesh.triangle_count());
   state.counters["to_again"] = once.seconds / again.seconds;
 }
-// Before all others.
+// Runs before all other benchmarks.
 BENCHMARK(first)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void everywhere(benchmark::State& state) {
@@ -196,7 +197,7 @@ void isosurface(benchmark::State& state) {
   const auto ours = [&] { return extract(body, kResolution, normals); };
   measure(state, name, threads, ours);
   count_bricks(state, body);
-  // What is compared is run in turns.
+  // Compared programs run in turns.
   for (int run = 0; run < bench::sized(20, 1); ++run) {
     outcomes()[{name, threads}].run(ours);
     if (threads == 1) {
@@ -324,7 +325,7 @@ void print_source_table() {
   }
 }
 
-/// Whether a reference's mesh is like ours.
+/// Returns true if the reference's mesh agrees with the library's mesh.
 bool has_same_triangles(const std::string& reference) {
   if (!has_run(reference, 1) || !has_run("isosurface", 1)) return true;
   const Outcome& ours = outcomes()[{"isosurface", 1}];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels of detail of the shipped models: the time that one takes, its triangles, its share of those of the level
-// before (`of_before`), and what it shares of the whole plant's outline (outline.h) from 50 directions, at worst and in
-// the mean: in a picture of 128 pixels at level 1, half as many at each further one. 1 in `worth_a_file` says that
-// `meristem grow --lod` would write it. All models unless a filter says otherwise.
+// Levels of detail of the shipped models. Counters: the time of a level, its triangles, and `of_before`, its triangles
+// divided by the triangles of the level before. Also the share of the whole plant's outline (outline.h) from 50
+// directions, smallest and mean. Pictures have 128 pixels at level 1, and half as many at each further level.
+// `worth_a_file` is 1 if `meristem grow --lod` would write the level. Runs all models unless a filter is given.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth in the light, with the trees of the published evaluation: 900 points, step 0.02 m, no influence limit.
-// `growth`: one tree on one thread, without and with response A (5 mm a step), under a still sun or a day's, in the
-// open or among ten balls of about a thousand triangles that stand before the sun. Times are of the processor.
-// Counters: nodes; `shaded`, the share of the cloud's light that the balls keep off; `to_open`, the median ratio of the
-// time among balls to that in the open, taken in turns; `to_open_a_node`, the same for each node. `evaluation`: ten
-// clouds, eleven shifts, two scenes, grown and measured. `response_...`: means over ten clouds of what the evaluation
-// measures (degrees, metres, percent), in scene A or B: `shifted` by a number of millimetres per step, `scaled` so that
-// the trees are 3.7 m high, with the darkest share left out (`limited`, percent), and `drifted` at a held height.
-// `cloud_light`: the light of each point of a cloud among the others under 15 positions of the sun; `a_point_and_light`
-// must not grow with the points.
+// Growth in the light, with the trees of the published evaluation: 900 points, step 0.02 m, no influence limit. Times
+// are processor times.
+// - `growth`: one tree on one thread, without and with response A (5 mm a step), under a still sun or the sun of a day.
+//   The tree stands in the open, or among ten balls of about a thousand triangles that stand before the sun. Counters:
+//   nodes; `shaded`, the share of the cloud's light that the balls keep off; `to_open`, the median ratio of the time
+//   among balls to the time in the open, taken in turns; `to_open_a_node`, this ratio for each node.
+// - `evaluation`: ten clouds, eleven shifts, two scenes, grown and measured.
+// - `response_...`: means over ten clouds of the measures of the evaluation (degrees, metres, percent), in scene A or
+//   B. `shifted` moves the points by a number of millimetres per step, `scaled` makes the trees 3.7 m high, `limited`
+//   leaves out the darkest share (percent), and `drifted` moves points at a held height.
+// - `cloud_light`: the light of each point of a cloud among the other points, under 15 positions of the sun.
+//   `a_point_and_light` must not grow with the number of points.
 #include <algorithm>
 #include <cstdint>
 #include <ctime>
@@ -43,7 +45,8 @@ meristem::Obstacle ball(Vec3 centre, double radius) {
   return obstacle;
 }
 
-/// Ten balls between the crown and the sun as it stands from 8 to 17 h; that of noon is before the still sun as well.
+/// Ten balls between the crown and the positions of the sun from 8 to 17 h. The ball of noon is also before the still
+/// sun.
 meristem::Obstacles balls_before_the_sun() {
   const Vec3 crown(0, 2.5F, 0);
   const std::vector<DirectionalLight> day = day_in_london();
@@ -52,7 +55,7 @@ meristem::Obstacles balls_before_the_sun() {
   return meristem::Obstacles(bodies);
 }
 
-/// The share of the light that comes to `cloud` in the open and that obstacles keep off.
+/// Returns the share of the open-air light of `cloud` that obstacles block.
 double shaded_share(const std::vector<Vec3>& cloud, const Scene& scene) {
   double shaded = 0;
   for (const Vec3 point : cloud) {

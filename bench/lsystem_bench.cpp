@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Honda's tree with one axis as an L-system (P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants, 1990,
 // figure 2.6), with two parameters and 18 steps: 1,835,002 modules and 262,143 segments. `derived_hard_coded` and
-// `drawn_hard_coded` are the same derivation and the same drawing written in C++ for this tree alone; both give the
-// same numbers to the last bit. Counters: modules of the last word per second, and `to_hard_coded`, the time as a
-// multiple of the hard-coded one's, both the least of some runs taken in turn.
+// `drawn_hard_coded` are this derivation and this drawing, written in C++ for this tree alone. Both give equal numbers
+// to the last bit. Counters: modules of the last word per second, and `to_hard_coded`, the time divided by the time of
+// the hard-coded program. Both are the shortest of several runs taken in turn.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -41,8 +41,8 @@ Grammar honda_tree() {
                          "C(l,w) -> !(w)F(l)[+(45)$B(l*0.6,w*0.707)]B(l*0.9,w*0.707)"}});
 }
 
-/// Letters, and the parameters of all modules one after another: half the memory of modules with room for two each, and
-/// a third of the time.
+/// Letters, and the parameters of all modules in one array. This takes half the memory and a third of the time of
+/// modules with two parameter slots each.
 struct HardCodedWord {
   std::vector<char> letters;
   std::vector<double> parameters;
@@ -121,7 +121,7 @@ Word derive_tree(const Grammar& grammar, int threads) {
   return derive(grammar, kSteps, RandomKey(1), Limits(), progress);
 }
 
-/// What a drawing knows where it branches.
+/// The state of a drawing at a branch.
 struct HardCodedTurtle {
   DVec3 position{0};
   DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
@@ -237,7 +237,7 @@ void require_same() {
 double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-/// Seconds of the processor, which hold on a machine that has other things to do, too.
+/// Returns processor seconds, which are reliable on a busy machine.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 template <typename Work>
@@ -247,7 +247,7 @@ double seconds(Work work, double (*now)()) {
   return now() - start;
 }
 
-/// Least time of `work` as a multiple of the least of `reference`, in turns.
+/// Returns the shortest time of `work` divided by the shortest time of `reference`, run in turns.
 template <typename Work, typename Reference>
 double ratio(Work work, Reference reference, double (*now)() = clock_seconds) {
   double least = 1e9;
@@ -302,7 +302,7 @@ void derived_and_drawn(benchmark::State& state) {
       ours, [] { return draw_hard_coded(derive_hard_coded()); }, processor_seconds);
 }
 
-/// A word of over a hundred million modules; its counters are the process's, from this benchmark on.
+/// A word of over a hundred million modules; its counters belong to the process, from this benchmark on.
 void hundred_million(benchmark::State& state) {
   const Grammar grammar = build_grammar({"F", {"F -> F[+F]F[-F]F"}});
   std::size_t modules = 0;

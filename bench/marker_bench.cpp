@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trees that grow toward free markers. Counters: shoots, buds or metamers a second (buds that looked, metamers that
-// grew); `blind`, the share of buds that find nothing; bytes of the field for a metamer; `to_plain`, the time of a hash
-// map with an entry per voxel over ours for the same tree, measured in the same run.
+// Trees that grow toward free markers. Counters: shoots, buds or metamers a second (buds that searched, metamers that
+// grew); `blind`, the share of buds that find no marker; bytes of the field per metamer. `to_plain` is the time of a
+// hash map with an entry per voxel divided by the library's time, for an equal tree in one run.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -46,7 +46,7 @@ class Field : public MarkerField {
   explicit Field(const CrownPointer& crown) : MarkerField(kForm, RandomKey(1)) { add_volume(crown, Vec3(0, -0.5F, 0)); }
 };
 
-/// An entry per voxel, an entry per claim.
+/// The plain field: an entry per voxel, and an entry per claim.
 class PlainField {
  public:
   explicit PlainField(CrownPointer crown) : crown_(std::move(crown)) {}
@@ -107,7 +107,7 @@ class PlainField {
   std::unordered_map<std::uint64_t, int> shoots_;
 };
 
-/// Each bud with room enough makes a metamer toward it; this bears the terminal bud and a lateral one.
+/// Each bud with enough room makes a metamer toward it. The metamer bears the terminal bud and a lateral bud.
 template <class AnyField>
 struct Tree {
   explicit Tree(const CrownPointer& crown) : field(crown) { buds.push_back({.radius = 4 * kLength}); }
@@ -158,7 +158,7 @@ void rate(benchmark::State& state, const char* what, std::size_t count) {
   state.counters[what] = benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// A tree from its first bud on one thread; `crown` in metres, 0 for all of space.
+/// Grows a tree from its first bud on one thread. `crown` in metres; 0: all of space.
 void grow(benchmark::State& state) {
   const meristem::ThreadLimit limit(1);
   const CrownPointer crown = crown_of(state.range(1));
@@ -187,7 +187,7 @@ BENCHMARK(grow)
     ->ArgsProduct({meristem::bench::sized({1'000'000}, {500}), {0, 20}})
     ->Unit(benchmark::kMillisecond);
 
-/// The shoots of a tree into an empty field.
+/// Adds the shoots of a tree to an empty field.
 void occupy_all(benchmark::State& state) {
   Tree<Field> tree(nullptr);
   tree.grow(meristem::bench::sized(20'000, 500));
@@ -200,7 +200,7 @@ void occupy_all(benchmark::State& state) {
 }
 BENCHMARK(occupy_all)->Unit(benchmark::kMillisecond);
 
-/// Shoots shed and made again.
+/// Removes shoots and adds them again.
 void move(benchmark::State& state) {
   Tree<Field> tree(nullptr);
   tree.grow(meristem::bench::sized(20'000, 500));
@@ -214,7 +214,7 @@ void move(benchmark::State& state) {
 }
 BENCHMARK(move)->Unit(benchmark::kMillisecond);
 
-/// A round of all buds of a young tree, and of an old one that has filled a crown.
+/// Runs a round of all buds of a young tree, and of an old tree that has filled a crown.
 void share_out(benchmark::State& state) {
   const meristem::ThreadLimit limit(static_cast<int>(state.range(2)));
   Tree<Field> tree(crown_of(state.range(1)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lit share of a crown's hull among obstacles, the light on leaves, and the shade on a facade behind a crown.
-// Counters: rays per second, the share, and `to_plain`, the time of plain counting (each ray tested against every
-// triangle) over ours, per ray, measured in the same run on one thread. The shade fails where plain counting of the
-// same rays finds another share.
+// Counters: rays per second, the share, and `to_plain`. `to_plain` is the time of plain counting (each ray tested
+// against every triangle) divided by the library's time, per ray, in one run on one thread. The shade benchmark fails
+// if plain counting of the same rays finds another share.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -54,7 +54,7 @@ meristem::Obstacle ball(Vec3 centre, double radius) {
   return obstacle;
 }
 
-/// Obstacles in a ring about the origin, and the sun of a May day in London or of its ten o'clock.
+/// Obstacles in a ring about the origin, and the sun of a May day in London, all day or at ten o'clock.
 Scene surrounded(int obstacles, bool whole_day) {
   Scene scene;
   std::vector<meristem::Obstacle> bodies;
@@ -68,7 +68,7 @@ Scene surrounded(int obstacles, bool whole_day) {
   return scene;
 }
 
-/// Whether a ray from `origin` meets a triangle (Moeller and Trumbore).
+/// Returns true if a ray from `origin` meets a triangle (Moeller and Trumbore).
 bool meets(DVec3 origin, DVec3 direction, DVec3 a, DVec3 b, DVec3 c) {
   const DVec3 u = b - a;
   const DVec3 v = c - a;
@@ -91,7 +91,7 @@ void add_triangles(const AnyMesh& mesh, std::vector<Corners>& triangles) {
   }
 }
 
-/// Seconds a ray of plain counting, from a mesh toward one side.
+/// Returns the seconds per ray of plain counting, from a mesh toward one side.
 double plain_seconds(const Mesh& from, Vec3 toward, const std::vector<Corners>& triangles) {
   const std::uint64_t rays = meristem::bench::sized(500, 10);
   const meristem::SurfacePoints places(from);
@@ -179,7 +179,7 @@ void organ_light(benchmark::State& state) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     ours = std::min(ours, seconds.count());
   }
-  // Leaves as small as these are asked at four places.
+  // Leaves of this size are sampled at four positions.
   const auto rays = static_cast<double>(4 * plant.organs.size() * scene.light.sun.size());
   state.counters["rays/s"] = benchmark::Counter(rays, benchmark::Counter::kIsIterationInvariantRate);
   state.counters["exposure"] = mean.exposure;
@@ -196,7 +196,7 @@ BENCHMARK(organ_light)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-/// A facade of 12 by 9 m that looks to the south, with a leafy crown 6 m before it.
+/// A facade of 12 by 9 m that faces south, with a leafy crown 6 m before it.
 struct ShadedFacade {
   meristem::Obstacles house;
   meristem::ShadeSurface wall;
@@ -226,7 +226,7 @@ struct ShadedFacade {
   }
 };
 
-/// The share of the first points that is shaded at one position of the sun, by plain counting, and the seconds per ray.
+/// Returns the shaded share of the first points at one position of the sun, by plain counting, and the seconds per ray.
 std::pair<double, double> plain_shade(const ShadedFacade& facade, std::size_t points, Vec3 toward) {
   const std::vector<Corners> triangles = facade.triangles();
   std::size_t shaded = 0;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees grown to a million metamers, by shade and by markers. Counters: `metamers/s`, those living in
-// each iteration summed over the growth; `metamers` at its end; `ns/metamer`, the same as a time; `bytes/metamer`,
-// the most memory in use between two rounds of the growth, with the shade or the markers; the hash of the skeleton,
-// which has to be the same on any number of threads. `far` is a stand of eight trees up to 7 km apart: cost goes with
-// the trees and not with the space around them. `plain_light` counts the light of a growth anew in each iteration, in a
-// map with an entry per voxel, and grows nothing; its light must be ours, and `to_growth` is its time over that of our
-// whole growth. After the runs it prints how cost grows with the metamers.
+// Self-organizing trees grown to a million metamers, by shade and by markers. Counters: `metamers/s`, where living
+// metamers are summed over all iterations; `metamers` at the end; `ns/metamer`, the reciprocal as a time;
+// `bytes/metamer`, the largest memory in use between two rounds of the growth, including shade or markers. The hash of
+// the skeleton must be equal on any number of threads. `far` is a stand of eight trees up to 7 km apart: the cost
+// depends on the trees and not on the space around them. `plain_light` counts the light of a growth anew in each
+// iteration, in a map with an entry per voxel, and grows nothing. Its light must equal the library's light. `to_growth`
+// is its time divided by the time of the library's whole growth. After the runs the program prints the growth of the
+// cost with the number of metamers.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -49,7 +50,7 @@ double bytes_in_use() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-/// A member of the stand that does nothing but look at the memory in use.
+/// A member of the stand that only measures the memory in use.
 class MemoryProbe : public meristem::Grower {
  public:
   MemoryProbe(int rounds, double& most) : rounds_(rounds), most_(most) {}
@@ -76,7 +77,7 @@ Skeleton grow(const OrganizeParameters& parameters, int trees, float apart, doub
   return std::move(stand.take_skeletons(progress)[0]);
 }
 
-/// The metamers that live in each iteration, summed over all of them; none is shed.
+/// Returns the number of living metamers, summed over all iterations. No metamer is shed.
 double living_metamers(const Skeleton& skeleton, int iterations) {
   double sum = 0;
   for (const float birth : skeleton.birth) sum += iterations + 1 - static_cast<double>(birth);
@@ -132,7 +133,7 @@ void shadow(benchmark::State& state) { measure(state, BudLightModel::Kind::shado
 void far(benchmark::State& state) { measure(state, BudLightModel::Kind::shadow, 8, 1000); }
 void markers(benchmark::State& state) { measure(state, BudLightModel::Kind::markers, 1, 0); }
 
-/// Shade from the zenith, an entry per voxel, as the defaults cast it.
+/// Shade from the zenith by the default parameters, in a map with an entry per voxel.
 class PlainShade {
  public:
   explicit PlainShade(const OrganizeParameters& parameters) : parameters_(parameters) {}
@@ -161,7 +162,7 @@ class PlainShade {
   std::unordered_map<std::uint64_t, double> voxels_;
 };
 
-/// The light of all open buds of those metamers that are there after `iteration`.
+/// Returns the light of all open buds of the metamers that exist after `iteration`.
 double plain_light_of(const Skeleton& skeleton, const OrganizeParameters& parameters, int iteration) {
   PlainShade shade(parameters);
   const auto is_there = [&](meristem::NodeIndex node) { return skeleton.birth[node] <= static_cast<float>(iteration); };

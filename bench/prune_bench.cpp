@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What operations cost. `by_condition` and `by_label`: a tree of some 100,000 metamers is grown with a list of cuts
-// after its last iteration, and with one whose time never comes; `ms/operation` is the difference over the number of
-// cuts, each of which takes a few metamers away. `waiting` has operations whose time never comes: `to_free` is its time
-// over that of a tree without any. `list` is a small tree with a list of operations: `exponent` is that of its time
-// from the shortest list on, 1 for linear time. `row` is an espalier row of 200 trees over 15 iterations. All on one
-// thread and in its CPU time, so that the figures hold beside other work.
+// The cost of operations. All benchmarks run on one thread and measure its CPU time, so that the figures hold on a busy
+// machine.
+// - `by_condition` and `by_label`: a tree of some 100,000 metamers is grown twice. The first list of cuts acts after
+//   the last iteration, and the second list never acts. `ms/operation` is the difference divided by the number of cuts.
+//   Each cut removes a few metamers.
+// - `waiting`: a tree with operations that never act. `to_free` is its time divided by the time of a tree without
+//   operations.
+// - `list`: a small tree with a list of operations. `exponent` is the power of the list's length with which the time
+//   grows, 1 for linear time.
+// - `row`: an espalier row of 200 trees over 15 iterations.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -67,8 +71,8 @@ Operation cut(int at, ShootChoice shoots) {
   return operation;
 }
 
-/// The labels of shoots of two or three metamers in all, as many as are asked for, from all over the tree. So cuts take
-/// next to nothing, and what is measured is not a smaller tree's lighter last iteration.
+/// Returns the requested number of labels of shoots with two or three metamers, spread over the tree. Cuts then remove
+/// almost nothing, so the measured time does not include the faster last iteration of a smaller tree.
 std::vector<std::string> twigs(const Skeleton& tree, std::size_t most) {
   const auto& number = tree.extra.find("metamer")->second;
   std::vector<int> borne(tree.node_count(), 1);
@@ -91,8 +95,8 @@ std::vector<std::string> twigs(const Skeleton& tree, std::size_t most) {
   return spread;
 }
 
-/// Against the same operations where their time never comes, so that what a tree with operations costs besides is none
-/// of theirs; `waiting` tells that.
+/// Compares with the same operations at a time that never comes. This excludes the other costs of a tree with
+/// operations, which `waiting` measures.
 void measure(benchmark::State& state, const std::vector<Operation>& operations, const OrganizeParameters& free) {
   OrganizeParameters pruned = free, waiting = free;
   pruned.operations = waiting.operations = operations;

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How many plants a second a batch grows on 1 and 2 worker processes, and in the calling process.
+"""Measures the plants per second of a batch on 1 and 2 worker processes, and in the calling process.
 
     PYTHONPATH=build/release/python /usr/bin/python3 bench/python_batch.py [--model oak] [--plants 24] [--rounds 3]
 
-The ways take turns, ROUNDS times, as other programs disturb them; the best of each counts, and every round's ratio is
-printed. `cores` is the processor time of the growing processes over the wall's: two workers that are not disturbed have
-nearly 2. What a plant costs in processor time says how much two of them slow each other down, and so the most that the
-ratio could be if nobody else used the cores. The results of all ways are compared.
+The three ways take turns, ROUNDS times, because other programs disturb them. The best round of each way counts, and the
+ratio of every round is printed. `cores` is the processor time of the growing processes divided by the wall time: two
+undisturbed workers have nearly 2. The processor time of a plant shows how much two workers slow each other down. It
+therefore bounds the ratio on an idle machine. The results of all ways are compared.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from meristem._pool import Pool
 
 
 def measure_and_clock(plant):
-    """What the plant is, and which process has used how much processor time so far."""
+    """Returns height and number of nodes of the plant, and the id and processor time of the process."""
     measures = plant.measure(threads=1)
     return measures["height"], measures["nodes"], os.getpid(), time.process_time()
 
 
 def grow_on_workers(document, plants, processes):
-    """By the pool also for one process, for which batch() has none."""
+    """Uses the pool also for one process, for which batch() would use no pool."""
     pool = Pool(pickle_job(Job(document, measure_and_clock)), processes)
     try:
         tasks = (Task(seed, {}) for seed in range(plants))
@@ -47,7 +47,7 @@ def grow_here(document, plants, _):
 
 
 def run_once(grow, document, plants, processes):
-    """What grew, wall seconds, processor seconds."""
+    """Returns the results, wall seconds and processor seconds."""
     begin = time.perf_counter()
     rows, before = grow(document, plants, processes)
     wall = time.perf_counter() - begin

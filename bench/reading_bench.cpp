@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading, checking and finding positions in large documents. Each kind of document is read in two sizes, of which the
-// second has 100 times as many components (links, variables, faults): `exponent` is the power of the size that the
-// time grows with: 1 if the time is proportional to the size. `ms_small` and `ms_large` are the times of both,
-// `mb_large` the size of the larger text. `cancel_ms` is the longest time from a cancel until reading has stopped, of
-// cancels spread over the whole reading of the larger document.
+// Reading, checking and finding positions in large documents. Each kind of document is read in two sizes. The second
+// has 100 times as many components (links, variables, faults). `exponent` is the power of the size with which the time
+// grows: 1 if the time is proportional to the size. `ms_small` and `ms_large` are the times of both sizes, and
+// `mb_large` is the size of the larger text. `cancel_ms` is the longest time from a cancel until reading has stopped,
+// for cancels spread over the whole reading of the larger document.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -33,7 +33,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 std::string number(std::size_t k) { return std::to_string(k); }
 
-/// A document of its components and of other members, each with its comma before it.
+/// Makes a document of its components and of other members. Each member begins with a comma.
 std::string document(std::size_t components, const std::function<std::string(std::size_t)>& component,
                      const std::string& more) {
   std::string text = "{\n  \"meristem\": 1,\n  \"components\": {\n";
@@ -48,7 +48,7 @@ std::string leaf(std::size_t) { return R"({"type": "leaf", "length": 0.1})"; }
 
 std::string components(std::size_t count) { return document(count, leaf, ""); }
 
-/// A stem and what hangs on it, each thing by a link of its own with parameters.
+/// A stem and its children, each child by a link of its own with parameters.
 std::string links(std::size_t count) {
   std::string all = ",\n  \"links\": [\n";
   for (std::size_t k = 1; k < count; ++k) {
@@ -61,7 +61,7 @@ std::string links(std::size_t count) {
   return document(count, component, all + "  ]");
 }
 
-/// As many links one below the other.
+/// A chain of links, one below the other.
 std::string chain(std::size_t count) {
   std::string all = ",\n  \"links\": [\n";
   for (std::size_t k = 1; k < count; ++k) {
@@ -70,7 +70,8 @@ std::string chain(std::size_t count) {
   return document(count, leaf, all + "  ]");
 }
 
-/// Variables that each instance of a component draws: as many as a document may have. Each component uses one.
+/// Variables that each instance of a component draws: the largest number that a document may have. Each component uses
+/// one.
 std::string drawn(std::size_t count) {
   const std::size_t variables = std::min<std::size_t>(count / 10, 1000);
   std::string all = ",\n  \"variables\": {\n";
@@ -81,7 +82,7 @@ std::string drawn(std::size_t count) {
   const auto component = [variables](std::size_t k) {
     return R"({"type": "leaf", "length": "0.1 + v)" + number(k % variables) + "\"}";
   };
-  // The owners of variables stand one below the other, and all others below the last of them.
+  // The owners of variables form a chain, and all other components stand below the last owner.
   std::string below = "  },\n  \"links\": [\n";
   for (std::size_t k = 1; k < count; ++k) {
     below += "    [\"c" + number(std::min(k, variables) - 1) + "\", \"c" + number(k) + "\"]";
@@ -91,7 +92,7 @@ std::string drawn(std::size_t count) {
   return document(count, component, all + below + "  ]");
 }
 
-/// More variables than a document may have: they are refused, as fast as they are read.
+/// More variables than a document may have. They are refused in the time of reading them.
 std::string too_many(std::size_t count) {
   std::string all = ",\n  \"variables\": {\n";
   for (std::size_t v = 0; v < count; ++v) {
@@ -100,7 +101,7 @@ std::string too_many(std::size_t count) {
   return document(1, leaf, all + "  }");
 }
 
-/// A fault in each component: a name that is not known, of which some are told with their places.
+/// A fault in each component: an unknown name. Some of the faults are reported with their positions.
 std::string faults(std::size_t count) {
   std::string all = ",\n  \"links\": [\n";
   for (std::size_t k = 1; k < count; ++k) {
@@ -110,7 +111,7 @@ std::string faults(std::size_t count) {
   return document(count, component, all + "  ]");
 }
 
-/// Reads, checks, finds the places of faults and of notes.
+/// Reads, checks, and finds the positions of faults and of notes.
 void read(const std::string& text, const Progress* progress = nullptr) {
   try {
     const meristem::Document document = meristem::read_document(text, "large.json", meristem::builtin_components(),

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scans of shipped models. Counters: pulses that could meet the plant, per second, of 19 rays each on two threads; the
-// points whose labels differ from those of the first triangle found by asking all; the greatest distance in metres
-// between points on fine meshes of a ball, a cylinder and a cone and their closed forms; by how much the footprint
-// of a beam, led across the edge of a plate, differs from the instrument's; and the memory that a stand of different
-// trees takes from growth to the last point: the peak of the process, and what rays need.
+// Scans of shipped models. Counters:
+// - pulses that could meet the plant, per second, of 19 rays each on two threads;
+// - points whose labels differ from the labels of the first triangle, found by testing all triangles;
+// - the largest distance in metres between points on fine meshes of a ball, a cylinder and a cone and their closed
+//   forms;
+// - the difference between the footprint of a beam, moved across the edge of a plate, and the instrument's footprint;
+// - the memory of a stand of different trees from growth to the last point: the peak of the process, and the memory
+//   that rays need.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -82,7 +85,7 @@ BENCHMARK_CAPTURE(pulses, low_poly_oak, "low-poly-oak")
     ->Iterations(sized(3, 1))
     ->UseRealTime();
 
-/// A triangle in the world, with the numbers that its label is asked by.
+/// A triangle in the world, with the numbers that identify its label.
 struct BenchTriangle {
   DVec3 a, to_b, to_c;
   std::uint32_t part, instance, triangle;
@@ -117,8 +120,8 @@ double distance_to(const BenchTriangle& triangle, DVec3 from, DVec3 way) {
   return u < 0 || v < 0 || u + v > 1 || distance <= 0 ? INFINITY : distance;
 }
 
-/// Labels of rays without width, against those of the first of all triangles. Where two triangles with different
-/// labels lie at one distance to a micrometre, both are right.
+/// Compares the labels of rays without width with the labels of the first of all triangles. If two triangles with
+/// different labels lie at equal distance to a micrometre, both are right.
 void labels(benchmark::State& state) {
   const GrownDocument grown = grown_model("low-poly-oak");
   Progress progress;
@@ -172,7 +175,7 @@ Instrument ray_camera(double field_deg, int columns, int rows) {
   return camera;
 }
 
-/// Distances to a ball, and to a cone or cylinder on a base.
+/// Measures distances to a ball, and to a cone or cylinder on a base.
 double to_ball(DVec3 from, DVec3 way, DVec3 centre, double radius) {
   const DVec3 offset = from - centre;
   const double b = glm::dot(offset, way);
@@ -211,7 +214,7 @@ void closed_forms(benchmark::State& state) {
       const double distance = body == 0   ? to_ball(station, way, {-0.4, 1, 0}, 0.12)
                               : body == 1 ? to_cone(station, way, {0, 0.8, 0}, 0.1, 0.1, 0.4)
                                           : to_cone(station, way, {0.4, 0.8, 0}, 0.1, 0, 0.4);
-      // What grazes the surface by less than 6° may meet the next side of the polygon.
+      // Rays at less than 6° to the surface may meet the next side of the polygon.
       if (std::isfinite(distance) && point.intensity > 0.1F)
         worst = std::max(worst, std::abs(point.true_range - distance));
     }
@@ -264,7 +267,7 @@ std::string stand_of_oaks(std::int64_t trees) {
                      trees / 10, sized(155, 8));
 }
 
-/// As `meristem scan` does it: memory is that of what it keeps.
+/// Scans as `meristem scan` does, and keeps the same data in memory.
 void stand(benchmark::State& state) {
   const ThreadLimit threads(2);
   const std::string models = std::string(MERISTEM_SOURCE_DIR) + "/models";

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits through a session: the text, the document and what grows of it. `edit`: one number changes at every step, from
-// the text's patch to the meshes and their keys; counters tell how long the text and the document took of it, how many
-// meshes came out otherwise, and `to_cold`, the time of reading and growing all of it over ours in the same run.
-// `avenue`: an edit of a leaf, and what grows of it, where houses stand; `to_open`, its processor time over that of the
-// same without houses. `avenue_read`: the edit and the reading alone, which reads the houses' part of the text, too:
-// `longer` is how much longer the text is with them, and `to_longer` the time over that without houses and over that.
+// Edits through a session: the text, the document and the growth.
+// - `edit`: one number changes at every step, from the text's patch to the meshes and their keys. Counters give the
+//   time for the text and for the document, and the number of meshes that changed. `to_cold` is the time of reading and
+//   growing everything divided by the time of an edit, in one run.
+// - `avenue`: a leaf is edited, and the plants grow beside houses. `to_open` is the processor time divided by the
+//   processor time without houses.
+// - `avenue_read`: the edit and the reading alone, which also reads the houses' part of the text. `longer` is the
+//   length of the text with houses divided by its length without houses. `to_longer` is the ratio of the times divided
+//   by `longer`.
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -36,7 +39,7 @@ Session open(const std::string& model, const std::vector<Edit>& first = {}) {
   return session;
 }
 
-/// The shortest time of all calls, ms.
+/// Returns the shortest time of all calls, ms.
 class Shortest {
  public:
   template <class Call>
@@ -51,7 +54,7 @@ class Shortest {
   double ms_ = 1e9;
 };
 
-/// Steps around a value, each another one than before.
+/// Returns steps around a value; each differs from the previous step.
 class Values {
  public:
   explicit Values(double middle) : middle_(middle) {}
@@ -104,7 +107,7 @@ BENCHMARK(maple_shoots)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(maple_trunk)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(oak_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The avenue as it ships, and without its houses, side by side. A small run has few points a crown.
+/// The shipped avenue, and the avenue without its houses. A small run has few points per crown.
 struct Avenues {
   Session houses = open("avenue.json", {SetValue{"lime.points.count", sized(3600, 60)}});
   Session street =
@@ -117,7 +120,7 @@ void avenue(benchmark::State& state) {
   Progress progress;
   avenues.houses.grow(progress);
   avenues.street.grow(progress);
-  // Processor time of all edits: some of them change a mesh and some do not, and the machine has other things to do.
+  // Processor time of all edits, because only some edits change a mesh, and the machine may be busy.
   const auto seconds_of = [&](Session& session, double width) {
     const std::clock_t begin = std::clock();
     session.edit("leaf.width", width);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shade of the buds of a crown. Counters: shaders or queries a second; voxels a shader touches; bytes of the grid;
-// `to_plain`, the time of a map with an entry per voxel over ours, measured in the same run.
+// Shade of the buds of a crown. Counters: shaders or queries a second; voxels that a shader touches; bytes of the grid.
+// `to_plain` is the time of a map with an entry per voxel divided by the library's time, in one run.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -41,7 +41,7 @@ ShadowParameters form_of(const benchmark::State& state) {
   return form;
 }
 
-/// Light from the zenith, an entry per voxel.
+/// The plain grid: light from the zenith, with a map entry per voxel.
 class PlainGrid {
  public:
   explicit PlainGrid(const ShadowParameters& form) : form_(form) {}
@@ -81,7 +81,7 @@ void count(benchmark::State& state, const char* what) {
   state.counters[what] = benchmark::Counter(kBuds, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// All buds into an empty grid.
+/// Adds all buds to an empty grid.
 void add(benchmark::State& state) {
   const std::vector<Vec3> places = buds();
   const ShadowParameters form = form_of(state);
@@ -99,7 +99,7 @@ void add(benchmark::State& state) {
 }
 BENCHMARK(add)->ArgNames({"depth", "tilted"})->ArgsProduct({{3, 8}, {0, 1}})->Unit(benchmark::kMillisecond);
 
-/// A round of growth that sheds as much as it adds: shade moves within a grid that is there.
+/// A round of growth that sheds as much as it adds: shade moves within an existing grid.
 void move(benchmark::State& state) {
   const std::vector<Vec3> places = buds();
   ShadowGrid grid(form_of(state));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tubes and leaf blades. Counters: triangles (or blades) a second, bytes of mesh, and for tubes `to_plain`, the time of
-// a plain tube mesher (rings at right angles to each segment, no mitres, no tapered normals, arrays that grow) over
-// ours, per triangle, measured in the same run on one thread.
+// Tubes and leaf blades. Counters: triangles (or blades) a second, and bytes of mesh. For tubes, `to_plain` is the time
+// of a plain tube mesher divided by the library's time, per triangle, in one run on one thread. The plain mesher sets
+// rings at right angles to each segment, without mitres and tapered normals, in growing arrays.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -47,7 +47,7 @@ Skeleton random_crown(std::uint32_t axes) {
   return skeleton;
 }
 
-/// What a first attempt looks like: every segment's ring at right angles to it.
+/// The plain reference: each segment's ring is at right angles to the segment.
 Mesh plain_tubes(const Skeleton& skeleton, int sides) {
   const meristem::Axes axes(skeleton);
   Mesh mesh;
@@ -141,8 +141,8 @@ BENCHMARK(leaf_blades)->ArgName("rows")->Arg(6)->Arg(24);
 
 int main(int count, char** arguments) {
   using meristem::bench::Asked;
-  // 19 million is the most that was seen. Rings take a third of the mesher's own time, collars and their search for the
-  // bark another, and planning a quarter; each looks up parents all over a random crown.
+  // The largest measured figure is 19 million. Rings take a third of the mesher's own time, collars and their search
+  // for the bark another third, and planning a quarter. All three look up parents all over a random crown.
   return meristem::bench::run(count, arguments,
                               {{"tubes/nodes:1000000/sides:8/threads:1", "triangles/s", Asked::at_least, 25e6}});
 }

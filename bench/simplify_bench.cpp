@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fewer triangles: a crown of spheres from 0.5 and 5 million triangles, and a forked trunk with thin ends. Counters:
-// triangles that come in and that are left, triangles per second that come in, volume and area of what is left over
-// those of the whole, 1 for `closed` if each edge has two triangles that agree, and the milliseconds that stopping took
-// at worst. The label is the hash of the result's positions. For comparison, the time that mapping each vertex to a
-// grid and back takes (`to_grid`: vertices of a cell become one, no errors, holes and all), measured in the same run.
+// triangles before and after; input triangles per second; volume and area of the result divided by volume and area of
+// the input. `closed` is 1 if each edge has two triangles that agree. Another counter is the longest time until a call
+// stopped, in milliseconds. The label is the hash of the result's positions. `to_grid` is the time divided by the time
+// of plain vertex clustering in one run: each vertex is mapped to a grid, and the vertices of a cell become one vertex,
+// without errors and with holes.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -59,7 +60,7 @@ bool is_closed(const Mesh& mesh) {
   return sides == turned && std::adjacent_find(sides.begin(), sides.end()) == sides.end();
 }
 
-/// What a first attempt does: vertices in the same cell of a grid become their mean.
+/// The plain reference: vertices in one cell of a grid are replaced by their mean.
 double seconds_of_grid(const Mesh& mesh, float cell) {
   const double begin = now();
   std::unordered_map<std::uint64_t, std::uint32_t> cells;
@@ -84,7 +85,8 @@ double seconds_of_grid(const Mesh& mesh, float cell) {
   return now() - begin;
 }
 
-/// The longest time from asking to having stopped, asked at four moments of a call that takes `whole` seconds.
+/// Returns the longest time from a stop request to the stop. Requests come at four moments of a call that takes `whole`
+/// seconds.
 double seconds_to_stop(const Mesh& mesh, std::size_t triangles, double whole) {
   double longest = 0;
   for (int k = 0; k < 4; ++k) {
@@ -129,7 +131,7 @@ void run(benchmark::State& state, const Mesh& mesh) {
   state.SetLabel(hash128_hex(std::as_bytes(std::span(less.positions))));
 }
 
-/// The last one made is kept, as making it takes longer than what is measured.
+/// Keeps the last input, because making it takes longer than the measured work.
 const Mesh& mesh_of(const std::vector<Capsule>& capsules, int cells) {
   static Mesh mesh;
   static std::pair<std::size_t, int> made;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands of 100 to 10,000 small trees. `roots` are those of one colonize component, `fields` as many members of the
-// stand, both in rows with their crowns touching; `shade` and `markers` are self-organizing trees that take each
-// other's light or room. Counters: `nodes` of all trees; `nodes/s`; `us/tree`; `peak_MB`, the most memory of the
-// process so far, so run one benchmark alone to know its own; and the hash of all skeletons, which has to be the same
-// on any number of threads. `one_by_one` grows trees like those of `fields` each in a stand of its own, and nothing
-// else: `to_stand` is the time of that over the time of the stand of as many, on one thread. After the runs it prints
-// how cost grows with the number of trees.
+// Stands of 100 to 10,000 small trees. In `roots` the trees belong to one colonize component, and in `fields` each tree
+// is a member of the stand. Both stand in rows with touching crowns. `shade` and `markers` are self-organizing trees
+// that compete for light or room. Counters: `nodes` of all trees; `nodes/s`; `us/tree`; `peak_MB`, the largest memory
+// of the process so far (run one benchmark alone to see its own memory). The hash of all skeletons must be equal on any
+// number of threads. `one_by_one` grows the trees of `fields` each in a stand of its own. `to_stand` is its time
+// divided by the time of one stand with an equal number of trees, on one thread. After the runs the program prints the
+// growth of the cost with the number of trees.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -41,13 +41,13 @@ constexpr int kMarkerYears = 8;       // which costs far more
 const RandomKey kKey(7);
 const meristem::Scene kOpenScene;
 
-/// Where the k-th of a number of trees stands, in rows.
+/// Returns the position of the k-th of a number of trees, in rows.
 Vec3 place_of(std::size_t k, std::size_t trees) {
   const auto width = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(trees))));
   return kApart * Vec3(static_cast<float>(k % width), 0, static_cast<float>(k / width));
 }
 
-/// A root with points in a ball over it.
+/// Returns a root with points in a ball over it.
 meristem::Seedling seedling(std::size_t k, std::size_t trees) {
   meristem::Seedling made;
   made.root = place_of(k, trees);
@@ -124,7 +124,7 @@ void measure(benchmark::State& state, const std::string& name,
   double best = 1e9;
   for (auto _ : state) {
     skeletons.clear();
-    // Processor time, which holds on a machine that has other things to do, too.
+    // Processor time, which is reliable on a busy machine.
     const std::clock_t begin = std::clock();
     skeletons = make(trees);
     best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
@@ -141,7 +141,7 @@ void measure(benchmark::State& state, const std::string& name,
   state.counters["us/tree"] = 1e6 * best / static_cast<double>(trees);
   state.counters["peak_MB"] = meristem::bench::peak_megabytes();
   state.SetLabel(hash);
-  // How cost grows with the number of trees, from the fewest of this name on.
+  // The growth of the cost with the number of trees, from the smallest number of this name on.
   const auto fewest = runs().lower_bound({name, 0});
   if (threads == 1 && fewest != runs().end() && fewest->first.first == name && fewest->first.second < trees) {
     state.counters["exponent"] = std::log(best / fewest->second.seconds) /
@@ -213,9 +213,10 @@ BENCHMARK(markers)->Apply([](auto* bench) { sizes(bench, meristem::bench::sized(
 
 int main(int count, char** arguments) {
   using meristem::bench::Asked;
-  // What is beyond 1 is memory: from 100 to 1,000 trees instructions grow with exponents of 1.01 (roots) and 0.98
-  // (shade). Each round passes over all that the trees hold, which is in the processor's caches for 100 trees (2 MB)
-  // and outside of them for 10,000 (260 MB). Large pages for all of it leave the exponents.
+  // The part of the exponent beyond 1 comes from memory: from 100 to 1,000 trees instructions grow with exponents of
+  // 1.01 (roots) and 0.98 (shade). Each round passes over all data of the trees. For 100 trees (2 MB) the data fit into
+  // the processor's caches, and for 10,000 trees (260 MB) they do not. Large pages for all data do not change the
+  // exponents.
   return meristem::bench::run(count, arguments,
                               {{"roots/trees:10000/threads:1", "exponent", Asked::at_most, 1.05},
                                {"fields/trees:10000/threads:1", "exponent", Asked::at_most, 1.05},

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of pictures of shipped models, at the size of pixels that a whole picture has. Counters: the noise that is
-// left, as the root of the mean square of what bytes differ from a picture with eight times as many samples; the same
-// of a picture in which every pixel takes all samples; `to_even`, the time of that one over ours in the same run, on
-// one thread, and `for_noise`, the same for equal noise, whose square falls as time rises: below 1 where grain is borne
-// unevenly for the look of plain ground, and above where few samples are enough since squares gather from each other;
-// and `brighter`, the mean of what bytes differ, which stopping early bends.
+// Parts of pictures of shipped models, with the pixel size of a whole picture. Counters:
+// - `noise`: the root mean square difference of the bytes from a picture with eight times as many samples;
+// - `even_noise`: this difference for a picture in which every pixel takes all samples;
+// - `to_even`: the time of the even picture divided by the time of the adaptive picture, on one thread, in one run;
+// - `for_noise`: this ratio for equal noise, where the square of the noise falls as the time rises. It is below 1 if
+//   noise is distributed unevenly for the look of plain ground. It is above 1 if few samples are enough, since squares
+//   share samples with each other;
+// - `brighter`: the mean difference of the bytes, which early stopping biases.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,7 +36,7 @@ const int kWholePixels = sized(1000, 40);  // of the whole picture
 const int kPixels = sized(120, 8);
 const int kSamples = sized(64, 4);
 
-/// What of a model is looked at: the middle of the part in film coordinates.
+/// The part of a model that is drawn: its middle in film coordinates.
 struct Motive {
   const char* model;
   meristem::Vec2 middle;
@@ -46,7 +48,7 @@ const Motive kMotives[] = {{"oak", {-0.2F, -0.35F}},
                            {"lime-row", {-0.2F, 0}}};
 constexpr int kQuickMotive = 3;
 
-/// A model that has grown, and the view of a part of it.
+/// A grown model, and the view of a part of it.
 class Sitter {
  public:
   explicit Sitter(const Motive& motive) : document_(read(motive.model)), grown_(grow_document(document_, progress_)) {
@@ -81,7 +83,7 @@ double seconds_of(const Call& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The root of the mean square of the difference in red, green and blue.
+/// Returns the root mean square of the difference in red, green and blue.
 double noise(const Image& picture, const Image& truth) {
   double sum = 0;
   for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
@@ -91,7 +93,7 @@ double noise(const Image& picture, const Image& truth) {
   return std::sqrt(sum / (0.75 * static_cast<double>(picture.rgba.size())));
 }
 
-/// The mean of the difference in red, green and blue.
+/// Returns the mean difference in red, green and blue.
 double brighter(const Image& picture, const Image& truth) {
   double sum = 0;
   for (std::size_t i = 0; i < picture.rgba.size(); ++i) sum += picture.rgba[i] - truth.rgba[i];
@@ -122,7 +124,7 @@ void still(benchmark::State& state) {
   state.counters["brighter"] = brighter(ours, truth);
   state.SetLabel(motive.model);
 }
-// A small run looks at the one that grows in no time.
+// A small run draws only the model that grows quickly.
 BENCHMARK(still)
     ->ArgName("motive")
     ->DenseRange(sized(0, kQuickMotive), sized(4, kQuickMotive))

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the studio follows a hand, in a headless browser against the real server: node bench/studio.mjs
+// Measures how fast the studio follows inputs, in a headless browser with the real server: node bench/studio.mjs
 //
-// A figure of following is the time from the browser's stamp of an input to the end of the first frame that shows the
-// plant with the new value, less the time that drawing this frame once more takes. Each is measured 100 times while the
-// mouse holds a slider and waits for each picture before it goes on, so that a slow picture lets the server begin the
-// detail of rest in between. The reference is a sapling of a few triangles in the same run: what the way from hand to
-// picture costs at all. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs
-// everything a few times. MERISTEM, MERISTEM_CHROMIUM: as for the page's tests.
+// The response time begins with the browser's time stamp of an input. It ends with the first frame that shows the plant
+// with the new value, minus the time of drawing this frame once more. Each response time is measured 100 times while
+// the mouse holds a slider and waits for each picture before the next move. During a slow picture, the server may
+// therefore begin the detail of rest. The reference is a sapling of a few triangles in the same run: the smallest
+// possible cost from input to picture. The lines of the table are written to the file named by MERISTEM_BENCH_TABLE.
+// MERISTEM_BENCH=small runs everything a few times. MERISTEM, MERISTEM_CHROMIUM: as for the page's tests.
 import { appendFile, readFile } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
@@ -27,7 +27,7 @@ const kPoints = { meristem: 1, components: { tree: { type: 'colonize', crown: { 
 const figures = [];
 const digits = (value) => String(Number(value.toPrecision(4)));
 
-/// A line of the table; `most` is what is asked.
+/// A line of the table; `most` is its upper bound.
 function tell(name, value, unit, most, reference) {
   const held = most === undefined ? '' : value <= most ? 'held' : 'NOT HELD';
   const ratio = reference ? digits(value / reference.value) : '';
@@ -41,7 +41,7 @@ const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.min(v
 function watch() {
   const canvas = document.querySelector('.view canvas');
   const gl = canvas.getContext('webgl2');
-  // Reading a pixel waits until all that was asked of the card has been drawn.
+  // Reading a pixel waits until the card has drawn everything.
   const finish = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   const { studio } = window;
   const found = { input: 0, shown: false, frames: [] };
@@ -69,11 +69,11 @@ function watch() {
   });
 }
 
-/// Milliseconds from the hand's moves on a slider to what they show, without the drawing itself.
+/// Returns the milliseconds from moves of a slider to their pictures, without the drawing itself.
 async function follow(page, target) {
   const { x, y, box } = await point_at(page, target, 0.3);
   await page.mouse.down();
-  // Every tenth frame is drawn twice, to know what drawing takes; the move after it meets a late server, so both do not count.
+  // Every tenth frame is drawn twice to measure drawing. The next move meets a late server, so neither counts.
   for (let k = 0; k < kMoves * 1.25 + 2; k += 1) {
     const count = await page.evaluate((again) => {
       window.bench.draws_again = again;
@@ -95,7 +95,7 @@ async function follow(page, target) {
 
 const counts = (page) => page.evaluate(() => ({ ...window.studio.connection.counts }));
 
-/// Bytes of all packets that what `act` does brings.
+/// Returns the bytes of all packets that `act` causes.
 async function bytes_of(page, act) {
   const before = (await counts(page)).packet_bytes;
   await act();
@@ -107,7 +107,7 @@ async function bytes_of(page, act) {
 
 const set = (page, path, value) => page.evaluate(([one, given]) => window.studio.edit([{ set: one, value: given }], 'Set'), [path, value]);
 
-/// The page from nothing: what it weighs, and when its first picture is there.
+/// Loads the page from nothing: its size, and the time of its first picture.
 async function open_first(browser, address) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
   const page = await context.newPage();
@@ -142,7 +142,7 @@ async function open_first(browser, address) {
   return { first, weight };
 }
 
-/// Median time from the wish to see the board to the frame that shows it, ms.
+/// Returns the median time from the request for the board to the frame that shows it, ms.
 async function board_time(page, text) {
   await page.evaluate((said) => {
     window.studio.connection.tell('pause', { paused: true });
@@ -155,7 +155,7 @@ async function board_time(page, text) {
         const { shell } = window.studio;
         shell.merge({ left: 'outline' });
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50)));
-        // By software, the card that puts the page's frames together is busy while the view draws in its new size.
+        // With software rendering, the compositor is busy while the view draws in its new size.
         await window.studio.view.drawn();
         const begin = performance.now();
         shell.merge({ left: 'board' });
@@ -169,7 +169,8 @@ async function board_time(page, text) {
   return times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
 }
 
-/// Median milliseconds from the wish for a step of growth to the packet that shows it, over steps far apart.
+/// Returns the median milliseconds from the request for a step of growth to the packet that shows it, over distant
+/// steps.
 async function scrub_time(page) {
   await page.keyboard.press('s');
   await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null, null, { timeout: 60000 });
@@ -200,7 +201,7 @@ async function scrub_time(page) {
   return quantile(times, 0.5);
 }
 
-/// Median milliseconds from the wish for an overlay to its points in the view.
+/// Returns the median milliseconds from the request for an overlay to its points in the view.
 async function overlay_time(page) {
   const times = await page.evaluate(async (count) => {
     const { studio } = window;
@@ -219,7 +220,7 @@ async function overlay_time(page) {
   return quantile(times, 0.5);
 }
 
-/// Milliseconds from clicks at the plant until its component is chosen, and until it is known which instance it is.
+/// Returns the milliseconds from clicks at the plant until its component is chosen, and until its instance is known.
 async function pick_times(page) {
   await settled(page);
   await page.evaluate(() => {
@@ -251,7 +252,8 @@ async function pick_times(page) {
   return { chosen: quantile(picks.map((one) => one.chosen), 0.5), known: quantile(picks.filter((one) => one.known > 0).map((one) => one.known), 0.5) };
 }
 
-/// Milliseconds from the wish for a strip to its five plants: the first, and the median of those that find a warm cache.
+/// Returns the milliseconds from the request for a strip to its five plants: the first, and the median with a warm
+/// cache.
 async function strip_time(page, count) {
   const times = [];
   for (let k = 0; k < count; k += 1) {
@@ -276,7 +278,7 @@ async function strip_time(page, count) {
   return { first: times[0], again: quantile(times.slice(count > 1 ? 1 : 0), 0.5) };
 }
 
-/// Seconds from the wish to open a shipped plant until its first picture is drawn, and until its picture at rest is.
+/// Returns the seconds from the request to open a shipped plant to its first picture, and to its picture at rest.
 function open_times(page, name) {
   return page.evaluate(async (model) => {
     const { studio } = window;
@@ -302,7 +304,7 @@ function open_times(page, name) {
   }, name);
 }
 
-/// Seconds that the command line takes to grow a shipped plant and to write it.
+/// Returns the seconds in which the command line grows and writes a shipped plant.
 async function grow_time(name, folder) {
   const begin = performance.now();
   const { code, stderr } = await meristem('grow', name, '-o', path.join(folder, `${name}.glb`));
@@ -397,7 +399,7 @@ try {
     await set(page, 'leaf.fold', 10);
     await settled(page);
   };
-  // What a first few edits make once, such as compiled code and the server's caches, is there to stay.
+  // The first edits create lasting data, such as compiled code and the server's caches.
   await edit_often(0, kEdits / 5);
   const [buffers, heap, memory] = [await buffers_of(page), await heap_of(session), await memory_of(server.pid)];
   await edit_often(0, kEdits);

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random deeds of a person in the studio. Each deed takes the page and draws its decisions from `chance`.
-// A deed that finds nothing to do gives false. None of them calls functions of the page: hands and keys do all. Deeds
-// that save take the files of the server's folder as well (studio_soak.mjs).
+// Random actions of a user in the studio. Each action takes the page and draws its decisions from `chance`. An action
+// that is impossible at the moment returns false. Actions use only the mouse and the keyboard, and no functions of the
+// page. Actions that save also take the files of the server's folder (studio_soak.mjs).
 import { choose, leave_fields, open_file, open_model, row, save_as, save_here, start_new, type_into } from '../tests/studio/page/hands.mjs';
 import { patient, settled } from '../tests/studio/page/support.mjs';
 
 export const kModels = ['oak', 'pear-espalier', 'slender', 'sunflower', 'box-hedge', 'tulip', 'fern', 'caladium', 'low-poly-shrub', 'mint'];
-/// The small document that is open while memory is measured. No deed saves it.
+/// The small document that is open while memory is measured. No action saves it.
 export const kRestFile = 'small.json';
 const kPatience = { timeout: patient(5000) };
-/// Names of files with letters that take two, three and four bytes, and with signs that shells and addresses treat apart.
+/// Names of files with letters that take two, three and four bytes, and with characters that are special in shells and
+/// addresses.
 export const kFileNames = ['plain.json', 'Ähre.json', '樹 木.json', '🌳🌿.json', "it's 100% #1 & more.json"];
-/// Names of plants, likewise.
+/// Names of plants, with the same kinds of letters.
 export const kPlantNames = ['Ähre für Jürgen', '樹木', '🌳 with a "quoted" \\ word', 'Сосна'];
 
 
-/// Numbers from 0 to 1 that follow from a seed (mulberry32), and what is drawn with them.
+/// Random numbers from 0 to 1 from a seed (mulberry32), and functions that draw with them.
 export class Chance {
   constructor(seed) {
     this.state_ = seed >>> 0;
@@ -38,7 +39,7 @@ export class Chance {
   }
 }
 
-/// One of the elements that can be seen; null where there is none.
+/// Returns a random visible element. Null if no element is visible.
 async function any(chance, all) {
   const share = chance.next(); // drawn in any case, so that the numbers after it stay
   const count = await all.count();
@@ -68,7 +69,7 @@ async function view_point(page, chance) {
   return [box.x + box.width * (0.3 + 0.4 * chance.next()), box.y + box.height * (0.15 + 0.6 * chance.next())];
 }
 
-/// The outline and the inspector, where another panel has their place.
+/// Shows the outline and the inspector if another panel hides them.
 async function show_inspector(page) {
   if ((await page.locator('.left.of-board').count()) > 0) await page.getByRole('group', { name: 'Outline or board' }).getByRole('button', { name: 'Outline', exact: true }).click(kPatience);
   if ((await page.locator('.right.of-inspector').count()) === 0) await page.getByRole('group', { name: 'Side panel' }).getByRole('button', { name: 'Inspector', exact: true }).click(kPatience);
@@ -353,7 +354,7 @@ async function save_under_a_name(page, chance) {
   return save_as(page, chance.one_of(kFileNames), answer_of(chance));
 }
 
-/// Saves where it was opened or saved before.
+/// Saves to the file that was opened or saved before.
 async function save_it_here(page, chance) {
   const [name, answer] = [chance.one_of(kFileNames), answer_of(chance)];
   const { path } = await page.evaluate(() => window.studio.document.state.get());
@@ -389,7 +390,7 @@ async function reopen_a_file(page, chance, files) {
   return true;
 }
 
-/// With how often each is done, beside the others.
+/// The actions with their relative frequencies.
 export const kDeeds = [
   [6, open_another], [12, pull_a_handle], [12, pull_a_row], [12, type_a_number], [10, undo_and_redo], [8, click_the_plant],
   [6, walk_the_tree], [5, see_growth], [5, scrub_time], [10, open_panels], [4, type_text], [4, look_at_strips],

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the studio's benchmarks measure of a page and its server.
+// Measurements of a page and its server for the studio's benchmarks.
 import { readFile } from 'node:fs/promises';
 
-/// Resident memory of a process, MB.
+/// Returns the resident memory of a process, MB.
 export async function memory_of(pid) {
   return Number(/VmRSS:\s+(\d+)/.exec(await readFile(`/proc/${pid}/status`, 'utf8'))[1]) / 1024;
 }
 
-/// Heap of the page after its garbage was collected, in MB. `session` is one of the browser's protocol.
+/// Returns the heap of the page after garbage collection, in MB. `session` is a session of the browser's protocol.
 export async function heap_of(session) {
   for (let k = 0; k < 2; k += 1) await session.send('HeapProfiler.collectGarbage');
   return (await session.send('Runtime.getHeapUsage')).usedSize / 1e6;
 }
 
-/// The page's heap as the browser's tools read it, a text.
+/// Returns the page's heap as a text in the format of the browser's tools.
 export async function snapshot_of(session) {
   const chunks = [];
   const take = ({ chunk }) => chunks.push(chunk);
@@ -23,8 +23,8 @@ export async function snapshot_of(session) {
   return chunks.join('');
 }
 
-/// What the page's script holds by such a text, MB: without the code that the engine compiles the more a function is used, and
-/// without what the browser's tools keep of all that was loaded.
+/// Returns the memory of the page's script in such a text, MB. Excludes compiled code, which grows with use, and the
+/// copies of loaded files that the browser's tools keep.
 export function objects_in(snapshot) {
   const { nodes, strings, snapshot: { meta } } = JSON.parse(snapshot);
   const [type, name, size] = ['type', 'name', 'self_size'].map((field) => meta.node_fields.indexOf(field));
@@ -36,7 +36,7 @@ export function objects_in(snapshot) {
   return sum / 1e6;
 }
 
-/// What the view holds on the card: buffers, textures, and what these are made for.
+/// Returns the view's objects on the card: buffers, textures, and their purposes.
 export const buffers_of = (page) => page.evaluate(async () => {
   for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
   const { geometries, textures, meshes, instance_sets, batches } = window.studio.view.counts;

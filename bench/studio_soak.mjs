@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio under random hands for a long time: node bench/studio_soak.mjs [MINUTES] [SEED]
+// Uses the studio with random actions for a long time: node bench/studio_soak.mjs [MINUTES] [SEED]
 //
 // A headless browser shows the page of a real server. First comes a tour (studio_tour.mjs), which sends each request of
-// the protocol at least once. Then random deeds follow each other (studio_deeds.mjs). The run fails in these cases:
+// the protocol at least once. Then random actions follow (studio_deeds.mjs). The run fails in these cases:
 // - The page reports an error, or does not come to rest. The server ends, or a sanitizer reports a fault.
 // - A request of the protocol was never sent.
 // - A saved file does not hold the page's text, or the page shows another text than the file that it opened.
-// - The server has another text than the page. Undoing everything does not give back the first text.
-// The seed decides all deeds, on machines that are equally fast. A fault is printed with the last deeds before it and with
-// what the server has written.
+// - The server has another text than the page. Undoing everything does not restore the first text. The seed determines
+// all actions, on machines of equal speed. A fault is printed with the last actions before it and with the output of
+// the server.
 //
 // Memory is measured each minute while a small document is open: the page's script after a garbage collection (with and
-// without compiled code), the view's buffers, and the server. Measuring begins after each document was open, each deed was
-// done, and a sixth of the time has passed: by then everything exists that is made once. The rise of memory compares the
-// smallest figure of the first third with that of the last third. Single figures vary up to twofold, since the server's
-// allocator and the system's large pages keep freed memory; a leak raises the smallest figure too.
+// without compiled code), the view's buffers, and the server. Measuring begins when each document was open, each action
+// was done, and a sixth of the time has passed. By then all data that are made only once exist. The rise of memory
+// compares the smallest figure of the first third with the smallest figure of the last third. Single figures vary up to
+// twofold, since the server's allocator and the system's large pages keep freed memory; a leak raises the smallest
+// figure too.
 //
 // MERISTEM, MERISTEM_CHROMIUM, MERISTEM_SLOWNESS: as for the page's tests. MERISTEM_SOAK_MINUTES, MERISTEM_SOAK_SEED:
 // defaults of the two arguments. MERISTEM_SOAK_SANITIZED=1: the server has sanitizers, so memory is not measured.
-// MERISTEM_SOAK_TELLS=1 prints each deed. MERISTEM_SOAK_SNAPSHOTS: a folder for the page's heap at the first and at the last
-// measurement, which the browser's tools can compare. MERISTEM_BENCH=small: the tour and a few deeds, without measurements.
-// MERISTEM_BENCH_TABLE: a file that gets the lines of the table.
+// MERISTEM_SOAK_TELLS=1 prints each action. MERISTEM_SOAK_SNAPSHOTS: a folder for the page's heap at the first and at
+// the last measurement, which the browser's tools can compare. MERISTEM_BENCH=small: the tour and a few actions,
+// without measurements. MERISTEM_BENCH_TABLE: a file for the lines of the table.
 import { appendFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import { existsSync } from 'node:fs';
 import os from 'node:os';
@@ -60,7 +61,7 @@ function add_fault(what) {
 }
 
 /// Runs in the page before its own script. Draws the page's random numbers from the seed, counts requests by their names,
-/// and keeps the texts that were saved. A `text` request tells that the server had another text than the page.
+/// and keeps the texts that were saved. A `text` request shows that the server had another text than the page.
 function prepare(from) {
   let state = from >>> 0;
   Math.random = () => {
@@ -95,13 +96,13 @@ function prepare(from) {
   });
 }
 
-/// Nothing is open over the document, and no field has the keyboard.
+/// Closes everything that is open over the document, and leaves all fields.
 async function close_all(page) {
   for (let k = 0; k < 2; k += 1) await page.keyboard.press('Escape');
   await page.evaluate(() => document.activeElement?.blur());
 }
 
-/// A growth that a limit of the document refuses is at rest, too: what was shown before stays.
+/// A growth that a limit of the document refuses also counts as rest: the previous plant stays.
 async function rest(page) {
   await close_all(page);
   await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0, null, { timeout: patient(60_000) });
@@ -117,7 +118,7 @@ async function rest(page) {
 }
 rest.known = 0;
 
-/// Another text for each document, and for each time that one is opened.
+/// Returns another text for each document, and for each opening of a document.
 const document_of = (page) => page.evaluate(() => `${window.studio.document.state.get().path} ${window.studio.document.state.get().model} ${window.requests.open}`);
 
 /// The text with which the document was opened, or with which unsaved work has begun.
@@ -133,7 +134,7 @@ async function undo_everything(page, first) {
   if (first !== null && (await text_of(page)) !== first) add_fault('undoing everything does not give the first text');
 }
 
-/// What is held while one document is at rest.
+/// The memory while a document is at rest.
 async function held(page, session, server) {
   await close_all(page);
   await page.evaluate(() => {
@@ -143,7 +144,7 @@ async function held(page, session, server) {
     studio.shell.merge({ side: 'inspector', left: 'outline', dialog: null });
     studio.change_view({ drawing: 'shaded' });
   });
-  // Opened twice: with the second growth goes what the jobs of the document before have freed late.
+  // Opens the document twice: the second growth releases memory that jobs of the previous document have freed late.
   for (let k = 0; k < 2; k += 1) await open_file(page, kRestFile);
   await page.waitForTimeout(1000); // kept work is let go
   await settled(page);
@@ -156,7 +157,7 @@ async function held(page, session, server) {
   return { heap, objects: objects_in(snapshot), buffers: await buffers_of(page), server: await memory_of(server.pid), nodes: metrics.get('Nodes'), listeners: metrics.get('JSEventListeners') };
 }
 
-/// Percent that the least of the last third lies above that of the first.
+/// Returns the percentage by which the minimum of the last third exceeds the minimum of the first third.
 function rise(figures, key) {
   const third = Math.max(1, Math.floor(figures.length / 3));
   const least = (some) => Math.min(...some.map((one) => one[key]));
@@ -186,7 +187,7 @@ async function do_deed(page, deed, opened, first) {
   if (process.env.MERISTEM_SOAK_TELLS) console.log(`  ${deed.name} ${Date.now() - began_at} ms`);
 }
 
-/// The files in the server's folder, which the deeds save and open.
+/// The files in the server's folder, which actions save and open.
 const files = {
   folder: '',
   read: (name) => readFile(path.join(files.folder, name), 'utf8'),
@@ -198,7 +199,7 @@ const files = {
   async compare_opened(page, name) {
     if ((await text_of(page)) !== (await files.read(name))) add_fault(`the page shows ${name} with another text than the file's`);
   },
-  /// Compares what was saved since the last time with the files.
+  /// Compares the texts saved since the last check with the files.
   async compare_saved(page) {
     const saved = await page.evaluate(() => {
       const texts = window.saved_texts;

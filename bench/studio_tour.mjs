@@ -42,7 +42,7 @@ export async function protocol_requests() {
   return names;
 }
 
-/// Sends a request over the page's own connection, and gives the answer.
+/// Sends a request over the page's own connection, and returns the answer.
 const ask = (page, what, members = {}) => page.evaluate(async ([name, rest]) => {
   const { arrays, ...answer } = await window.studio.connection.request(name, rest);
   return answer;
@@ -229,7 +229,7 @@ async function measures_the_plant(page) {
   assert.ok(sweep[0].measures.length < sweep[1].measures.length, JSON.stringify(sweep));
 }
 
-/// What the tour does, in order. Each part begins where the part before has ended.
+/// The parts of the tour, in order. Each part begins in the state in which the previous part ended.
 export const kTour = [
   starts_saves_and_saves_again, saves_a_shipped_plant_and_saves_again, saves_over_another_file, reopens_what_was_saved, restores_unsaved_work,
   drags_a_handle, loses_the_graphics_context, pauses_growth, continues_what_was_not_stopped, exports_the_text, cancels_a_picture, draws_small_pictures,

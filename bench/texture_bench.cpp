@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures with their normals. Counters: pixels per second; `to_plain`, the time of one octave of gradient noise by the
-// function of a place (base/noise.h) at each pixel over ours for the whole texture, measured in the same run.
+// Textures with their normals. Counters: pixels per second, and `to_plain`. `to_plain` is the time of one octave of
+// gradient noise at each pixel, by the noise function of a position (base/noise.h), divided by the library's time for
+// the whole texture, in one run.
 #include <algorithm>
 #include <chrono>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stems that are trimmed: 100,000 stems of eight segments each about a closed mesh of some 10,000 triangles, on all
-// threads. Counters: stems a second, the share that is shortened, and `to_plain`, the time of asking the mesh once for
-// each node over ours, in the same run.
+// Trimmed stems: 100,000 stems of eight segments each about a closed mesh of some 10,000 triangles, on all threads.
+// Counters: stems a second, the share of shortened stems, and `to_plain`. `to_plain` is the time of querying the mesh
+// once for each node divided by the library's time, in one run.
 #include <chrono>
 #include <cstdint>
 #include <memory>

@@ -157,7 +157,7 @@ async function held(page, session, server) {
   return { heap, objects: objects_in(snapshot), buffers: await buffers_of(page), server: await memory_of(server.pid), nodes: metrics.get('Nodes'), listeners: metrics.get('JSEventListeners') };
 }
 
-/// Returns the percentage by which the minimum of the last third exceeds the minimum of the first third.
+/// Returns the increase from the minimum of the first third to the minimum of the last third, in percent.
 function rise(figures, key) {
   const third = Math.max(1, Math.floor(figures.length / 3));
   const least = (some) => Math.min(...some.map((one) => one[key]));

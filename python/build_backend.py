@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the Python package: what pip calls for `pip install .` (PEP 517 and 660).
+"""Builds the Python package: the functions that pip calls for `pip install .` (PEP 517 and 660).
 
-In:  the source tree, and the compilers and libraries of Debian's packages. Nothing is fetched and only the standard
-     library is used, because pip hides all other packages from a backend and the machine may have no network.
+In: the source tree, and the compilers and libraries of Debian's packages. The backend uses only the standard library
+     and fetches nothing: pip hides all other packages from a backend, and the machine may have no network.
 Out: a wheel, a source archive, or an editable install. Equal sources give equal bytes.
 
 CMake builds in build/pip-<Python's tag>, which is kept, so that a second install compiles only what has changed.
-`pip install --config-settings build-dir=DIR .` compiles nothing and takes the library that stands in DIR.
+`pip install --config-settings build-dir=DIR .` compiles nothing and uses the library in DIR.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pathlib import Path
 from typing import Mapping, Optional, Sequence, Union
 
 Settings = Optional[Mapping[str, Union[str, Sequence[str]]]]
-Members = dict[str, bytes]  # what stands in an archive, by path
+Members = dict[str, bytes]  # the content of an archive, by path
 
 ROOT = Path(__file__).resolve().parents[1]
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build", "pkg-config": "pkg-config", "c++": "g++"}
@@ -88,7 +88,7 @@ def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata
 
 def build_editable(wheel_directory: str, config_settings: Settings = None,
                    metadata_directory: str | None = None) -> str:
-    """A wheel that only names the build tree's package, whose Python files are links to the source tree's."""
+    """Builds a wheel that only names the build tree's package, whose Python files are links to the source tree."""
     folder = built_library(config_settings).parents[1]
     return write_wheel(Path(wheel_directory), {"__editable__.meristem.pth": f"{folder}\n".encode()})
 
@@ -104,7 +104,7 @@ def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
 
 
 def project_field(field: str) -> str:
-    """What CMakeLists.txt gives to project() as VERSION or DESCRIPTION."""
+    """Returns VERSION or DESCRIPTION of project() in CMakeLists.txt."""
     text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
     found = re.search(rf'^project\([^)]*\b{field}\s+(?:"([^"]*)"|([^\s)]+))', text, re.MULTILINE)
     if found is None:
@@ -121,7 +121,7 @@ def metadata_text() -> str:
 
 
 def wheel_tag() -> str:
-    """As in cp311-cp311-linux_x86_64: this interpreter, its binary interface and this machine."""
+    """Returns a tag such as cp311-cp311-linux_x86_64: this interpreter, its binary interface and this machine."""
     abi = "cp" + str(sysconfig.get_config_var("SOABI")).split("-")[1]
     platform = re.sub(r"[^0-9a-zA-Z_]", "_", sysconfig.get_platform())
     return f"cp{sys.version_info[0]}{sys.version_info[1]}-{abi}-{platform}"
@@ -142,7 +142,7 @@ def distribution_info() -> Members:
 
 
 def built_library(settings: Settings) -> Path:
-    """The compiled half, built now, or that of the setting `build-dir`."""
+    """Returns the compiled module, built now or found in the setting `build-dir`."""
     chosen = (settings or {}).get("build-dir")
     if chosen is not None and not isinstance(chosen, str):
         raise SystemExit("meristem: give the setting build-dir once")
@@ -179,7 +179,7 @@ def install_advice() -> str:
 
 
 def missing_packages() -> list[str]:
-    """Those of Debian's packages that are not installed; none elsewhere."""
+    """Returns the required Debian packages that are not installed. Empty on other systems."""
     if shutil.which("dpkg-query") is None:
         return []
     query = ["dpkg-query", "-W", "-f=${Package} ${db:Status-Status}\n", *DEBIAN_PACKAGES]
@@ -197,7 +197,7 @@ def written_half() -> Members:
 
 
 def viewer(library: Path) -> Members:
-    """The page that shows plants in browsers, where the build has made it."""
+    """Returns the page that shows plants in browsers, if the build has made it."""
     page = library.with_name("viewer.html")
     return {f"meristem/{page.name}": page.read_bytes()} if page.is_file() else {}
 
@@ -208,7 +208,7 @@ def shipped_models() -> Members:
 
 
 def source_files() -> Members:
-    """What building needs, without what builds and tests leave behind."""
+    """Returns the files that a build needs, without the results of builds and tests."""
     members: Members = {}
     for part in SOURCE_PARTS:
         files = [ROOT / part] if (ROOT / part).is_file() else (ROOT / part).rglob("*")
@@ -223,7 +223,7 @@ def source_files() -> Members:
 
 
 def write_wheel(folder: Path, members: Members) -> str:
-    """Writes a wheel of the members, what it says of itself, and the list of all their hashes."""
+    """Writes a wheel with the members, its metadata, and the list of all hashes."""
     whole = dict(sorted(members.items())) | distribution_info()
     record = f"{name_and_version()}.dist-info/RECORD"
     lines = [f"{path},sha256={digest(content)},{len(content)}" for path, content in whole.items()]
@@ -262,7 +262,7 @@ def tar_gz(top: str, members: Members) -> bytes:
 
 
 def write_whole(path: Path, content: bytes) -> None:
-    """Writes beside the path and renames, so that a stop in the middle leaves no half file under the name."""
+    """Writes beside the path and renames, so that an interruption leaves no partial file under the name."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(f"{path.name}.{os.getpid()}.part")
     try:

@@ -10,7 +10,8 @@ namespace meristem::python {
 
 namespace {
 
-/// As numpy sees it; text, objects, complex numbers and times are refused, for whole numbers fractions too.
+/// Returns the argument as a numpy array. Refuses text, objects, complex numbers and times, and also fractions if whole
+/// numbers are required.
 py::array real_array(const py::object& object, const char* name, bool whole) {
   if (py::hasattr(object, "mask") && py::module_::import("numpy").attr("ma").attr("is_masked")(object).cast<bool>()) {
     throw py::value_error(fmt::format("{} has masked numbers; fill or leave out what is masked", name));
@@ -22,7 +23,7 @@ py::array real_array(const py::object& object, const char* name, bool whole) {
   }
   const char kind = array.dtype().kind();
   const bool is_whole = kind == 'i' || kind == 'u';
-  // An empty list is an array of floats to numpy.
+  // numpy makes an array of floats from an empty list.
   if (is_whole || (kind == 'f' && (!whole || array.size() == 0))) return array;
   throw py::type_error(fmt::format("{} must hold {} numbers, not {}", name, whole ? "whole" : "real",
                                    std::string(py::str(array.dtype()))));
@@ -71,7 +72,7 @@ std::vector<std::int64_t> whole_numbers_of(const py::object& object, const char*
                                            std::int64_t low, std::int64_t high) {
   const py::array given = real_array(object, name, true);
   check_length(given, name, rows);
-  // Beyond 63 bits a number would wrap around; as a double it stays out of every range.
+  // A number beyond 63 bits would wrap around. As a double it stays outside of every range.
   const auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>(given);
   const auto array = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(given);
   std::vector<std::int64_t> numbers(array.data(), array.data() + array.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of the library as numpy's arrays, and arrays as the library's.
+// Converts memory of the library to numpy arrays, and numpy arrays to the library's types.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
-/// An array over memory that `owner` keeps; it keeps `owner`. Strides in bytes.
+/// Returns an array over memory of `owner`. The array keeps `owner` alive. Strides in bytes.
 template <class T>
 py::array_t<T> array_over(const std::shared_ptr<const void>& owner, const T* data, std::vector<py::ssize_t> shape,
                           std::vector<py::ssize_t> strides) {
@@ -25,7 +25,7 @@ py::array_t<T> array_over(const std::shared_ptr<const void>& owner, const T* dat
   return py::array_t<T>(std::move(shape), std::move(strides), data, keeper);
 }
 
-/// A read-only view of data that `owner` keeps alive.
+/// Returns a read-only view of data that `owner` keeps alive.
 template <class T>
 py::array_t<T> view(const std::shared_ptr<const void>& owner, const T* data, std::vector<py::ssize_t> shape,
                     std::vector<py::ssize_t> strides) {
@@ -34,13 +34,13 @@ py::array_t<T> view(const std::shared_ptr<const void>& owner, const T* data, std
   return array;
 }
 
-/// A view of a column: one number per row.
+/// Returns a view of a column: one number per row.
 template <class T>
 py::array_t<T> column_view(const std::shared_ptr<const void>& owner, const std::vector<T>& column) {
   return view(owner, column.data(), {static_cast<py::ssize_t>(column.size())}, {sizeof(T)});
 }
 
-/// A view of a column of small vectors, each of `width` numbers of type T.
+/// Returns a view of a column of small vectors, each of `width` numbers of type T.
 template <class T, class Row>
 py::array_t<T> rows_view(const std::shared_ptr<const void>& owner, const std::vector<Row>& rows) {
   constexpr auto width = static_cast<py::ssize_t>(sizeof(Row) / sizeof(T));
@@ -48,7 +48,7 @@ py::array_t<T> rows_view(const std::shared_ptr<const void>& owner, const std::ve
               {sizeof(Row), sizeof(T)});
 }
 
-/// A view of frames that stand `stride` bytes apart: (n, 4, 3), the rows right, heading, upper and origin.
+/// Returns a view of frames with a distance of `stride` bytes: (n, 4, 3), the rows right, heading, upper and origin.
 inline py::array_t<float> frames_view(const std::shared_ptr<const void>& owner, const Frame* first, std::size_t count,
                                       std::size_t stride) {
   static_assert(sizeof(Frame) == 12 * sizeof(float));
@@ -56,24 +56,24 @@ inline py::array_t<float> frames_view(const std::shared_ptr<const void>& owner, 
               {static_cast<py::ssize_t>(stride), 3 * sizeof(float), sizeof(float)});
 }
 
-/// An array that owns what was in `values`.
+/// Returns an array that takes ownership of `values`.
 template <class T>
 py::array_t<T> array_of(std::vector<T> values) {
   const auto owner = std::make_shared<const std::vector<T>>(std::move(values));
   return array_over(owner, owner->data(), {static_cast<py::ssize_t>(owner->size())}, {sizeof(T)});
 }
 
-/// "(4, 3)".
+/// Returns a text such as "(4, 3)".
 std::string shape_text(const py::array& array);
 
-/// Points from an array (n, 3) of real numbers; `name` is the argument's. Throws TypeError for other types, ValueError
-/// for other shapes and for numbers that are not finite.
+/// Returns points from an array (n, 3) of real numbers. `name` is the argument's name. Throws TypeError for other
+/// types, and ValueError for other shapes and for numbers that are not finite.
 std::vector<Vec3> points_of(const py::object& object, const char* name);
 
-/// A column of `rows` real numbers; the same errors, and ValueError for another length.
+/// Returns a column of `rows` real numbers. Throws like points_of, and ValueError for another length.
 std::vector<double> numbers_of(const py::object& object, const char* name, std::size_t rows);
 
-/// A column of `rows` whole numbers from `low` to `high`; the same errors.
+/// Returns a column of `rows` whole numbers from `low` to `high`. Throws like the overload above.
 std::vector<std::int64_t> whole_numbers_of(const py::object& object, const char* name, std::size_t rows,
                                            std::int64_t low, std::int64_t high);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A long call runs on a thread of its own, while the caller's looks for signals without the interpreter's lock: so
-// Ctrl-C and callbacks stop it, and other Python threads go on. What Python sees never changes; arrays hold on to
-// what they show.
+// A long call runs on a thread of its own. Meanwhile the caller's thread checks for signals, without the interpreter's
+// lock. Ctrl-C and callbacks can therefore stop the call, and other Python threads continue. Objects that Python sees
+// never change, and arrays keep their memory alive.
 #include "call.h"
 
 #include <chrono>
@@ -19,12 +19,12 @@ namespace {
 
 constexpr auto kSignalPause = std::chrono::milliseconds(20);
 
-/// A body on its own thread, and whether it has ended.
+/// Runs a body on its own thread and knows whether it has ended.
 class Worker {
  public:
   explicit Worker(std::function<void()> body) : thread_([this, body = std::move(body)] { run(body); }) {}
 
-  /// Waits a while; true once the body has ended.
+  /// Waits a short time. Returns true if the body has ended.
   bool has_ended_within(std::chrono::milliseconds pause) {
     std::unique_lock lock(mutex_);
     return ended_.wait_for(lock, pause, [this] { return has_ended_; });
@@ -50,11 +50,11 @@ class Worker {
   std::condition_variable ended_;
   bool has_ended_ = false;
   std::exception_ptr error_;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last: it uses the other members
 };
 
-/// The calls that run, so that none outlives the interpreter: threads of Python's that wait for a call would be ended
-/// there in the middle of it.
+/// The running calls. No call may outlive the interpreter, because the interpreter ends Python threads that wait for a
+/// call in the middle of the call.
 class RunningCalls {
  public:
   void enter(Watch* watch) {
@@ -67,7 +67,7 @@ class RunningCalls {
     watches_.erase(watches_.find(watch));
     changed_.notify_all();
   }
-  /// Cancels all, refuses more, and returns once they are gone. Without the GIL.
+  /// Cancels all calls, refuses new calls, and returns when all have ended. Must be called without the GIL.
   void close() {
     std::unique_lock lock(mutex_);
     is_closed_ = true;
@@ -87,7 +87,7 @@ RunningCalls& running_calls() {
   return calls;
 }
 
-/// Among the running calls for as long as it lives.
+/// Registers a running call during its lifetime.
 class RunningCall {
  public:
   explicit RunningCall(Watch* watch) : watch_(watch) { running_calls().enter(watch); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long calls from Python: they let other Python threads run, tell a Progress, and stop for Ctrl-C.
+// Long calls from Python. Other Python threads run during a call. A call reports to a Progress and stops for Ctrl-C.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
-/// What Python watches and cancels a call by. It watches one call at a time.
+/// Lets Python watch and cancel a call. Watches one call at a time.
 class Watch {
  public:
   /// `callback` is called with stage and fraction, or None.
@@ -30,16 +30,16 @@ class Watch {
   std::string stage() const;
   double fraction() const;
 
-  /// Runs `body` on a thread of its own, bounded to `threads` (0: all cores), while this one, without the GIL, looks
-  /// for signals. Rethrows what `body`, the callback or a signal's handler threw; the callback and the handler cancel
-  /// `body`.
+  /// Runs `body` on a thread of its own, bounded to `threads` (0: all cores). Meanwhile the calling thread checks for
+  /// signals, without the GIL. Rethrows exceptions of `body`, of the callback and of signal handlers. Exceptions of the
+  /// callback and of handlers cancel `body`.
   void run(int threads, const std::function<void(Progress&)>& body);
 
  private:
   void tell(std::string_view stage, double fraction);
 
   py::object callback_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::string stage_;
   double fraction_ = 0;
   Progress* running_ = nullptr;
@@ -47,10 +47,10 @@ class Watch {
   std::atomic<bool> cancelled_{false};
 };
 
-/// The Watch that an argument `progress` means: a Progress, something to call, or None.
+/// Returns the Watch for an argument `progress`: a Progress, a callable, or None.
 std::shared_ptr<Watch> watch_of(const py::object& progress);
 
-/// What `body(progress)` gives, called as Watch::run does.
+/// Returns the result of `body(progress)`, called by Watch::run.
 template <class Body>
 auto run_call(const py::object& progress, int threads, Body body) {
   std::optional<decltype(body(std::declval<Progress&>()))> result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Space colonization into a caller's own points. It grows a document with one component whose points are these, so that
-// the parameters mean, and are checked, as everywhere.
+// Space colonization into a caller's own points. Grows a document with one component that has these points, so that
+// parameters have their usual meanings and checks.
 #include "meristem/components/colonize.h"
 
 #include <fmt/format.h>
@@ -28,14 +28,14 @@ Value places_value(const std::vector<Vec3>& places) {
   return list;
 }
 
-/// The document's place as the argument that a caller knows it by.
+/// Converts a document path to the name of the caller's argument.
 std::string argument_of(const std::string& path) {
   if (!path.starts_with(kComponent)) return path;
   const std::string name = path.substr(std::min(kComponent.size() + 1, path.size()));
   return name == "crown" || name == "points.file" ? "points" : name;
 }
 
-/// Calls `call()`, and names arguments in its faults.
+/// Calls `call()`. Its faults then name the caller's arguments.
 template <class Call>
 auto naming_arguments(Call call) {
   try {
@@ -47,13 +47,13 @@ auto naming_arguments(Call call) {
   }
 }
 
-/// A document with one colonize component.
+/// Makes a document with one colonize component.
 Document read_parameters(const py::dict& parameters, const std::vector<Vec3>& roots, const py::object& seed) {
   Value tree = naming_arguments([&] { return to_value(parameters); });
   Value::Object& members = *tree.object();
   members.emplace_back("type", "colonize");
   members.emplace_back("roots", places_value(roots));
-  // Any crown will do until the points take its place.
+  // An arbitrary crown, which the points replace.
   members.emplace_back("crown", Value(Value::Object{{"box", places_value({Vec3(0), Vec3(1)})}}));
   Value::Object document{{"meristem", kDocumentFormat}, {"components", Value(Value::Object{{"tree", tree}})}};
   if (!seed.is_none()) document.emplace_back("seed", to_value(seed));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What documents may be made of, as dicts.
+// The component types and parameter tables as dicts.
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace meristem::python {
 
 namespace {
 
-/// The rows of a table by their names. A table that contains itself is given once.
+/// Returns the rows of a table by name. A table that contains itself is listed once.
 py::dict rows_of(const ParameterTable& table, std::vector<const ParameterTable*> above) {
   above.push_back(&table);
   const std::vector<Value> defaults = table.defaults();
@@ -50,7 +50,7 @@ py::dict components() {
   return types;
 }
 
-/// All registries. The last is in use; documents point into the one that they were read with.
+/// All registries. The last one is in use. Each document points into the registry that it was read with.
 std::deque<Registry>& registries() {
   static std::deque<Registry> all;
   return all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data sets: the plan by content, as workers get it, and the folder in which plants appear. What grows them where, the
-// written half of the module decides (_dataset.py).
+// Data sets: the plan by content, as workers receive it, and the folder of the plants. _dataset.py decides where plants
+// grow.
 #include <chrono>
 #include <filesystem>
 #include <mutex>
@@ -29,19 +29,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A plan with its documents by content, and the makers of its plants, one for each thread that makes some.
+/// A plan with its documents by content, and the makers of its plants, one per thread.
 class PlanInPython {
  public:
   PlanInPython(const std::string& text, const std::string& file, std::vector<GivenDocument> documents,
                const std::string& scratch)
       : models_(models_folder()), scratch_(scratch) {
-    const ThreadLimit alone(1);  // so that a process that is forked later finds no threads of ours missing
+    const ThreadLimit alone(1);  // so that a process that is forked later misses no threads of the library
     plan = read_dataset_plan(text, file, component_types(), {.models = models_, .documents = std::move(documents)});
   }
 
   DatasetPlan plan;
 
-  /// Seconds, and what put_range takes, where this process does not see the folder.
+  /// Returns the seconds, and the argument of put_range if this process cannot reach the folder.
   std::pair<double, std::optional<MadeRange>> make(PlantRange range, const std::string& folder, Progress& progress) {
     const auto begin = std::chrono::steady_clock::now();
     std::unique_ptr<PlantMaker> maker = borrow();
@@ -120,7 +120,7 @@ py::tuple plan_state(const PlanPointer& plan) {
   return py::make_tuple(folder_plan_text(plan->plan), documents);
 }
 
-/// Paths and bytes.
+/// Returns paths and bytes.
 std::vector<std::pair<std::string, std::string>> files_of(const py::handle& list) {
   std::vector<std::pair<std::string, std::string>> files;
   for (const py::handle& file : list) {
@@ -172,7 +172,7 @@ py::object make_in(const PlanPointer& plan, const std::string& folder, std::uint
   return py::make_tuple(seconds, py::make_tuple(py::bytes(apart->rows), files));
 }
 
-/// The folder of a data set and the plan that it is of.
+/// The folder of a data set and its plan.
 struct FolderInPython {
   FolderInPython(PlanPointer the_plan, const std::string& path, DatasetOpening opening, Progress& progress)
       : plan(std::move(the_plan)), folder(plan->plan, path, opening, progress) {}
@@ -216,7 +216,7 @@ py::object next_range(const FolderPointer& folder, double seconds) {
   return range ? py::object(py::make_tuple(range->begin, range->end)) : py::none();
 }
 
-/// Throws InputError unless the data set in a folder has as many plants as rows were found.
+/// Throws InputError if the number of rows differs from the number of plants of the data set in a folder.
 void require_finished(const py::object& path, std::uint64_t rows) {
   const std::string folder = path_of(path);
   const std::optional<DatasetInfo> info = read_dataset_info(folder);
@@ -231,7 +231,7 @@ void require_finished(const py::object& path, std::uint64_t rows) {
 py::dict check_of(const py::object& path, const py::object& root, int threads, const py::object& progress) {
   const std::string folder = path_of(path);
   const std::string own_root = path_of(root);
-  // Both ask Python, whose lock the call releases.
+  // Both query Python, whose lock the call releases.
   const Registry& types = component_types();
   const std::string models = models_folder();
   const DatasetCheck check = run_call(

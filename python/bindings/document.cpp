@@ -117,7 +117,7 @@ py::dict components_of(const DocumentPointer& document) {
   return components;
 }
 
-/// The document as it stands at a time.
+/// Returns the document at a time.
 DocumentPointer standing_at(const DocumentPointer& document, double time, const Progress& progress) {
   std::optional<Document> other;
   document_at(document->document, time, other, &progress);
@@ -265,7 +265,7 @@ const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
   has_meshes_ = grown_.up_to >= GrownPart::meshes;
   if (has_meshes_) ray_meshes_.reset();
   if (part <= grown_.up_to) return grown_;
-  // The plants of a batch have their textures in common, not their meshes.
+  // The plants of a batch share their textures, but not their meshes.
   const std::scoped_lock painting(origin->shared->painting);
   complete_growth(origin->document, grown_, progress, {.up_to = part, .cache = &origin->shared->textures});
   return grown_;
@@ -286,7 +286,7 @@ const Plant& PlantInPython::with_holes(Progress& progress) {
 
 std::shared_ptr<const MeshScene> PlantInPython::ray_meshes(Progress& progress) {
   const std::scoped_lock lock(mutex_);
-  // Meshes whose materials have sketches let no ray through holes.
+  // Holes let no ray through while materials have only sketches.
   if (has_meshes_ && (grown_.up_to >= GrownPart::textures || !has_holes(grown_.plant))) {
     return {std::shared_ptr<const MeshScene>(), &grown_.meshes};
   }

@@ -20,14 +20,14 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
-/// The component types that documents may name: those of the library and of the plug-ins that were loaded.
+/// Returns the component types that documents may name: the types of the library and of loaded plug-ins.
 const Registry& component_types();
 
-/// The folder of shipped models, which stands beside the package. To be called with the GIL.
+/// Returns the folder of shipped models, which is beside the package. Must be called with the GIL.
 std::string models_folder();
 
-/// What a document and those that set() makes of it share: the textures of the last plant that has been painted, what
-/// reading has made of files, and what the last growth of one of them has left.
+/// Data that a document shares with the documents that set() makes from it: the textures of the last painted plant, the
+/// results of read files, and the cache of the last growth.
 struct SharedWork {
   std::mutex painting;
   GrowthCache textures;
@@ -43,7 +43,7 @@ struct WrittenDocument {
   std::string file;
   std::vector<Override> overrides;
   std::optional<std::uint64_t> seed;
-  std::string root;  ///< as of ReadOptions
+  std::string root;  ///< see ReadOptions
 };
 
 /// Component types and models that documents may name. Made with the interpreter's lock, used without it.
@@ -52,34 +52,34 @@ struct NamedByDocuments {
   const std::string models = models_folder();
 };
 
-/// A document and what it was read from, so that it can be read again with other values. It never changes, so calls
-/// that run on other threads may use it.
+/// A document with its source, so that it can be read again with other values. It never changes, so calls on other
+/// threads may use it.
 struct DocumentInPython : WrittenDocument {
   Document document;
-  std::shared_ptr<SharedWork> shared;  ///< with the documents that it was made of
-  bool has_other_values = false;       ///< than the one that set() made it of, so that growing it may find much done
+  std::shared_ptr<SharedWork> shared;  ///< shared with the documents that it was made from
+  bool has_other_values = false;       ///< true if set() made it: the cache may hold most of its growth
 
-  /// Reads the document. Without the interpreter's lock: a thread that waits for another read must not keep that read
-  /// from the interpreter. Throws InputError; Cancelled soon after `progress` was asked to stop.
+  /// Reads the document. Must be called without the interpreter's lock: a thread that waits for another read must not
+  /// block that read. Throws InputError. Throws Cancelled soon after `progress` was cancelled.
   DocumentInPython(WrittenDocument written, const NamedByDocuments& named, const Progress& progress,
                    std::shared_ptr<SharedWork> shared_work = std::make_shared<SharedWork>());
-  /// A document that was read already.
+  /// Wraps a document that was read already.
   DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
                    std::string folder);
-  /// What the text says, with overrides and seed.
+  /// Returns the values of the text, with overrides and seed.
   Value tree() const;
 };
 
-/// The file of a document that was made in Python.
+/// File name of a document that was made in Python.
 inline constexpr const char* kFromPython = "<python>";
 
-/// Throws InputError unless files that the document, read from `file`, names are found from `target` as well.
+/// Throws InputError if files named by the document, read from `file`, would not be found from `target`.
 void check_named_files(const Document& document, const std::string& file, const std::string& target);
 
-/// The text as a file, whole or not at all. Throws MachineError.
+/// Writes the text to a file, whole or not at all. Throws MachineError.
 void write_file(const std::string& path, const std::string& text);
 
-/// A document that has grown. Its meshes and the pictures on them are made when they are first asked for.
+/// A grown document. Its meshes and their pictures are made on first use.
 class PlantInPython {
  public:
   PlantInPython(std::shared_ptr<const DocumentInPython> from, GrownDocument grown)
@@ -87,7 +87,7 @@ class PlantInPython {
 
   const std::shared_ptr<const DocumentInPython> origin;
 
-  /// With a copy of each placed plant. Throws InputError where they pass a limit.
+  /// Returns the plant with a copy of each placed plant. Throws InputError if the copies exceed a limit.
   const Plant& plant() const;
   /// Returns the plant without copies of placed plants.
   const Plant& unexpanded() const { return grown_.plant; }
@@ -99,9 +99,10 @@ class PlantInPython {
   /// Returns the plant without copies of placed plants. Paints textures if they cut holes, because measures of leaves
   /// need the holes. Throws Cancelled.
   const Plant& with_holes(Progress& progress);
-  /// The meshes for rays alone (mesh_for_rays), or all meshes if they have been made. Throws as mesh_for_rays does.
+  /// Returns the meshes for rays alone (mesh_for_rays), or all meshes if they have been made. Throws like
+  /// mesh_for_rays.
   std::shared_ptr<const MeshScene> ray_meshes(Progress& progress);
-  /// The meshes if they have been made, else null.
+  /// Returns the meshes if they have been made, else null.
   const MeshScene* present_meshes() const { return has_meshes_ ? &grown_.meshes : nullptr; }
 
  private:
@@ -111,13 +112,14 @@ class PlantInPython {
   GrownDocument grown_;
   bool has_painted_holes_ = false;
   std::shared_ptr<const MeshScene> ray_meshes_;  // null: not made, or all meshes are made
-  mutable std::mutex mutex_;                     // guards what is being made; what there is does not change
+  mutable std::mutex mutex_;                     // guards the making of parts; finished parts never change
   std::atomic<bool> has_meshes_{false};
   mutable std::once_flag is_expanded_;
-  mutable std::unique_ptr<const Plant> expanded_;  // null where nothing is placed
+  mutable std::unique_ptr<const Plant> expanded_;  // null if no plants are placed
 };
 
-/// Has T.__new__ raise TypeError, where only the library makes objects: one without content would be read all the same.
+/// Makes T.__new__ raise TypeError for classes that only the library constructs. Otherwise Python could make an object
+/// without content and read it.
 template <class T>
 void refuse_new(const char* where) {
   static const std::string message =
@@ -129,7 +131,7 @@ void refuse_new(const char* where) {
   };
 }
 
-/// What was recorded of the growth of a plant; None where nothing was.
+/// Returns the trace of the growth of a plant, or None if no trace was recorded.
 py::object trace_of(const std::shared_ptr<PlantInPython>& plant);
 
 void bind_trace(py::module_& module);

@@ -11,7 +11,7 @@ namespace {
 
 py::module_ errors_module() { return py::module_::import("meristem._errors"); }
 
-/// A file's name as Python spells it: bytes that are not UTF-8 become surrogates.
+/// Returns a file's name in Python's encoding: bytes that are not UTF-8 become surrogates.
 py::str file_name(const std::string& name) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<py::ssize_t>(name.size())));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's errors as the Python classes of meristem/_errors.py.
+// Converts the library's errors to the Python classes of meristem/_errors.py.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
-/// A tuple of meristem.Diagnostic.
+/// Returns a tuple of meristem.Diagnostic.
 py::tuple to_python(const std::vector<Diagnostic>& diagnostics);
 
 void bind_errors();

@@ -18,7 +18,7 @@ namespace meristem::python {
 
 namespace {
 
-/// What `read(text, limits)` makes of a file. Its faults name the file.
+/// Returns the result of `read(text, limits)` for a file. Its faults name the file.
 template <class Read>
 auto read_leaves(const py::object& path, Read read) {
   const Limits limits;
@@ -50,7 +50,7 @@ std::vector<MeasuredCurve> midribs_of(const py::object& path) { return read_warn
 
 std::vector<MeasuredCurve> widths_of(const py::object& path) { return read_warning(path, read_widths); }
 
-/// Points from two columns of equal length.
+/// Returns points from two columns of equal length.
 MeasuredCurve curve_of(const py::object& first, const char* first_name, const py::object& second,
                        const char* second_name) {
   const std::vector<double> a = all_numbers_of(first, first_name);
@@ -91,7 +91,7 @@ py::tuple state_of_leaf(const GrassLeaf& leaf) {
   return py::make_tuple(leaf.length, leaf.width, leaf.s, leaf.x, leaf.y, leaf.r);
 }
 
-/// Not checked: a leaf that cannot be seen yet has no length.
+/// Not checked, because a leaf that has not emerged has no length.
 GrassLeafPointer leaf_from(const py::tuple& state) {
   if (state.size() != 6) throw py::value_error("not the state of a GrassLeaf");
   using Numbers = std::vector<double>;
@@ -185,7 +185,7 @@ ValueError for wrong arrays and options.)");
 
 std::vector<double> all_numbers_of(const py::object& object, const char* name) {
   const py::array array = py::array::ensure(object);
-  PyErr_Clear();  // numbers_of says what is wrong
+  PyErr_Clear();  // numbers_of reports the fault
   return numbers_of(object, name, array && array.ndim() > 0 ? static_cast<std::size_t>(array.shape(0)) : 0);
 }
 

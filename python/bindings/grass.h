@@ -15,17 +15,17 @@ namespace py = pybind11;
 
 using GrassLeafPointer = std::shared_ptr<GrassLeaf>;
 
-/// Numbers of any count; the errors of numbers_of.
+/// Returns any number of numbers. Throws like numbers_of.
 std::vector<double> all_numbers_of(const py::object& object, const char* name);
 
-/// Degrees of radians.
+/// Converts radians to degrees.
 std::vector<double> in_degrees(std::vector<double> angles);
 
 /// Measured leaves, fits, and the leaf itself.
 void bind_grass(py::module_& module);
-/// What changes a leaf's form: age, turns, loads.
+/// Stages that change a leaf's form: age, turns, loads.
 void bind_grass_forms(py::module_& module);
-/// What makes it plain or gives it a surface: reduction, blades.
+/// Stages that simplify a leaf or make its surface: reduction, blades.
 void bind_grass_blade(py::module_& module);
 
 }  // namespace meristem::python

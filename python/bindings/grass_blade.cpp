@@ -41,7 +41,7 @@ std::vector<std::uint32_t> points_of_error(const ReductionOrder& order, double e
   return points_within(order, error);
 }
 
-/// Points that a caller chose: indices that rise, both ends among them.
+/// Returns the points chosen by the caller: rising indices that include both ends.
 std::vector<std::uint32_t> chosen_points(const GrassLeaf& leaf, const py::object& points) {
   const auto count = static_cast<std::size_t>(py::len(points));
   const auto last = static_cast<std::int64_t>(leaf.point_count()) - 1;
@@ -65,7 +65,7 @@ GrassLeaf reduce(const GrassLeaf& leaf, const std::optional<int>& pieces, const 
   return reduced(leaf, chosen_points(leaf, points));
 }
 
-/// A linear curve from (n, 2) numbers.
+/// Returns a linear curve from (n, 2) numbers.
 Curve curve_of(const py::object& object, const char* name) {
   const py::array given = py::array::ensure(object);
   PyErr_Clear();

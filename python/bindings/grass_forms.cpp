@@ -20,7 +20,7 @@ using Pair = std::pair<double, double>;
 
 glm::dvec2 vector_of(Pair pair) { return {pair.first, pair.second}; }
 
-/// A rate of a leaf's life: a number, or something to call with what it has lived and what of it can be seen.
+/// A rate of a leaf's life: a number, or a function of the lived time and the visible share.
 class Rate {
  public:
   Rate(const py::object& rate, const char* name) : name_(name) {

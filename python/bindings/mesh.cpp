@@ -20,7 +20,7 @@ namespace {
 
 using MeshPointer = std::shared_ptr<Mesh>;
 
-/// An array of the rows, or None where there are none.
+/// Returns an array of the rows, or None if there are no rows.
 template <class T, class Row>
 py::object optional_rows(const MeshPointer& mesh, const std::vector<Row>& rows) {
   if (rows.empty()) return py::none();
@@ -48,7 +48,7 @@ MeshPointer make_mesh(const py::object& positions, const py::object& triangles) 
   return mesh;
 }
 
-/// The arguments as a document's `surface` says them, which has their bounds.
+/// Returns the arguments as a document's `surface`, which checks their ranges.
 Surface surface_of(const py::dict& values) {
   Surface surface;
   ParameterReader reader({}, Limits());

@@ -33,7 +33,7 @@ using PlantPointer = std::shared_ptr<PlantInPython>;
 
 constexpr std::uint64_t kMostRays = 1'000'000'000;  // for a crown: some minutes
 
-/// A part of a plant, which keeps the whole.
+/// A part of a plant, which keeps the whole plant alive.
 template <class Part>
 std::shared_ptr<Part> part_of(const PlantPointer& plant, const Part& part) {
   return std::shared_ptr<Part>(plant, const_cast<Part*>(&part));
@@ -46,14 +46,14 @@ py::list parts_of(const PlantPointer& plant, const std::vector<Part>& parts) {
   return list;
 }
 
-/// What has grown, with all up to a part, which may take its time.
+/// Returns the growth, completed up to a part. This may take long.
 const GrownDocument& up_to(const PlantPointer& plant, GrownPart part) {
   return *run_call(py::none(), 0, [&](Progress& inner) { return &plant->up_to(part, inner); });
 }
 
 const MeshScene& meshes_of(const PlantPointer& plant) { return up_to(plant, GrownPart::meshes).meshes; }
 
-/// The organs as columns.
+/// Returns the organs as columns.
 struct Organs {
   PlantPointer plant;
 
@@ -80,7 +80,7 @@ struct Organs {
   }
 };
 
-/// The ids of the organs' components, as fixed-width texts.
+/// Returns the ids of the organs' components, as fixed-width texts.
 py::object components_of_organs(const PlantPointer& plant) {
   py::list names;
   for (const OrganPrototype& prototype : plant->plant().prototypes) names.append(prototype.component);
@@ -92,7 +92,7 @@ py::object components_of_organs(const PlantPointer& plant) {
 
 const Limits& limits_of(const PlantPointer& plant) { return plant->origin->document.graph.limits; }
 
-/// The numbers of the organs' trees, -1 where they are of none alone.
+/// Returns the numbers of the organs' trees, -1 for organs that belong to no single tree.
 py::object trees_in_python(const PlantPointer& plant) {
   std::vector<std::int64_t> trees;
   for (const std::uint32_t tree : trees_of_organs(plant->plant(), limits_of(plant), Progress())) {
@@ -130,7 +130,7 @@ py::dict organ_light(const PlantPointer& plant, const std::shared_ptr<Scene>& sc
   return columns;
 }
 
-/// What operations have done, as columns.
+/// Returns the records of operations as columns.
 py::dict operations_of(const PlantPointer& plant) {
   const std::vector<OperationRecord> records = operation_records(plant->plant());
   py::dict columns;
@@ -319,8 +319,7 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, boo
   });
 }
 
-/// Meshes of about `triangles` triangles at most. Thinning does not meet a number exactly, so it is tried again with
-/// less.
+/// Returns meshes of at most about `triangles` triangles. Thinning is inexact, so it is repeated with smaller numbers.
 MeshScene thinned(const PlantPointer& plant, std::uint64_t triangles, double& share, Progress& progress) {
   constexpr int kMostTries = 4;
   const GrownDocument& whole = plant->up_to(GrownPart::textures, progress);
@@ -337,7 +336,7 @@ MeshScene thinned(const PlantPointer& plant, std::uint64_t triangles, double& sh
 py::bytes packet(const PlantPointer& plant, std::uint64_t triangles, int threads, const py::object& progress) {
   const std::string bytes = run_call(progress, threads, [&](Progress& inner) {
     const GrownDocument& whole = plant->up_to(GrownPart::textures, inner);
-    // There is no editor whose text the packet would tell of, so `hash` stays empty.
+    // There is no editor with a text, so `hash` stays empty.
     PacketFacts facts{.fits = true,
                       .all = {.triangles = whole.meshes.triangle_count(),
                               .instances = whole.meshes.instance_count(),

@@ -23,7 +23,7 @@ namespace {
 
 using PlantPointer = std::shared_ptr<PlantInPython>;
 
-/// What the arguments of a call ask for.
+/// The request of a call's arguments.
 struct ScanArguments {
   py::object instrument, stations, around, target, ground, obstacles, seed;
 
@@ -59,7 +59,7 @@ void with_scanner(const PlantPointer& plant, const ScanArguments& arguments, int
   });
 }
 
-/// A column over the points of a scan.
+/// Returns a column over the points of a scan.
 template <class T, class Part>
 py::object column(const std::shared_ptr<const Scan>& scan, Part part, std::vector<py::ssize_t> inner = {}) {
   static const ScanPoint kNone;
@@ -73,7 +73,7 @@ py::object column(const std::shared_ptr<const Scan>& scan, Part part, std::vecto
   return view(scan, reinterpret_cast<const T*>(part(first)), std::move(shape), std::move(strides));
 }
 
-/// Numbers with -1 for none.
+/// Returns numbers, with -1 for missing values.
 template <class Get>
 py::object numbers(const Scan& scan, Get get) {
   std::vector<std::int64_t> made;
@@ -85,7 +85,7 @@ py::object numbers(const Scan& scan, Get get) {
   return array_of(std::move(made));
 }
 
-/// Texts by number, as fixed-width texts of each point.
+/// Returns the text of each point, by number, as fixed-width texts.
 template <class Get>
 py::object texts(const Scan& scan, const py::list& of_number, Get get) {
   std::vector<std::int64_t> chosen;
@@ -155,7 +155,7 @@ std::uint64_t save_scan(const PlantPointer& plant, const py::object& path, const
   return points;
 }
 
-/// Gives the class of plants a method that stands in this file.
+/// Adds a method of this file to the class of plants.
 template <class Function, class... Extra>
 void add_method(const py::object& type, const char* name, Function function, const Extra&... extra) {
   type.attr(name) = py::cpp_function(function, py::name(name), py::is_method(type), extra...);

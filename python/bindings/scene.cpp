@@ -33,7 +33,7 @@ constexpr std::size_t kAskedPerBlock = 256;
 ScenePointer make_scene(const py::object& values, const py::object& path) {
   if (values.is_none()) return std::make_shared<Scene>();
   const std::string file = path_of(path);
-  // Wrapped, so that faults have the paths that they would have in a document.
+  // Wrapped, so that faults have the paths of a document.
   py::dict content;
   content["meristem"] = kDocumentFormat;
   content["scene"] = values;
@@ -82,9 +82,9 @@ py::list obstacle_meshes(const ScenePointer& scene) {
   return meshes;
 }
 
-// Questions about many positions.
+// Queries for many positions.
 
-/// The rows of two arguments side by side; one row of either stands for all.
+/// Pairs of rows of two arguments. A single row of one argument is paired with all rows of the other.
 class Pairs {
  public:
   Pairs(const py::object& first, const char* first_name, const py::object& second, const char* second_name)
@@ -98,7 +98,7 @@ class Pairs {
   Vec3 first(std::size_t k) const { return first_[first_.size() == 1 ? 0 : k]; }
   Vec3 second(std::size_t k) const { return second_[second_.size() == 1 ? 0 : k]; }
 
-  /// Gives the second of each pair the length 1.
+  /// Normalizes the second vector of each pair.
   void make_directions(const char* name) {
     for (std::size_t k = 0; k < second_.size(); ++k) {
       const DVec3 direction(second_[k]);
@@ -120,7 +120,7 @@ Pairs rays_of(const py::object& origins, const py::object& directions, Within wi
   return rays;
 }
 
-/// Calls `ask(k)` for each k below `count`, on all threads that the call may use.
+/// Calls `ask(k)` for each k below `count`, on all threads of the call.
 template <class Ask>
 void ask_each(std::size_t count, Progress& progress, Ask ask) {
   progress.begin("asking", count);
@@ -130,7 +130,7 @@ void ask_each(std::size_t count, Progress& progress, Ask ask) {
   });
 }
 
-/// (count,) bool: what `ask(k)` says.
+/// Returns the results of `ask(k)`, (count,) bool.
 template <class Ask>
 py::object answers(std::size_t count, int threads, const py::object& progress, Ask ask) {
   std::vector<std::uint8_t> found = run_call(progress, threads, [&](Progress& inner) {

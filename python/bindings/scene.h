@@ -12,10 +12,10 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
-/// Points from an array (n, 3), or one from (3,); the errors of points_of.
+/// Returns points from an array (n, 3), or one point from (3,). Throws like points_of.
 std::vector<Vec3> one_or_more_points(const py::object& object, const char* name);
 
-/// What `read()` gives. Its faults lose file, line and column where they lie in a text that the caller never wrote.
+/// Returns the result of `read()`. Removes file, line and column from faults in a text that the caller never wrote.
 template <class Read>
 auto read_written_here(Read read) {
   try {
@@ -30,7 +30,7 @@ auto read_written_here(Read read) {
   }
 }
 
-/// What pickles carry of a scene: its light and its bodies, not the files and values that they came from.
+/// The pickled state of a scene: its light and its bodies, without the files and values that they came from.
 py::tuple state_of(const Scene& scene);
 Scene scene_from(const py::tuple& state);
 

@@ -24,10 +24,10 @@ struct SessionInPython {
 
   Session session;
   const std::optional<std::uint64_t> seed;
-  const std::string root;  // as of SessionOptions
+  const std::string root;  // see SessionOptions
   std::mutex mutex;        // one call at a time
 
-  /// Waiting could stop other threads for good, as they need the interpreter's lock.
+  /// Throws instead of waiting, because waiting could block other threads forever: they need the interpreter's lock.
   std::unique_lock<std::mutex> lock() {
     std::unique_lock<std::mutex> lock(mutex, std::try_to_lock);
     if (!lock) throw std::runtime_error("another thread is using the session");
@@ -41,7 +41,7 @@ std::optional<std::uint64_t> optional_seed(const py::object& seed) {
   return seed_of(seed);
 }
 
-/// Runs a call that reads the text. Ctrl-C stops it, and then it has changed nothing.
+/// Runs a call that reads the text. Ctrl-C stops the call, which then has no effect.
 template <class Call>
 auto run_reading(const SessionPointer& self, Call call) {
   const auto lock = self->lock();
@@ -68,7 +68,7 @@ SessionPointer make_session(std::string text, std::string file, const py::object
   return made;
 }
 
-/// The text that a document was read from, with the values that were set edited in.
+/// Returns a session of the document's text, with edits for the values that were set.
 SessionPointer session_of_document(const DocumentInPython& document, const py::object& root) {
   const std::string own = path_of(root);
   SessionOptions options{.root = own.empty() ? document.root : own, .models = models_folder(), .reads_at_once = false};
@@ -113,7 +113,7 @@ py::list to_python(const Patch& patch) {
   return splices;
 }
 
-/// None where there was no step.
+/// Returns the Change, or None if there was no step.
 py::object to_python(const std::optional<Change>& change) {
   if (!change) return py::none();
   return py::module_::import("meristem._change").attr("Change")(to_python(change->patch), to_python(change->inverse));
@@ -209,7 +209,7 @@ void save_session(const SessionPointer& self, const py::object& path) {
   write_file(target, self->session.text());
 }
 
-/// "leaf[0]", "leaf[1]", ... of the batches at these places.
+/// Returns the names "leaf[0]", "leaf[1]", ... of the batches at these indices.
 py::list names_of(const SceneKeys& keys, const std::vector<std::size_t>& places) {
   py::list names;
   for (const std::size_t k : places)

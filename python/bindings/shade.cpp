@@ -23,7 +23,7 @@ using PlantPointer = std::shared_ptr<PlantInPython>;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Days or hours as the command line writes them: one, or several with commas.
+/// Returns days or hours in the form of the command line: one, or several separated by commas.
 std::string listed(const py::object& given, const char* name) {
   const auto text_of = [&](const py::handle& one) {
     const bool is_numpys_date = py::hasattr(one, "dtype") && one.attr("dtype").attr("kind").cast<std::string>() == "M";
@@ -42,7 +42,7 @@ std::string listed(const py::object& given, const char* name) {
   return all;
 }
 
-/// An array (days, hours) of what `value(k)` gives for each moment.
+/// Returns an array (days, hours) of `value(k)` for each moment.
 template <class Get>
 py::object by_moment(const ShadePlan& plan, Get value) {
   std::vector<double> values;

@@ -27,7 +27,7 @@ using SkeletonPointer = std::shared_ptr<Skeleton>;
 
 constexpr const char* kColumns[] = {"parent", "position", "radius", "axis", "order", "birth"};
 
-/// Parents as signed numbers: kNoNode is -1 in the same memory.
+/// Parents as signed numbers: kNoNode reads as -1 in this memory.
 py::object parent_of(const SkeletonPointer& skeleton) {
   return view(skeleton, reinterpret_cast<const std::int32_t*>(skeleton->parent.data()),
               {static_cast<py::ssize_t>(skeleton->node_count())}, {sizeof(NodeIndex)});
@@ -65,7 +65,7 @@ std::vector<float> floats_of(const py::object& object, const char* name, std::si
   return column;
 }
 
-/// Axes must be numbered in the order of their first nodes, each from one parent node on.
+/// Checks axes: they must be numbered in the order of their first nodes, and each must begin at one parent node.
 void check_axes(const Skeleton& skeleton) {
   AxisIndex count = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the sun stands, for numbers and for arrays of them, in degrees.
+// Positions of the sun, for numbers and for arrays, in degrees.
 #include "meristem/scene/light/sun.h"
 
 #include <limits>
@@ -13,7 +13,7 @@ namespace meristem::python {
 
 namespace {
 
-/// An argument and the numbers that it may be.
+/// An argument and its allowed range.
 struct Asked {
   const char* name;
   py::object value;
@@ -24,7 +24,7 @@ struct Asked {
 Asked latitude_asked(const py::object& latitude) { return {"latitude", latitude, -90, 90}; }
 Asked day_asked(const py::object& day) { return {"day", day, 1, 366}; }
 
-/// Arguments of one shape, as numpy broadcasts them.
+/// Arguments, broadcast to one shape by numpy.
 class Broadcast {
  public:
   explicit Broadcast(const std::vector<Asked>& asked) {
@@ -39,12 +39,12 @@ class Broadcast {
   bool is_number() const { return columns_[0].ndim() == 0; }
   double operator()(std::size_t argument, std::size_t k) const { return columns_[argument].data()[k]; }
 
-  /// A float where all arguments are numbers, else an array of their shape.
+  /// Returns a float if all arguments are numbers, else an array of their shape.
   py::object shaped(std::vector<double> values) const {
     if (is_number()) return py::float_(values[0]);
     return array_of(std::move(values)).attr("reshape")(shape_);
   }
-  /// An array of their shape with 3 numbers each.
+  /// Returns an array of their shape with 3 numbers each.
   py::object shaped_vectors(std::vector<float> values) const {
     return array_of(std::move(values)).attr("reshape")(shape_ + py::make_tuple(3));
   }

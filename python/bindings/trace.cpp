@@ -19,7 +19,7 @@ namespace {
 
 using PlantPointer = std::shared_ptr<PlantInPython>;
 
-/// The traces of a plant, which they keep.
+/// The traces of a plant, which they keep alive.
 struct Trace {
   PlantPointer plant;
 
@@ -33,7 +33,7 @@ int checked(const Trace& trace, const std::optional<int>& step) {
   return asked;
 }
 
-/// The ids of the components that grew, one for each row that `count` tells of their marks.
+/// Returns the id of the grown component for each row; `count` gives the number of rows of a component's marks.
 template <class Count>
 py::object components_of_rows(const std::vector<GrowthMarks>& growths, Count count) {
   py::list names;
@@ -52,7 +52,7 @@ std::vector<GrowthMarks> marks_of(const Trace& trace, const std::optional<int>& 
   return run_call(py::none(), 0, [&](Progress& inner) { return trace.all().marks_of_growths(asked, {part}, inner); });
 }
 
-/// Ways toward more light and toward more room; a growth has only one of them.
+/// Ways toward more light or toward more room; a growth has only one kind.
 std::vector<GrowthMarks> ways_of(const Trace& trace, const std::optional<int>& step) {
   std::vector<GrowthMarks> growths = marks_of(trace, step, TracePart::ways);
   for (auto& [component, instance, marks] : growths)

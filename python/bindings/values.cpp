@@ -13,10 +13,10 @@ namespace meristem::python {
 
 namespace {
 
-constexpr std::size_t kReadBetweenSignals = 4096;     // values of Python between two looks for Ctrl-C
+constexpr std::size_t kReadBetweenSignals = 4096;     // values of Python between two checks for Ctrl-C
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to here a double holds every whole number
 
-/// Texts that are not UTF-8 have half a character in them.
+/// A text that is not UTF-8 contains half a character.
 std::optional<std::string> text_of(const py::handle& text) {
   Py_ssize_t size = 0;
   const char* const bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
@@ -39,7 +39,7 @@ std::string text_at(const py::handle& object, const DocumentPath& path) {
 
 class ValueReader {
  public:
-  // Nesting is bounded, so recursion over it is safe, also for a list that holds itself.
+  // Nesting is bounded, so recursion is safe, also for a list that contains itself.
   Value read(const py::handle& object, const DocumentPath& path, std::uint64_t depth) {
     if (++read_ % kReadBetweenSignals == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (depth > Limits().nesting) {
@@ -50,7 +50,7 @@ class ValueReader {
     if (py::isinstance<py::str>(object)) return text_at(object, path);
     if (PyMapping_Check(object.ptr()) != 0 && py::hasattr(object, "items")) return read_members(object, path, depth);
     if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) return read_items(object, path, depth);
-    // numpy's arrays become lists of Python's own numbers, its scalars one of them.
+    // numpy's arrays become lists of Python numbers, and numpy's scalars become Python numbers.
     if (py::hasattr(object, "tolist")) {
       const py::object list = object.attr("tolist")();
       if (!py::type::handle_of(list).is(py::type::handle_of(object))) return read(list, path, depth + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of documents to and from Python's dicts, lists, numbers and texts.
+// Converts values of documents to and from Python's dicts, lists, numbers and texts.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@ namespace py = pybind11;
 /// Whole numbers become int, others float.
 py::object to_python(const Value& value);
 
-/// Takes mappings, lists, tuples, numpy's arrays and scalars, numbers, texts and None. Throws InputError with the path
-/// for other types, keys that are no text, numbers that are not finite, whole ones that a double cannot hold, and
-/// nesting beyond what documents may have.
+/// Accepts mappings, lists, tuples, numpy's arrays and scalars, numbers, texts and None. Throws InputError with the
+/// path for other types, for keys that are not texts, and for nesting beyond the limit of documents. Also throws
+/// InputError for numbers that are not finite, and for whole numbers that a double cannot hold.
 Value to_value(const py::handle& object);
 
-/// A path from text, bytes or an os.PathLike, as the system spells it. Throws TypeError, and ValueError for a NUL in
-/// it.
+/// Returns a path from text, bytes or an os.PathLike, in the system's encoding. Throws TypeError, and ValueError for a
+/// NUL in the path.
 std::string path_of(const py::object& path);
 
-/// The path of a file that is written: standard output is refused.
+/// Returns the path of an output file. Refuses standard output.
 std::string file_of(const py::object& path);
 
-/// A seed from a whole number. Throws TypeError for others, and ValueError outside of 0 to 2^53.
+/// Returns a seed from a whole number. Throws TypeError for other types, and ValueError outside of 0 to 2^53.
 std::uint64_t seed_of(const py::handle& seed);
 
-/// What a mapping from names to values sets, in its order.
+/// Returns the overrides of a mapping from names to values, in its order.
 std::vector<Override> to_overrides(const py::object& mapping);
 
 }  // namespace meristem::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grammars (L-systems) and the words that they derive to.
+// Grammars (L-systems) and their derived words.
 #include "meristem/grow/lsystem/word.h"
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@ namespace meristem::python {
 
 namespace {
 
-/// A word and what its letters are.
+/// A word and its alphabet.
 struct WordInPython {
   Word word;
   Alphabet alphabet;
 };
 using WordPointer = std::shared_ptr<WordInPython>;
 
-/// A grammar's text or the path of its file; one of them.
+/// A grammar's text, or the path of its file.
 struct GrammarSource {
   std::optional<std::string> text;
   std::string file = kFromPython;
@@ -55,7 +55,7 @@ Grammar read(const GrammarSource& source, GrammarOptions options) {
   return read_grammar(read_file(source.file, options.limits.document_bytes), options);
 }
 
-/// How many steps, or the time of a grammar whose rules have lives.
+/// The number of steps, or the time of a grammar whose rules have lives.
 double steps_of(std::optional<int> steps, std::optional<double> time, const Grammar& grammar, const std::string& file) {
   const auto fail = [&](std::string message, std::string expected) {
     throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .file = file});

@@ -10,7 +10,7 @@ import meristem
 
 document = meristem.read("oak", set={"age": 60})
 
-# A call tells what it does to whatever is given as its progress.
+# A call reports its stage and its finished share to its `progress` function.
 stages: dict[str, int] = {}
 
 
@@ -21,7 +21,7 @@ def count_stages(stage: str, fraction: float) -> None:
 document.grow(progress=count_stages)
 print("stages:", ", ".join(stages))
 
-# A Progress can be asked, and cancelled, from other threads: growth lets them run.
+# Other threads can read a Progress and cancel it, because they run during growth.
 progress = meristem.Progress()
 threading.Timer(0.02, progress.cancel).start()
 begin = time.perf_counter()
@@ -31,7 +31,7 @@ try:
 except meristem.Cancelled:
     print(f"cancelled while {progress.stage or 'beginning'}, after {time.perf_counter() - begin:.2f} s")
 
-# Errors say where, what is wrong, and what was perhaps meant.
+# Errors give the position, the fault, and the nearest valid name.
 try:
     document.set({"leaf.lenght": 0.1})
 except meristem.InputError as error:

@@ -12,7 +12,8 @@ import meristem
 
 
 def lean(plant: meristem.Plant) -> float:
-    """How far, in metres, the mean of the nodes stands off the root. Workers import this module to find it."""
+    """Returns the horizontal distance from the root to the mean of the nodes, in metres. Workers import this module to
+    find the function."""
     position = plant.stems[0].skeleton.position
     offset = position.mean(axis=0) - position[0]
     return float(np.hypot(offset[0], offset[2]))
@@ -31,7 +32,7 @@ def main() -> None:
         density = f"{wood.mean():.1f} m of wood in a cubic metre (+- {wood.std():.1f})"
         print(f"{branches:3} branches, {height} m high: {density}")
 
-    # Random samples without end and a function of the plant; the loop says when it is enough.
+    # Endless random samples and a function of the plant; the loop decides when to stop.
     generator = random.Random(1)
     samples = ({"branches": 300, "crown_width": generator.uniform(1, 6)} for _ in itertools.count())
     for count, plant in enumerate(meristem.batch(bush, seeds=[1], samples=samples, measure=lean), 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The types of components, their parameters, and a plant of each that grows by itself."""
+"""The component types, their parameters, and a plant of each type that can stand alone."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Grammars (L-systems): words, their letters as arrays, and what can be asked of them."""
+"""Grammars (L-systems): words, their letters as arrays, and queries on them."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ steps = np.where(symbols == "F", word.parameters, 0) * np.exp(1j * np.radians(np
 path = np.cumsum(steps)
 print(f"it ends at {path[-1].real:.3f}, rises to {path.imag.max():.3f} and is {np.abs(steps).sum():.3f} long")
 
-# Another angle, without another text.
+# Another angle with the same text.
 print("at right angles:", meristem.derive(KOCH, 1, constants={"angle": 90}))
 
-# A grammar in a file, with chance in it: each seed gives another word.
+# A stochastic grammar in a file: each seed gives another word.
 file = Path("bush.txt")
 file.write_text("""#steps 7
 A

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Documents in and out: read, set, write, and what is wrong with them."""
+"""Documents: reading, setting values, writing, and faults."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ oak = meristem.read("oak")
 print(oak, "-", oak.description)
 for variable in oak.variables:
     if variable.private:
-        continue  # a name for what expressions share, no handle
+        continue  # a name for a value that expressions share, and no handle
     values = f"{variable.value:g} {variable.unit} ({variable.min:g} to {variable.max:g})"
     print(f"  {variable.name} = {values}: {variable.doc}")
 
-# A document never changes; set() gives another one.
+# A document never changes; set() returns another document.
 old = oak.set({"age": 120, "leaf.length": 0.12}, seed=3)
 with tempfile.TemporaryDirectory() as folder:
     path = Path(folder) / "old_oak.json"
@@ -26,7 +26,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert meristem.read(path).to_dict() == old.to_dict()
     print(f"{path.name}: {path.stat().st_size} bytes")
 
-# All that is wrong comes at once, with its path.
+# The error lists all faults at once, with their paths.
 content = old.to_dict()
 content["components"]["tree"]["pionts"] = 12
 content["links"][1]["to"] = "laef"

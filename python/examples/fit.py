@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A bush that is as high and as broad as a measured one, with as much wood."""
+"""Fits a bush to the height, the width and the wood of a measured bush."""
 
 from __future__ import annotations
 

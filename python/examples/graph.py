@@ -23,7 +23,7 @@ for vigour in (0.5, 1, 2):
     leaves = f"{measures['leaf_count']} leaves, {1e4 * measures['leaf_area']:.0f} cm2"
     print(f"vigour {vigour}: {measures['height']:.2f} m high, {leaves}")
 
-# The same plant with other links: dicts are copied, changed and read again.
+# A plant with other links: the dict is copied, changed and read again.
 content = document.to_dict()
 content["links"][0]["divergence"] = 180
 print(f"in two rows: {meristem.Document(content).grow()}")

@@ -7,7 +7,7 @@ import numpy as np
 
 from meristem import grass
 
-# A midrib that somebody digitised, and widths along the blade, in metres.
+# A digitised midrib, and widths along the blade, in metres.
 x = [0.00, 0.03, 0.08, 0.16, 0.26, 0.36, 0.45]
 y = [0.00, 0.15, 0.29, 0.40, 0.46, 0.46, 0.40]
 s = [0.00, 0.10, 0.30, 0.50, 0.70, 0.90, 1.00]
@@ -16,13 +16,14 @@ fitted = grass.fit_leaf(x, y, s, r)
 leaf = fitted.leaf
 print(f"fit: {leaf.length:.3f} m long, {1000 * fitted.distance:.1f} mm from the points, {1e4 * leaf.area:.1f} cm2")
 
-# It comes out of the whorl tip first, and bends as it ages.
+# The leaf emerges tip first, and bends as it ages.
 family = grass.MidribFamily(leaf)
 for age in (0.25, 0.5, 0.75, 1.0):
     young = grass.aged(leaf, family, age)
     print(f"age {age:4.2f}: {young.length:.3f} m long, its tip at {young.angles[-1]:5.1f} degrees")
 
-# The wind takes it, and the inverse question: how much rain on it turns its tip by 20 degrees? Its own weight is 1.
+# The leaf in wind, and the inverse question: which weight of rain turns its tip by 20 degrees? The leaf's own weight is
+# 1.
 for wind in (0.1, 0.3):
     blown = grass.loaded(leaf, wind=(wind, 0))
     print(f"wind {wind}: the tip at {blown.angles[-1]:5.1f} degrees")

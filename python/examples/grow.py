@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Trees into points of one's own, as from a scan: alone, against each other, and around a wall."""
+"""Trees that grow into given points, as from a scan: alone, in competition, and around a wall."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 
 import meristem
 
-# Any points will do: here a crown that is wider toward its top.
+# Any points are possible: here a crown that is wider toward its top.
 random = np.random.default_rng(4)
 height = random.uniform(1.5, 4.5, 2500)
 angle, reach = random.uniform(0, 2 * np.pi, 2500), np.sqrt(random.uniform(0, 1, 2500)) * (height - 1) * 0.6
@@ -22,7 +22,7 @@ for kill in (0.4, 0.2, 0.1):
     tips = meristem.colonize(points, kill=kill).measure()["tips"]
     print(f"kill {kill}: {tips} tips")
 
-# Three roots compete for the same points and are one skeleton.
+# Three roots compete for one set of points, and form one skeleton.
 group = meristem.colonize(points, roots=[[-0.6, 0, 0], [0.6, 0, 0], [0, 0, 0.9]], kill=0.2)
 print("three trees:", ", ".join(f"{len(one)} nodes" for one in group.trees()))
 

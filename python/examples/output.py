@@ -24,6 +24,6 @@ covered = (picture[..., 3] > 127).mean()
 green = (picture[..., 1].astype(int) > picture[..., 0])[picture[..., 3] > 127].mean()
 print(f"picture {picture.shape}: {100 * covered:.0f} % covered, {100 * green:.0f} % of that green")
 
-# All nodes as columns, as pandas.DataFrame would take them.
+# All nodes as columns, ready for pandas.DataFrame.
 table = bush.skeleton_table()
 print(f"{len(table['node'])} nodes; thickest {2000 * np.max(table['radius']):.0f} mm")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Skeletons as columns: what numpy can do with them without copying a node."""
+"""Skeletons as columns, for numpy, without copies of nodes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ near, far = skeleton.radius[skeleton.parent[child]], skeleton.radius[child]
 volume = (np.pi / 3 * length * (near**2 + near * far + far**2)).sum()
 print(f"{1000 * volume:.0f} litres of wood")
 
-# A skeleton of one's own: a stem with two laterals.
+# A skeleton made from arrays: a stem with two laterals.
 places = np.array([[0, 0, 0], [0, 1, 0], [0.3, 1.4, 0], [0, 2, 0]])
 own = meristem.Skeleton([-1, 0, 1, 1], places, radius=[0.05, 0.04, 0.02, 0.03])
 print(f"one of our own: {own.measure()['axes']} axes, orders {own.order.tolist()}")

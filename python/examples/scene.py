@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the sun stands, and what a wall takes of its light."""
+"""The position of the sun, and the light that a wall blocks."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import meristem
 
 LATITUDE = 51.5
 
-# The sun answers for numbers, and for arrays of them at once.
+# The functions of the sun accept numbers and arrays.
 azimuth, altitude = meristem.sun_position(LATITUDE, 172, 12)
 print(f"midsummer noon: azimuth {azimuth:.0f}°, altitude {altitude:.1f}°")
 sunrise, sunset = meristem.daylight(LATITUDE, np.array([80, 172, 266, 355]))
@@ -21,17 +21,17 @@ season = {"days": [91, 273], "every_days": 14, "every_hours": 1}
 scene = meristem.Scene({"latitude": LATITUDE, "sun": season, "sky": 0.4, "obstacles": [wall]})
 print(scene)
 
-# How much of all light reaches the ground, row by row from the wall to the north?
+# Which share of the light reaches the ground, row by row from the wall to the north?
 for z in (3.5, 2.0, 0.0, -4.0):
     row = np.column_stack([np.linspace(-3.5, 3.5, 50), np.zeros(50), np.full(50, z)])
     print(f"{4 - z:4.1f} m from the wall: {100 * scene.light_at(row).mean():3.0f} % of the light")
 
-# At which hours of midsummer does the sun shine on a bench before the wall?
+# At which hours of midsummer does the sun reach a bench before the wall?
 hours = np.arange(5, 20)
 toward_sun = meristem.unit_vector(*meristem.sun_position(LATITUDE, 172, hours))
 in_shade = scene.blocked([0, 0.5, 3], toward_sun)
 print("sun on the bench at", ", ".join(str(hour) for hour in hours[~in_shade]))
 
-# What do birds meet that come from the south, at 3 and at 8 m?
+# What does a bird from the south hit at 3 m and at 8 m?
 distances, obstacles = scene.first_hit([[0, 3, 10], [0, 8, 10]], [0, 0, -1])
 print("flying north:", distances, "m to obstacles", obstacles)

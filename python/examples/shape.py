@@ -10,7 +10,7 @@ import meristem
 birch = meristem.read("birch").grow()
 print(f"{birch.triangle_count} triangles of {len(birch.meshes)} meshes, materials {birch.materials}")
 
-# Leaves share meshes; a frame places each. Their middles tell where the crown has its leaves.
+# Leaves share meshes, and a frame places each leaf. The centres of the leaves show where the crown has leaves.
 places = []
 for meshes in birch.meshes:
     if birch.materials[meshes.material].two_sided:
@@ -21,7 +21,7 @@ counts, edges = np.histogram(height, bins=6)
 for count, low, high in zip(counts, edges, edges[1:]):
     print(f"{low:5.1f} to {high:4.1f} m: {count:6d} leaves")
 
-# A skeleton of one's own can be clothed as well.
+# A skeleton made from arrays can get a surface as well.
 bend = np.linspace(0, 1, 20)
 arch = meristem.Skeleton(
     np.arange(20) - 1, np.column_stack([bend, np.sqrt(bend), 0 * bend]), radius=0.05 - 0.03 * bend

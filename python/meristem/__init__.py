@@ -7,8 +7,8 @@
     plant.save("oak.glb")
     print(plant.measure()["height"])
 
-Metres, y up, x east, z south; angles in degrees. Arrays over the memory of plants are read-only and stay valid for as
-long as they are kept.
+Lengths are metres and angles degrees; y points up, x east, z south. Arrays over the memory of plants are read-only, and
+stay valid as long as they are kept.
 """
 
 from . import grass

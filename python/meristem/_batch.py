@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many plants of one document: over seeds and parameters, on all cores."""
+"""Grows many plants of one document, over seeds and parameters, on all cores."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ class BatchResult:
     """One plant of a batch."""
 
     seed: int
-    values: dict[str, Any]  #: by their paths, as `grid` or `samples` has them; without those in `set`
-    result: Any  #: a dict of measures, or what the function gave
+    values: dict[str, Any]  #: values by path, from `grid` or `samples`, without the values of `set`
+    result: Any  #: a dict of measures, or the result of the function
 
 
 def batch(
@@ -47,23 +47,23 @@ def batch(
     executor: Executor | None = None,
     progress: ProgressCallback | bool | None = None,
 ) -> Generator[BatchResult, None, None]:
-    """Grows a plant for every seed of every set of values, and gives a BatchResult for each, in that order.
+    """Grows a plant for every seed of every set of values, and yields a BatchResult for each, in this order.
 
-    `set` fixes values for all, as in Document.set(). `grid` has sequences of values by their paths, of which all
-    combinations are grown, the last path's changing fastest; `samples`, instead of a grid, are dicts of values. Samples and
-    seeds may be endless: what is grown ahead is bounded, and memory stays flat.
+    `set` gives values for all plants, as in Document.set(). `grid` has sequences of values by path. All combinations
+    grow, and the last path changes fastest. `samples`, instead of a grid, are dicts of values. Samples and seeds may be
+    endless: only a bounded number of plants grows ahead, and memory stays flat.
 
     `measure`: names of measures (one or several), all of them if None, or a function of the plant that returns
-    numbers, arrays, or a dict of them. Results are copies. Workers import the function: it stands at the top of a
-    module. Each plant grows on one thread, on `processes` at once: all cores if None; 1 grows in this process. The
-    results are the same. Instead of processes, an `executor` takes the plants in chunks, whatever offers
-    concurrent.futures.Executor, such as Dask's or mpi4py's; the document travels with the files that it names.
-    `progress` is called with the number of plants done and that of all, None if it is unknown; True tells them on
-    standard error, with the time left.
+    numbers, arrays, or a dict of them. Results are copies. Workers import the function, so define it at the top level
+    of a module. Each plant grows on one thread, in `processes` processes at a time: all cores if None; 1 grows in this
+    process. The results do not depend on it. Instead of processes, an `executor` grows the plants in chunks: any object
+    with the interface concurrent.futures.Executor, such as Dask's or mpi4py's. The document is sent with the files that
+    it names. `progress` is called with the number of finished plants and the total, None if it is unknown. True prints
+    them on standard error, with the remaining time.
 
-    The processes end with the loop, by `break` or an error as well, or by close(). Raises InputError at once where the
-    first values do not suit the document, ValueError and TypeError for wrong arguments; from the iterator what growing
-    and the function raise, with a note of seed and values, and MachineError where a process was killed.
+    The processes end with the loop, also after `break` or an error, or by close(). Raises InputError at once if the
+    first values do not suit the document, and ValueError and TypeError for wrong arguments. The iterator raises the
+    errors of growth and of the function, with a note of seed and values, and MachineError if a process was killed.
     """
     refuse_unguarded_program()
     if not isinstance(document, Document):
@@ -106,7 +106,7 @@ def _grow(
 
 
 def check_processes(processes: int | None, executor: Executor | None) -> int:
-    """How many processes of our own grow at once; 1 where an executor does. Raises ValueError for both of them."""
+    """Returns the number of worker processes, or 1 with an executor. Raises ValueError if both are given."""
     if executor is None:
         return count_processes(processes)
     check_executor(executor)
@@ -116,14 +116,14 @@ def check_processes(processes: int | None, executor: Executor | None) -> int:
 
 
 def count_processes(processes: int | None) -> int:
-    """How many processes grow at once: all cores if None. Raises ValueError below 1."""
+    """Returns the number of worker processes: all cores if None. Raises ValueError below 1."""
     if processes is not None:
         count = operator.index(processes)
         if count < 1:
             raise ValueError(f"processes must be at least 1, not {count}")
         return count
     if multiprocessing.current_process().daemon:
-        return 1  # a worker of some pool may not have processes of its own
+        return 1  # workers of some pools cannot start processes
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -147,7 +147,7 @@ def _sets_of_values(grid: Mapping[str, Iterable[Any]] | None, samples: Iterable[
 
 
 class _Combinations(Sized):
-    """All combinations of a grid, as often as they are asked for."""
+    """All combinations of a grid, for repeated iteration."""
 
     def __init__(self, columns: dict[str, list[Any]]) -> None:
         self._columns = columns
@@ -174,7 +174,7 @@ def _values_of(sample: Values) -> dict[str, Any]:
 
 
 def _checked_tasks(job: Job, tasks: Iterator[Task]) -> Iterator[Task]:
-    """The tasks; the first one suits the document. Raises InputError where it does not."""
+    """Returns the tasks. Raises InputError if the first task does not suit the document."""
     for first in tasks:
         job.document_of(first)
         return itertools.chain([first], tasks)
@@ -182,7 +182,7 @@ def _checked_tasks(job: Job, tasks: Iterator[Task]) -> Iterator[Task]:
 
 
 def check_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) -> Measure:
-    """The measure for a Job. Raises ValueError for names that are no measures."""
+    """Returns the measure for a Job. Raises ValueError for unknown names."""
     if measure is None or callable(measure):
         return measure
     if not isinstance(measure, Iterable):
@@ -196,9 +196,9 @@ def check_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) 
 
 
 def pickle_job(job: Job, executor: Executor | None = None) -> bytes:
-    """The job for the workers, for those of an executor with the files of its document.
+    """Returns the pickled job for the workers. For an executor, it includes the files of its document.
 
-    Raises RuntimeError and TypeError for programs and functions they cannot import.
+    Raises RuntimeError and TypeError for programs and functions that workers cannot import.
     """
     program = getattr(sys.modules["__main__"], "__file__", None)
     if program == "<stdin>" and executor is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Documents that travel to other machines with the files that they name, by content."""
+"""Sends documents to other machines with the contents of the files that they name."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _kept: list[ScratchFolder] = []  #: until this process ends
 
 
 class Carried:
-    """Pickles as a document with its files, and is read as that Document again, from a folder of the worker's."""
+    """Pickles a document with its files. Unpickling reads it as a Document again, from a folder of the worker."""
 
     def __init__(self, document: Document) -> None:
         self._document = document
@@ -25,7 +25,7 @@ class Carried:
         state: Callable[[], tuple[Any, ...]] = getattr(self._document, "__getstate__")
         text, file, overrides, seed, root = state()
         name, files = self._document.bundle()
-        if len(files) == 1:  # it names none: messages call it as they do here
+        if len(files) == 1:  # it names no files; messages name it as on this machine
             return _read, (text, file, overrides, seed, root)
         return _unpacked, (name, files, overrides, seed, root)
 

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 
 class Change(NamedTuple):
-    """What a step of a Session did to the text's UTF-8 bytes.
+    """A step of a Session as changes of the text's UTF-8 bytes.
 
-    Both are lists of (offset, length, replacement): `length` bytes at `offset` go and the replacement comes; offsets are
-    those of the text before the whole list, and rise.
+    Both fields are lists of (offset, length, replacement): the replacement replaces `length` bytes at `offset`. Offsets
+    count in the text before the whole list, in rising order.
     """
 
     patch: list[tuple[int, int, str]]
-    inverse: list[tuple[int, int, str]]  #: gives the bytes before back
+    inverse: list[tuple[int, int, str]]  #: restores the earlier bytes

@@ -14,17 +14,16 @@ from ._batch import BatchResult
 
 
 def collect(batch: Iterable[BatchResult], *, lists: str | Iterable[str] = ()) -> NDArray[np.void]:
-    """Grows a batch to its end and gives a structured array (n,), one row a plant, in the batch's order.
+    """Grows a whole batch and returns a structured array (n,), one row per plant, in the batch's order.
 
-    Its columns are `seed`, then the paths of values, then the measures or the function's dict by name; `result` for
-    a function that gives no dict. A result whose name is a path's or `seed` is called `result.NAME`. Numbers of
-    results are float64, NaN for None and for what a plant lacks. Arrays, of one shape for all plants, make columns of
-    shape (n, ...).
+    The columns are `seed`, the paths of values, and the names of measures or of the function's dict, or `result` if the
+    function returns no dict. A result with the name of a path or `seed` is called `result.NAME`. Numbers are float64,
+    NaN for None and for missing results. Arrays of one shape for all plants make columns of shape (n, ...).
 
-    Lists differ in length from plant to plant, such as `length_by_order`; only those named in `lists` become columns,
-    as long as the longest, shorter ones filled up with NaN. Raises ValueError for arrays that differ in shape, results
-    that are neither numbers nor texts nor dicts, names in `lists` that no plant has or that are no lists of numbers,
-    names that are no texts, and two columns of one name.
+    Some lists, such as `length_by_order`, differ in length from plant to plant. Only lists named in `lists` become
+    columns, as long as the longest list; shorter lists are filled up with NaN. Raises ValueError for arrays that differ
+    in shape, and for results that are neither numbers nor texts nor dicts. Also raises ValueError for names in `lists`
+    that no plant has or that are not lists of numbers, for names that are not texts, and for two columns of one name.
     """
     if not isinstance(lists, Iterable):
         raise TypeError(f"lists must be names of results, not {type(lists).__name__}")
@@ -46,7 +45,7 @@ def collect(batch: Iterable[BatchResult], *, lists: str | Iterable[str] = ()) ->
 
 
 def _by_name(dicts: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
-    """For each name its values in all dicts, None where one has none."""
+    """Returns the values of each name in all dicts, None if a dict lacks the name."""
     names = dict.fromkeys(name for one in dicts for name in one)
     for name in names:
         if not isinstance(name, str) or not name:
@@ -67,7 +66,7 @@ def _seeds(rows: Sequence[BatchResult]) -> NDArray[Any]:
 
 
 def _value_column(values: list[Any]) -> NDArray[Any]:
-    """As numpy has them, if they are numbers, texts, or lists of one shape; objects otherwise."""
+    """Returns a numpy array of numbers, texts or lists of one shape, and an array of objects otherwise."""
     try:
         column = np.array(_with_nan(values))
     except ValueError:
@@ -75,7 +74,7 @@ def _value_column(values: list[Any]) -> NDArray[Any]:
     if column.dtype.kind in "biuf" or (column.dtype.kind == "U" and all(isinstance(value, str) for value in values)):
         return column
     column = np.empty(len(values), dtype=object)
-    for index, value in enumerate(values):  # one by one, as an assignment of all would take lists apart
+    for index, value in enumerate(values):  # one by one, because assigning all would split lists
         column[index] = value
     return column
 
@@ -117,7 +116,7 @@ def _list_column(name: str, items: list[Any]) -> NDArray[Any]:
 
 
 def _numbers(items: Any) -> NDArray[np.float64] | None:
-    """The items (n,), NaN for None; None in place of it if they are no series of numbers."""
+    """Returns the items (n,), with NaN for None. Returns None if they are not a series of numbers."""
     try:
         numbers = np.array(_with_nan(items))
         if numbers.ndim != 1 or numbers.dtype.kind not in "biufO" or isinstance(items, Mapping):

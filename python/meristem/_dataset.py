@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data sets of many plants: made on any executor, gone on with, checked, read."""
+"""Makes data sets of many plants on any executor, continues, checks and reads them."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from ._progress import ProgressCallback, teller
 from ._runner import Runner
 from ._whole_file import whole_file
 
-#: A Document or the name of one, several of them, or a dict of them by the names that the manifest has.
+#: A Document or its name, several of these, or a dict of them by the names in the manifest.
 Documents = Union[None, str, Document, Iterable[Union[str, Document]], Mapping[str, Union[str, Document]]]
 Plan = Union[str, "os.PathLike[str]", Mapping[str, Any], DatasetPlan]
 
-#: Columns of the manifest that tell where things are, and are no numbers of plants.
+#: Columns of the manifest that describe files and are not numbers of plants.
 _OF_FILES = ("files", "bytes", "hashes", "version")
 
 
@@ -45,7 +45,7 @@ class _Range:
 
 @dataclass(frozen=True)
 class _Job:
-    """What is done for each range. Travels with the plan and its documents by content."""
+    """The job for each range. It is sent with the contents of the plan and its documents."""
 
     plan: DatasetPlan
     folder: str
@@ -60,23 +60,23 @@ class _Job:
 
 @dataclass(frozen=True)
 class Dataset:
-    """A data set in a folder, all plants made."""
+    """A complete data set in a folder."""
 
     folder: Path
-    plants: int  #: all, those that failed among them
-    found: int  #: of them, plants that were there before
-    faults: tuple[str, ...]  #: what was there and not right, and was made again: one line each, the first hundred
-    failed: int = 0  #: plants that have an error in place of files and measures
-    failures: tuple[str, ...] = ()  #: key and error of those plants: one line each, the first ten
+    plants: int  #: number of all plants, including failed plants
+    found: int  #: number of plants that existed before the call
+    faults: tuple[str, ...]  #: faults that were found and repaired: one line each, the first hundred
+    failed: int = 0  #: number of plants that have an error instead of files and measures
+    failures: tuple[str, ...] = ()  #: key and error of failed plants: one line each, the first ten
 
     def rows(self) -> Iterator[dict[str, str]]:
-        """The rows of the manifest, in the order of the plants, texts by the names of the columns."""
+        """Returns the rows of the manifest, in the order of the plants, as texts by column name."""
         return _rows_of(self.folder)
 
     def table(self) -> np.ndarray[Any, Any]:
-        """The values and measures as a structured array, a row for each plant.
+        """Returns the values and measures as a structured array, a row for each plant.
 
-        Columns of numbers are 64-bit floats, NaN where a plant has none; others are texts. The columns that tell of
+        Columns of numbers are 64-bit floats, NaN if a plant has no value. All other columns are texts. Columns about
         files are left out.
         """
         return _table_of(self.folder, self.plants)
@@ -95,8 +95,8 @@ class Dataset:
     def verify(self, *, root: str | os.PathLike[str] = "", threads: int = 0) -> list[str]:
         """Compares all files with the manifest, and the manifest with its hashes and the plan.
 
-        Gives what is wrong, one line each. Warns of what cannot be checked, such as tables without a hash. With a
-        `root`, no file outside that folder is read, as in verify_dataset.
+        Returns the faults, one line each. Warns of parts that cannot be checked, such as tables without a hash. With a
+        `root`, no file outside this folder is read, as in verify_dataset.
         """
         check = verify_dataset(self.folder, root=root, threads=threads)
         for warning in check["warnings"]:
@@ -116,22 +116,21 @@ def dataset(
     repair: bool = False,
     progress: ProgressCallback | bool | None = None,
 ) -> Dataset:
-    """Makes the data set of a plan in a folder, or goes on with it, and gives it once all plants are there.
+    """Makes or continues the data set of a plan in a folder, and returns it when all plants are made.
 
-    `documents`, one or several, or a dict of them by name, take the place of those that the plan names; None leaves
-    it to the plan. `plan` is a dict, or the path of a JSON file. What is in the folder and right is not made again:
-    `repair` reads all of it to find out, else files must be there with their sizes. With `resume=False`, a folder that
-    holds a data set is refused.
+    `documents`, one or several, or a dict of them by name, replace the documents of the plan; None uses the plan's
+    documents. `plan` is a dict, or the path of a JSON file. Correct plants in the folder are not made again. `repair`
+    reads all files to check them; otherwise only existence and sizes of files are checked. With `resume=False`, a
+    folder that holds a data set is refused.
 
-    The plants grow on the `executor`, whatever offers concurrent.futures.Executor, or else on `processes` (all cores if
-    None). Workers write into the folder where they see it; else their files come back and are written here. The bytes
-    are the same. `progress` is called with the number of plants done and that of all; True tells them on standard
-    error, with the time left.
+    The plants grow on the `executor`, any object with the interface concurrent.futures.Executor, or else on `processes`
+    (all cores if None). Workers that can reach the folder write into it. Files of other workers are sent back and
+    written here. The bytes are equal in both cases. `progress` is called with the number of finished plants and the
+    total. True prints them on standard error, with the remaining time.
 
-    A plant that its values do not allow is a row with its error. A warning tells how many plants have failed, as do
-    `failed` and `failures` of the result. Raises InputError with what is wrong with the plan or
-    where the folder holds something else, MachineError where the disk or a worker fails. Nothing that was made is lost
-    then: the same call goes on.
+    If a plant cannot grow with its values, its row has an error. A warning gives the number of failed plants, as do
+    `failed` and `failures` of the result. Raises InputError if the plan is wrong or the folder holds something else,
+    and MachineError if the disk or a worker fails. Finished plants are not lost: repeat the call to continue.
     """
     refuse_unguarded_program()
     count = check_processes(processes, executor)
@@ -154,16 +153,16 @@ def dataset(
             made.save_parquet(made.folder / "manifest.parquet")
             target.add_file("manifest.parquet")
         except ImportError:
-            pass  # there is no library for it
+            pass  # the library is not installed
     if target.failed:
         warnings.warn(f"{made.folder}: {target.failed_text}", stacklevel=2)
     return made
 
 
 def open_dataset(folder: str | os.PathLike[str]) -> Dataset:
-    """The data set in a folder, as dataset() gives it, without its plan.
+    """Returns the data set in a folder, as dataset() does, without its plan.
 
-    Raises InputError where there is none, or where plants are still missing: then dataset() goes on with it.
+    Raises InputError if the folder holds no data set, or if plants are missing; dataset() then continues it.
     """
     plants = 0
     failed = 0

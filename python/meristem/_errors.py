@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is raised, and the diagnostics that say what is wrong."""
+"""Exceptions, and the diagnostics that describe faults."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Iterable
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """One thing that is wrong, or odd, with an input."""
+    """One fault or oddity of an input."""
 
     severity: str  #: "error" or "warning"
     message: str  #: what is wrong
@@ -17,20 +17,20 @@ class Diagnostic:
     nearest: str  #: the nearest valid name, or empty
     path: str  #: its document path, such as "components.leaf.length", or empty
     file: str  #: the file, or empty
-    line: int  #: from 1; 0 where not known
-    column: int  #: in characters from 1; 0 where not known
-    text: str  #: all of it in one line
+    line: int  #: 
+    column: int  #: in characters from 1; 0 if unknown
+    text: str  #: the whole diagnostic in one line
 
     def __str__(self) -> str:
         return self.text
 
 
 class Error(Exception):
-    """What everything that meristem raises on its own is."""
+    """Base class of meristem's own exceptions."""
 
 
 class InputError(Error, ValueError):
-    """An input is wrong: a document, a file, a limit. `diagnostics` has all that is."""
+    """An input is wrong: a document or file is faulty, or exceeds a limit. `diagnostics` lists all faults."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics: tuple[Diagnostic, ...] = tuple(diagnostics)
@@ -45,4 +45,4 @@ class MachineError(Error, OSError):
 
 
 class Cancelled(Error):
-    """A call was cancelled by its Progress. Nothing is left half-written."""
+    """A call was cancelled by its Progress. No file is left half-written."""

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A search for the lowest value in a box, by evolution.
 
-In comes the value of each point that was asked for, out come the points to try next. Each generation is drawn about a
-mean; the better half of it moves the mean, and shapes the matrix that draws are multiplied with, so that the search
-stretches along valleys and shrinks where it nears a floor. Draws that leave the box are folded back at its walls.
+In: the value of each requested point. Out: the points to try next. Each generation is drawn about a mean. Its better
+half moves the mean, and shapes the matrix that multiplies draws. The search therefore stretches along valleys and
+shrinks near a minimum. Draws that leave the box are reflected at its walls.
 
-Every draw is a function of the key, the generation, the point and the coordinate, and all sums are rounded once, so the
-points are the same to the bit wherever the values are. It does not see derivatives and takes no values but their order.
-Based on: H.-G. Beyer, B. Sendhoff: Simplify your covariance matrix adaptation evolution strategy (IEEE Transactions on
-Evolutionary Computation 21, 2017), figure 3; its settings are those of N. Hansen: The CMA evolution strategy, a
-tutorial (2016), table 1, without the negative weights.
+Every draw is a function of the key, the generation, the point and the coordinate, and all sums are rounded once. The
+points are therefore equal to the bit wherever the values are computed. The search uses no derivatives, and only the
+order of the values. Based on: H.-G. Beyer, B. Sendhoff: Simplify your covariance matrix adaptation evolution strategy
+(IEEE Transactions on Evolutionary Computation 21, 2017), figure 3. The settings come from N. Hansen: The CMA evolution
+strategy, a tutorial (2016), table 1, without the negative weights.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ _NORMAL = NormalDist()
 
 
 def uniform(*key: object) -> float:
-    """A number over 0 and below 1 that is a function of the key alone."""
+    """Returns a number above 0 and below 1, a function of the key alone."""
     digest = hashlib.blake2b(repr(key).encode(), digest_size=8).digest()
     return (int.from_bytes(digest, "big") // 4096 + 0.5) / 2.0**52
 
 
 def normal(*key: object) -> float:
-    """A number of the normal distribution that is a function of the key alone."""
+    """Returns a number of the normal distribution, a function of the key alone."""
     return _NORMAL.inv_cdf(uniform(*key))
 
 
 def latin_hypercube(count: int, dimensions: int, *key: object) -> list[list[float]]:
-    """Points of the unit box; each of `count` slices of it holds one, whichever way it is sliced."""
+    """Returns points of the unit box. Along each axis, each of `count` slices holds one point."""
     columns = []
     for axis in range(dimensions):
         order = sorted(range(count), key=lambda row: uniform(*key, "slice", axis, row))
@@ -43,14 +43,14 @@ def latin_hypercube(count: int, dimensions: int, *key: object) -> list[list[floa
 
 
 class Evolution:
-    """The search, with `ask`, `tell` and `should_stop` as the package cmaes has them."""
+    """The search, with `ask`, `tell` and `should_stop` as in the package cmaes."""
 
     def __init__(
         self, mean: Sequence[float], sigma: float, *, population_size: int | None = None, key: object = 0
     ) -> None:
-        """In the unit box, from points about `mean` with a standard deviation of `sigma`.
+        """Begins in the unit box, with points about `mean` and a standard deviation of `sigma`.
 
-        A larger population is slower and less easily caught in a hollow beside the lowest one.
+        A larger population is slower and less easily caught in a local minimum.
         """
         dimensions = len(mean)
         self.population_size = population_size or 4 + int(3 * math.log(dimensions))
@@ -75,20 +75,20 @@ class Evolution:
         self._damping = 1 + self._path_rate + 2 * max(0.0, math.sqrt((effective - 1) / (dimensions + 1)) - 1)
         #: of a normal vector
         self._usual_length = math.sqrt(dimensions) * (1 - 1 / (4 * dimensions) + 1 / (21 * dimensions**2))
-        self._unfolded: dict[tuple[float, ...], list[float]] = {}  #: the draw behind each point that was asked for
+        self._unfolded: dict[tuple[float, ...], list[float]] = {}  #: the draw of each requested point
 
     @property
     def sigma(self) -> float:
-        """How far points stray from their mean at present, as a share of the box."""
+        """Returns the present standard deviation of points, as a share of the box."""
         return self._sigma
 
     @property
     def mean(self) -> list[float]:
-        """About which the next points are drawn."""
+        """Returns the mean of the next points."""
         return [folded(number) for number in self._mean]
 
     def ask(self) -> list[float]:
-        """The next point of the generation."""
+        """Returns the next point of the generation."""
         draw = [normal(self._key, self._generation, self._asked, axis) for axis in range(len(self._mean))]
         self._asked += 1
         step = _times(self._matrix, draw)
@@ -97,29 +97,29 @@ class Evolution:
         return point
 
     def tell(self, solutions: Sequence[tuple[Sequence[float], float]]) -> None:
-        """Takes the generation's points with their values; lower ones are better.
+        """Accepts the generation's points with their values; lower values are better.
 
-        Points that were not asked for may be among them; they take part as if they had been drawn.
+        The points may include points that ask() did not return. They count as if they had been drawn.
         """
-        # Among equals the earlier one wins, as sorting is stable.
+        # Sorting is stable, so of equal points the earlier point wins.
         best = sorted(solutions, key=lambda solution: solution[1])[: len(self._weights)]
         draws = [self._draw_of(point) for point, _ in best]
         steps = [_times(self._matrix, draw) for draw in draws]
         weights = self._weights[: len(best)]
         axes = range(len(self._mean))
 
-        # The mean moves to the better ones.
+        # The mean moves to the better points.
         mean_draw = [math.fsum(weight * draw[axis] for weight, draw in zip(weights, draws)) for axis in axes]
         for axis in axes:
             move = math.fsum(weight * step[axis] for weight, step in zip(weights, steps))
             self._mean[axis] = folded(self._mean[axis] + self._sigma * move)
 
-        # The path sums up the moves of late; one that is longer than chance would have it asks for larger steps.
+        # The path sums up recent moves. A path longer than expected by chance makes steps larger.
         rate = self._path_rate
         gain = math.sqrt(rate * (2 - rate) * self._effective)
         self._path = [(1 - rate) * past + gain * now for past, now in zip(self._path, mean_draw)]
 
-        # The matrix stretches along the path, and along the draws of the better ones.
+        # The matrix stretches along the path, and along the draws of the better points.
         one, many = self._one_rate, self._many_rate
         change = [
             [
@@ -141,7 +141,7 @@ class Evolution:
         self._unfolded.clear()
 
     def should_stop(self) -> bool:
-        """Whether its points hardly differ any more."""
+        """Returns true if its points hardly differ any more."""
         widest = max(math.sqrt(math.fsum(number**2 for number in row)) for row in self._matrix)
         return self._sigma * widest < 1e-5
 
@@ -150,7 +150,7 @@ class Evolution:
         if draw is None:
             step = [(number - centre) / self._sigma for number, centre in zip(point, self._mean)]
             draw = solve(self._matrix, step)
-            # One from afar counts like a far draw, or it would tear the search out of shape.
+            # A distant point counts like a far draw, because it would distort the search otherwise.
             length = math.sqrt(math.fsum(number**2 for number in draw))
             most = 2 * self._usual_length
             if length > most:
@@ -159,13 +159,13 @@ class Evolution:
 
 
 def folded(number: float) -> float:
-    """The number brought between 0 and 1 by mirrors at both."""
+    """Returns the number, reflected at 0 and 1 into this range."""
     rest = math.fmod(abs(number), 2.0)
     return 2.0 - rest if rest > 1.0 else rest
 
 
 def solve(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float]:
-    """x with matrix times x = right, by elimination with pivots; 0 for what the matrix leaves open."""
+    """Returns x with matrix times x = right, by elimination with pivots. Undetermined coordinates are 0."""
     size = len(right)
     rows = [[*row, number] for row, number in zip(matrix, right)]
     pivots = []

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the tasks of a job on whatever offers `concurrent.futures.Executor`: Dask, processes, MPI.
+"""Runs the tasks of a job on any object with the interface `concurrent.futures.Executor`: Dask, processes, MPI.
 
-Tasks travel in chunks that take about half a second each, by the time that the last ones took, so that even an engine
-that needs milliseconds for a task costs next to nothing. A few chunks for each worker are under way, never more, so the
-memory of this process does not rise with the number of tasks. Results come in order.
+Tasks are sent in chunks of about half a second, estimated from previous tasks. Even an engine that needs milliseconds
+per task then costs almost nothing. At most a few chunks per worker are under way, so the memory of this process does
+not rise with the number of tasks. Results come in order.
 
-The job travels by content, and workers keep it: a small one with every chunk, a large one only to workers that say that
-they do not have it. What a job raises travels as data, so whatever else a future raises is a failure of the engine.
+The job is sent by content, and workers keep it. A small job is sent with every chunk. A large job is sent only to
+workers that report that they lack it. Errors of a job are sent as data, so any other error of a future is a failure of
+the engine.
 """
 
 from __future__ import annotations
@@ -23,19 +24,19 @@ from typing import Any, Optional, Protocol, Tuple
 from ._errors import MachineError
 from ._pool import load_job, pickle_failure, result_of
 
-_SECONDS = 0.5  #: that a chunk should take
+_SECONDS = 0.5  #: intended time of a chunk
 _MOST_TOGETHER = 1000
-_UNDER_WAY = 3  #: chunks for each worker: the one that it runs, and what waits for it
-_SMALL = 32_000  #: bytes of a job that travels with every chunk
-_RECOUNT = 5.0  #: seconds after which workers are counted again: some engines hire and lay off
+_UNDER_WAY = 3  #: chunks per worker: the running chunk and waiting chunks
+_SMALL = 32_000  #: largest size of a job that is sent with every chunk
+_RECOUNT = 5.0  #: seconds after which workers are counted again, because some engines add and remove workers
 _JOBS_KEPT = 4
 
-#: Pickled result or pickled failure of each task, and the seconds that they took; None: the worker has no such job.
+#: Pickled result or pickled failure of each task, and the seconds of the chunk. None: the worker lacks the job.
 _Answers = Optional[Tuple["list[tuple[bytes | None, bytes | None]]", float]]
 
 
 class AnyJob(Protocol):
-    """What a job does for each task: see _job.py."""
+    """The work for each task: see _job.py."""
 
     def run(self, task: Any) -> bytes: ...
 
@@ -44,21 +45,21 @@ class ExecutorPool:
     """The tasks of one job on an executor, which stays the caller's. Has what a Pool has."""
 
     def __init__(self, job: bytes, executor: Executor, *, chunks: bool = True) -> None:
-        """`job` is pickled. Without `chunks`, each task is sent by itself."""
+        """`job` is pickled. Without `chunks`, each task is sent separately."""
         self._job = job
         self._key = hashlib.blake2b(job, digest_size=16).hexdigest()
         self._executor = executor
         self._most_together = _MOST_TOGETHER if chunks else 1
-        self._seconds = 0.0  #: a task's, of late
-        self._largest = 0  #: chunk that has come back
+        self._seconds = 0.0  #: recent seconds per task
+        self._largest = 0  #: tasks of the largest finished chunk
         self._under_way: deque[tuple[Future[_Answers], list[Any]]] = deque()
         self._workers = 0
         self._counted = -_RECOUNT
 
     def run(self, tasks: Iterable[Any], tell: Callable[[], None]) -> Iterator[tuple[Any, bytes]]:
-        """The tasks with their pickled results, in order. Calls `tell` for each task that is done.
+        """Yields the tasks with their pickled results, in order. Calls `tell` for each finished task.
 
-        Raises what the job raises, at the task's turn, and MachineError where the engine fails.
+        Raises the job's errors at the task's turn, and MachineError if the engine fails.
         """
         source = iter(tasks)
         try:
@@ -76,7 +77,7 @@ class ExecutorPool:
             self.stop()
 
     def stop(self) -> None:
-        """Cancels what has not begun; what has begun ends by itself, within about half a second or one task."""
+        """Cancels tasks that have not begun. Running chunks end within about half a second or one task."""
         for future, _ in self._under_way:
             future.cancel()
         self._under_way.clear()
@@ -89,7 +90,7 @@ class ExecutorPool:
             self._under_way.append((self._submit(chunk, len(self._job) <= _SMALL), chunk))
 
     def _next_chunk(self, source: Iterator[Any]) -> list[Any]:
-        # Twice the largest one at most, as the first tasks may have been quick by chance.
+        # At most twice the largest chunk so far, because the first tasks may have been quick by chance.
         most = min(max(1, 2 * self._largest), self._most_together)
         count = 1 if self._seconds <= 0 else int(min(max(_SECONDS / self._seconds, 1), most))
         chunk = []
@@ -138,7 +139,7 @@ class ExecutorPool:
 
 
 def count_workers(executor: Executor) -> int:
-    """How many tasks the executor runs at once, as far as it tells; else the cores of this machine."""
+    """Returns the number of tasks that the executor runs at once. If it is unknown, returns the number of cores."""
     client = getattr(executor, "_client", None)  # Dask's
     if client is not None and hasattr(client, "nthreads"):
         return max(1, sum(int(count) for count in client.nthreads().values()))
@@ -151,7 +152,7 @@ def count_workers(executor: Executor) -> int:
 
 
 def check_executor(executor: object) -> Executor:
-    """The executor. Raises TypeError for what is none, with what to write instead."""
+    """Returns the executor. For other objects, raises TypeError with advice."""
     if hasattr(executor, "submit") and hasattr(executor, "shutdown"):
         return executor  # type: ignore[return-value]
     hint = "; Client.get_executor() gives one" if hasattr(executor, "get_executor") else ""
@@ -169,7 +170,7 @@ _lock = threading.Lock()  # a worker may run several tasks at once, on threads
 
 
 def run_chunk(key: str, job: bytes | None, tasks: Sequence[Any]) -> _Answers:
-    """What a worker does with a chunk: one task after another, up to the first that fails."""
+    """Runs a chunk in a worker: one task after another, up to the first failure."""
     try:
         known = _job_of(key, job)
     except Exception as error:

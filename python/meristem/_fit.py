@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants fitted to measurements: values of a document's variables whose plants measure what is asked for."""
+"""Fits plants to measurements: finds values of a document's variables whose plants have the requested measures."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ Reason = Literal["reached", "growths", "converged", "stopped", "interrupted"]
 
 
 class AskAndTell(Protocol):
-    """An optimizer as those of the package cmaes: it asks for points of the unit box and is told their values."""
+    """An optimizer with the interface of the package cmaes: ask() returns points of the unit box, tell() accepts their
+    values."""
 
     @property
     def population_size(self) -> int: ...
@@ -34,30 +35,31 @@ class AskAndTell(Protocol):
     def should_stop(self) -> bool: ...
 
 
-#: A function of (loss, bounds), as scipy.optimize.differential_evolution, which calls loss with points of the unit box
+#: A function of (loss, bounds), such as scipy.optimize.differential_evolution, which calls loss with points of the unit
+#: box
 Minimizer = Callable[[Callable[[Any], float], "list[tuple[float, float]]"], Any]
 
 
 @dataclass(frozen=True)
 class FitPoint:
-    """Values that were tried, and what came of them."""
+    """A set of values that was tried, and its result."""
 
     values: dict[str, float | int]
-    error: float  #: root of the weighted mean square of all targets' errors; infinite where growing failed
+    error: float  #: root of the weighted mean square of all targets' errors; infinite if growth failed
     measures: dict[str, float]  #: means over the seeds
-    errors: dict[str, float]  #: of each target, in its scale: over what is wanted, or negative, under it
-    failure: str | None  #: what went wrong, if anything
+    errors: dict[str, float]  #: error of each target, in its scale: positive if the measure is too large
+    failure: str | None  #: the failure; None if growth succeeded
 
 
 @dataclass(frozen=True)
 class FitProgress:
-    """How far a fit is."""
+    """The progress of a fit."""
 
     growths: int
-    total: int  #: growths that it may take
-    error: float  #: of the best values so far
-    values: dict[str, float | int]  #: the best so far; empty before the first
-    seconds_left: float  #: if it takes them all
+    total: int  #: largest number of growths
+    error: float  #: error of the best values so far
+    values: dict[str, float | int]  #: the best values so far; empty before the first growth
+    seconds_left: float  #: estimate, if all growths are needed
 
     def __str__(self) -> str:
         left = f"{self.seconds_left / 60:.0f} min" if self.seconds_left >= 90 else f"{self.seconds_left:.0f} s"
@@ -70,12 +72,12 @@ class FitResult:
 
     values: dict[str, float | int]
     error: float
-    measures: dict[str, float]  #: what plants of these values measure, means over the seeds
-    errors: dict[str, float]  #: of each target; see FitPoint
-    history: list[FitPoint]  #: all that was tried, in order
-    growths: int  #: plants that were grown
-    failures: list[str]  #: what went wrong at values that were tried, each once
-    reason: Reason  #: why it ended
+    measures: dict[str, float]  #: measures of the plants with these values, means over the seeds
+    errors: dict[str, float]  #: error of each target; see FitPoint
+    history: list[FitPoint]  #: all sets of values that were tried, in order
+    growths: int  #: number of plants that were grown
+    failures: list[str]  #: the kinds of failures, each once
+    reason: Reason  #: why the fit ended
     session: Session = field(repr=False)  #: the document with the values set, its comments kept
 
     @property
@@ -87,7 +89,7 @@ class FitResult:
 
     @property
     def text(self) -> str:
-        """Its text: that of the document, with other numbers where values were set."""
+        """The text of the document, with changed numbers for the values that were set."""
         return self.session.text
 
     def save(self, path: Any) -> None:
@@ -110,22 +112,22 @@ def fit(
     processes: int | None = None,
     progress: Callable[[FitProgress], object] | None = None,
 ) -> FitResult:
-    """Finds values of a document's variables whose plants have the measures asked for, and gives a FitResult.
+    """Finds values of a document's variables whose plants have the requested measures. Returns a FitResult.
 
-    `variables` are names, whose ranges the document declares, or a dict of ranges by names: (low, high), None for the
-    declared one, or range(12, 65) for whole numbers. `targets` says by its name what a measure shall be: a number, a band
-    (low, high), or a Target with scale and weight. `measure`, a function of the plant that returns a dict of numbers,
-    gives measures of your own, as in batch(). With several `seeds` (the document's own if None) the mean over their
-    plants is compared, or with compare="each" each plant.
+    `variables` are names, whose ranges the document declares, or a dict of ranges by name: (low, high), None for the
+    declared range, or range(12, 65) for whole numbers. `targets` gives the value of each measure by name: a number, a
+    band (low, high), or a Target with scale and weight. `measure`, a function of the plant that returns a dict of
+    numbers, gives measures of your own, as in batch(). With several `seeds` (the document's own if None), the fit
+    compares the mean over their plants, or each plant with compare="each".
 
     It ends after `growths` plants, or when the error is below `tolerance`. The search is an evolution strategy with a
-    model of the measures; its result depends on `key` and on nothing else, on any number of `processes`. Another search may
-    take its part: `optimizer` takes an object as those of the package cmaes (ask, tell, population_size, should_stop), or a function of
-    (loss, bounds) as those of scipy.optimize. Both see the unit box: 0 and 1 are the ends of each range.
+    model of the measures. Its result depends only on `key`, on any number of `processes`. `optimizer` replaces the
+    search by an object with the interface of the package cmaes (ask, tell, population_size, should_stop), or by a
+    function of (loss, bounds) as in scipy.optimize. Both see the unit box: 0 and 1 are the ends of each range.
 
-    `progress` is called with a FitProgress after every growth; where it returns True the fit ends, as it does on Ctrl-C,
-    with the best so far. Values whose plant cannot be grown, or lacks a measure, count as the worst; the result tells
-    them. Raises ValueError and TypeError for wrong arguments, and ValueError where no values give the measures.
+    `progress` is called with a FitProgress after every growth. If it returns True, or on Ctrl-C, the fit ends with the
+    best values so far. Values whose plant cannot be grown, or lacks a measure, count as the worst; the result lists
+    these failures. Raises ValueError and TypeError for wrong arguments, and ValueError if no values give the measures.
     """
     refuse_unguarded_program()
     if not isinstance(document, Document):
@@ -159,7 +161,7 @@ def fit(
             else:
                 raise TypeError(f"optimizer must have ask and tell, or be a function, not {type(optimizer).__name__}")
         except (Exception, KeyboardInterrupt):
-            # Optimizers may wrap what ends a search in an error of their own.
+            # Optimizers may wrap the exception that ends a search in an error of their own.
             if search.ended is None or (search.ended == "interrupted" and search.best is None):
                 raise
             reason = search.ended
@@ -170,12 +172,12 @@ def fit(
 
 
 class _Enough(Exception):
-    """Ends a search from within whatever asks for points."""
+    """Ends a search from within a loss or an optimizer."""
 
 
 @dataclass(frozen=True)
 class _Row:
-    """One number that is compared: a target's mean over the seeds, or that of one seed."""
+    """One compared number: a target's mean over the seeds, or its value for one seed."""
 
     target: CheckedTarget
     places: Sequence[int]  #: of the seeds
@@ -183,7 +185,7 @@ class _Row:
 
 
 class _Search:
-    """What has been tried, and the growing of what is tried next."""
+    """The points that were tried, and the growth of the next points."""
 
     runner: Runner
 
@@ -199,11 +201,11 @@ class _Search:
     ) -> None:
         self.handles = handles
         self.history: list[FitPoint] = []
-        self.shares: list[list[float]] = []  #: of the points that could be measured, with the two below
+        self.shares: list[list[float]] = []  #: the points that could be measured; the next two fields belong to them
         self.measured: list[list[float]] = []
         self.points: list[FitPoint] = []
-        self.best: int | None = None  #: of `points`
-        self.ended: Reason | None = None  #: why no more points are tried
+        self.best: int | None = None  #: index into `points`
+        self.ended: Reason | None = None  #: the reason for the end of the search
         self.grown = 0
         self._targets = targets
         self._seeds = seeds
@@ -211,7 +213,7 @@ class _Search:
         self._tolerance = tolerance
         self._progress = progress
         self._start = time.monotonic()
-        self._told = 0  #: growths that are done; `grown` counts those that are noted
+        self._told = 0  #: finished growths; `grown` counts the noted growths
         # A growth for each value that may turn out to be a whole number
         self._kept_back = len(seeds) * sum(handle.may_be_whole for handle in handles)
         if growths < 8 * self._kept_back:
@@ -225,15 +227,15 @@ class _Search:
         ]
 
     def errors_of(self, measured: Sequence[float]) -> list[float]:
-        """The weighted errors of measures; the root of the sum of their squares is the error of the point."""
+        """Returns the weighted errors of measures. The root of the sum of their squares is the error of the point."""
         return [row.weight * row.target.error_of(number) for row, number in zip(self._rows, measured)]
 
     def loss(self, point: Sequence[float]) -> float:
-        """The error at a point of the unit box."""
+        """Returns the error at a point of the unit box."""
         return self.try_points([point])[0]
 
     def try_points(self, points: Sequence[Sequence[float]]) -> list[float]:
-        """The errors at points of the unit box. Ends the search with all that could be grown noted."""
+        """Returns the errors at points of the unit box. Notes all grown points before it ends the search."""
         all_values = [
             tuple(handle.value_at(float(share)) for handle, share in zip(self.handles, point)) for point in points
         ]
@@ -249,7 +251,7 @@ class _Search:
         return [self._known[values].error for values in all_values]
 
     def round_values(self) -> None:
-        """Takes whole numbers where they give plants that measure no worse: what a document rounds stays whole."""
+        """Rounds each value to a whole number if the error does not rise, since the document may round it anyway."""
         for handle in self.handles:
             if self.best is None or not handle.may_be_whole or self.grown + len(self._seeds) > self._growths:
                 continue
@@ -272,7 +274,7 @@ class _Search:
                 self._end("stopped")
 
     def _grow(self, all_values: Sequence[tuple[float | int, ...]]) -> Iterator[None]:
-        """Grows and notes one set of values after the other."""
+        """Grows and notes the sets of values one after the other."""
         tasks = [Task(seed, self._named(values)) for values in all_values for seed in self._seeds]
         results = self.runner.run(tasks, self._tell)
         for values in all_values:
@@ -299,7 +301,7 @@ class _Search:
         return {handle.name: value for handle, value in zip(self.handles, values)}
 
     def _note(self, values: tuple[float | int, ...], results: Sequence[Any]) -> None:
-        """Takes in the plants of all seeds."""
+        """Notes the plants of all seeds."""
         failure = next((str(result) for result in results if isinstance(result, Failure)), None)
         columns: dict[str, list[float]] = {}
         for target in self._targets:
@@ -318,7 +320,7 @@ class _Search:
                 {target.name: self._error_of(target, measured) for target in self._targets},
                 None,
             )
-            # A share that comes back from the value, as the value was rounded.
+            # The share of the rounded value.
             self.shares.append([handle.share_of(value) for handle, value in zip(self.handles, values)])
             self.measured.append(measured)
             self.points.append(point)
@@ -346,7 +348,7 @@ class _Search:
 
 
 def _numbers_of(name: str, results: Sequence[Mapping[str, Any]]) -> tuple[list[float], str | None]:
-    """The measure of all plants, and what is wrong with it."""
+    """Returns the measure of all plants, and its fault or None."""
     numbers = []
     for result in results:
         if not isinstance(result, Mapping):
@@ -367,14 +369,15 @@ def _numbers_of(name: str, results: Sequence[Mapping[str, Any]]) -> tuple[list[f
 
 # --- searches ---------------------------------------------------------------------------------------------------------
 
-_STRAY = 0.25  #: of the first generation about its mean, as a share of the range
-_MOST_STALE = 50  #: generations without a new set of values, after which a search is at its end
+_STRAY = 0.25  #: standard deviation of the first generation, as a share of the range
+_MOST_STALE = 50  #: generations without a new set of values after which a search ends
 
 
 def _evolve(search: _Search, document: Document, key: int) -> None:
-    """An evolution from the best of a spread of points; in each generation one point is the guess of the surrogate.
+    """Searches by evolution from the best of a spread of points. In each generation one point is the guess of the
+    surrogate.
 
-    Where its points come to differ no more, another begins elsewhere with twice the population.
+    If its points no longer differ, another evolution begins elsewhere with twice the population.
     """
     dimensions = len(search.handles)
     given = {variable.name: variable.value for variable in document.variables}
@@ -384,7 +387,7 @@ def _evolve(search: _Search, document: Document, key: int) -> None:
         grown = search.grown
         spread = latin_hypercube(2 * size, dimensions, key, attempt)
         if attempt == 0:
-            spread.insert(0, first)  # what the document says itself
+            spread.insert(0, first)  # the document's own values
         losses = search.try_points(spread)
         mean = spread[min(range(len(spread)), key=lambda k: losses[k])]
         evolution = Evolution(mean, _STRAY, population_size=size, key=(key, attempt))
@@ -401,7 +404,7 @@ def _evolve(search: _Search, document: Document, key: int) -> None:
 
 
 def _guess(search: _Search) -> list[float] | None:
-    """The surrogate's point, unless it was tried already."""
+    """Returns the surrogate's point, unless it was tried already."""
     if search.best is None:
         return None
     guess = guess_point(search.shares, search.measured, search.best, search.errors_of)

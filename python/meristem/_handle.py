@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The variables that a fit may turn, and their ranges."""
+"""The variables that a fit may change, and their ranges."""
 
 from __future__ import annotations
 
@@ -27,28 +27,28 @@ class Handle:
 
     @property
     def may_be_whole(self) -> bool:
-        """Whether the variable could be one that the document rounds, such as a number of leaves."""
+        """Returns true if the document may round the variable, such as a number of leaves."""
         return self.whole is None and self.low == round(self.low) and self.high == round(self.high) > self.low + 1
 
     def value_at(self, share: float) -> float | int:
-        """The value at a share of the range, from 0 to 1, with as many digits as a document needs."""
+        """Returns the value at a share of the range, from 0 to 1, with as many digits as a document needs."""
         share = min(max(share, 0.0), 1.0)
         if self.whole is not None:
             return self.whole[min(int(share * len(self.whole)), len(self.whole) - 1)]
-        # Six digits of the range, so that what is written is what has grown.
+        # Six digits of the range, so that the written document grows this plant.
         digits = 5 - math.floor(math.log10(self.high - self.low))
         value = round(self.low + share * (self.high - self.low), max(digits, 0))
         return min(max(value, self.low), self.high)
 
     def share_of(self, value: float) -> float:
-        """Where in the range a value lies, from 0 to 1."""
+        """Returns the position of a value in the range, from 0 to 1."""
         if self.whole is not None:
             return min(max(((value - self.whole[0]) / self.whole.step + 0.5) / len(self.whole), 0.0), 1.0)
         return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0)
 
 
 def check_handles(document: Document, variables: str | Iterable[str] | Mapping[str, Range]) -> list[Handle]:
-    """Raises TypeError and ValueError for what cannot be turned, with the nearest names that can be."""
+    """Raises TypeError and ValueError for names that a fit cannot change, with the nearest valid names."""
     if not isinstance(variables, Iterable):
         raise TypeError(f"variables must be names, or a dict of ranges, not {type(variables).__name__}")
     if isinstance(variables, str):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One plant of a batch: grown on one thread, and what is wanted of it."""
+"""One plant of a batch: grows it on one thread and computes its result."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Measure = Union[None, "tuple[str, ...]", Callable[[Plant], Any]]
 
 @dataclass(frozen=True)
 class Task:
-    """Which plant of a batch."""
+    """A plant of a batch."""
 
     seed: int
     values: Mapping[str, Any]
@@ -38,20 +38,20 @@ class Failure:
 
 @dataclass(frozen=True)
 class Job:
-    """What is done for every plant of a batch."""
+    """The work for every plant of a batch."""
 
     document: Document
     measure: Measure
-    keeps_failures: bool = False  #: whether values that a plant cannot grow from give a Failure and raise nothing
+    keeps_failures: bool = False  #: if true, values from which no plant can grow give a Failure instead of an error
 
     def document_of(self, task: Task) -> Document:
         refuse_seed(task.values)
         return self.document.set(task.values, seed=task.seed)
 
     def run(self, task: Task, progress: Progress | None = None) -> bytes:
-        """Grows a plant and gives the pickled result: a copy, so that no view into the plant keeps it in memory.
+        """Grows a plant and returns the pickled result. It is a copy, so that no view keeps the plant in memory.
 
-        Raises what growing and the function raise, with a note of the seed and the values.
+        Raises the errors of growth and of the function, with a note of the seed and the values.
         """
         try:
             plant = self.document_of(task).grow(threads=1, progress=progress)
@@ -82,7 +82,7 @@ def _measure(plant: Plant, measure: Measure, progress: Progress | None) -> Any:
 
 def _pickle_result(result: Any) -> bytes:
     try:
-        return pickle.dumps(result, 4)  # under protocol 5, arrays that were read-only stay so
+        return pickle.dumps(result, 4)  # under protocol 5, read-only arrays stay read-only
     except Exception as error:
         raise TypeError(
             f"the function returned what cannot be sent between processes ({error}); "
@@ -91,6 +91,6 @@ def _pickle_result(result: Any) -> bytes:
 
 
 def add_note(error: BaseException, note: str) -> None:
-    """Has tracebacks end with `note`: from Python 3.11 on, and wherever the error's `__notes__` are shown."""
+    """Makes tracebacks end with `note`: from Python 3.11 on, and wherever the error's `__notes__` are shown."""
     notes = getattr(error, "__notes__", [])
     setattr(error, "__notes__", [*notes, note])  # add_note() came with Python 3.11

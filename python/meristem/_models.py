@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the plants that are shipped stand."""
+"""The folder of shipped plants."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def folder() -> str:
-    """The folder of the shipped models: within the package, or the source tree's."""
+    """Returns the folder of the shipped models, in the package or in the source tree."""
     here = Path(__file__).resolve().parent
     installed = here / "models"
     return str(installed if installed.is_dir() else here.parents[1] / "models")

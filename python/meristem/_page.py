@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A plant as a page that shows it in three dimensions: turned, moved and zoomed by hand, without a server.
+"""Makes a page that shows a plant in three dimensions. The user turns, moves and zooms it, without a server.
 
-The page's template, `viewer.html`, holds the studio's view. It is built with the module where node is there; without it
-there are no such pages, and has_viewer() says so.
+The page's template, `viewer.html`, holds the studio's view. It is built with the module if node is installed. Without
+it there are no such pages, and has_viewer() returns False.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from typing import Any
 from ._core import Plant, write_whole_file
 from ._errors import MachineError
 
-TRIANGLES = 1_000_000  #: in a page if not said otherwise: what browsers turn smoothly
+TRIANGLES = 1_000_000  #: triangles of a page by default, which browsers turn smoothly
 _TEMPLATE = Path(__file__).with_name("viewer.html")
 _ENDINGS = (".html", ".htm")
-_HEIGHT = 480  #: of a view in a notebook, pixels
+_HEIGHT = 480  #: height of a view in a notebook, pixels
 
 
 def has_viewer() -> bool:
-    """Whether pages can be made."""
+    """Returns true if pages can be made."""
     return _TEMPLATE.is_file()
 
 
@@ -41,11 +41,12 @@ def to_html(
     threads: int = 0,
     progress: Any = None,
 ) -> str:
-    """A page that shows the plant in a browser, where a hand turns, moves and zooms it. It needs no server or network.
+    """Returns a page that shows the plant in a browser, where the user turns, moves and zooms it. Needs no server or
+    network.
 
-    A plant of more than `triangles` is thinned out to about that many, and the page says so; 0 leaves it whole. `view` is
-    (azimuth, altitude) of the camera in degrees, as in png(). Raises ValueError for angles out of range, MachineError
-    where the module was built without the view.
+    A plant of more than `triangles` triangles is thinned out to about this number, with a note on the page; 0 keeps
+    all. `view` is (azimuth, altitude) of the camera in degrees, as in png(). Raises ValueError for angles out of range,
+    and MachineError if the module was built without the view.
     """
     look = "" if view is None else _look(*view)
     template = _template()
@@ -67,9 +68,9 @@ def save_html(
     threads: int = 0,
     progress: Any = None,
 ) -> None:
-    """Writes the page that to_html() gives to a .html file, which is there whole or not at all.
+    """Writes the page of to_html() to a .html file, which appears whole or not at all.
 
-    Raises as to_html() does, ValueError for other endings, MachineError where the file cannot be written.
+    Raises like to_html(), ValueError for other endings, and MachineError if the file cannot be written.
     """
     target = Path(path)
     if not is_page(target):

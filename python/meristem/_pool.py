@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Worker processes that grow the plants of a batch, and end with it.
 
-Each worker has one pipe to the process that asks: tasks come in, pickled results go out, and once the other end is
-closed, whether by stop() or because that process has died, the worker cancels what it grows and exits. So nothing has
-to be polled, no thread runs on the asking side, and no worker outlives it.
+Each worker has one pipe to the calling process. Tasks come in, and pickled results go out. When the other end is
+closed, by stop() or by the death of the calling process, the worker cancels its growth and exits. This needs no polling
+and no thread in the calling process, and no worker outlives the calling process.
 
-The pools of the standard library were not taken: their workers finish a plant once begun however long it takes, and
-they do not tell which task a killed worker had.
+The pools of the standard library are not suitable: their workers always finish a plant that they have begun, and the
+task of a killed worker is unknown.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ if TYPE_CHECKING:
     from multiprocessing.context import ForkServerContext, SpawnContext
 
 _NAME = "meristem batch worker"
-_UNGUARDED = 97  #: a worker's exit code, where the program would start a batch in each worker in turn
-_GIVEN = 2  #: tasks that a worker has at most: the one it grows, and the next, so that it never waits for one
-_AHEAD = 4  #: plants a worker that may be grown ahead of the one that is due
-_GRACE = 0.3  #: seconds that a function of the plant may go on after the end
+_UNGUARDED = 97  #: a worker's exit code if the program would start a batch in each worker
+_GIVEN = 2  #: largest number of tasks of a worker: the running task and the next one, so that it never waits
+_AHEAD = 4  #: largest number of plants per worker ahead of the next result
+_GRACE = 0.3  #: seconds for which a function of the plant may continue after the end
 
 #: Number of the task, pickled result, pickled failure
 _Answer = Tuple[int, Optional[bytes], Optional[bytes]]
@@ -52,8 +52,8 @@ class Pool:
     def __init__(self, job: bytes, count: int) -> None:
         """Starts `count` processes. `job` is a pickled Job."""
         self._workers: list[_Worker] = []
-        self._numbers = itertools.count()  #: of tasks, over all runs
-        # Not "fork": a forked child has the locks of the library's threads as they were, but not the threads.
+        self._numbers = itertools.count()  #: number of tasks, over all runs
+        # Not "fork": a forked child has the locks of the library's threads, but not the threads.
         context: ForkServerContext | SpawnContext
         if "forkserver" in multiprocessing.get_all_start_methods():
             context = multiprocessing.get_context("forkserver")
@@ -67,17 +67,16 @@ class Pool:
                     process = context.Process(target=_work, args=(theirs, job), name=_NAME, daemon=True)
                     self._workers.append(_Worker(ours, process))
                     process.start()
-                    theirs.close()  # so that our end tells when the worker has died
+                    theirs.close()  # so that this end shows the death of the worker
         except BaseException:
             self.stop()
             raise
 
     def run(self, tasks: Iterable[Task], tell: Callable[[], None]) -> Iterator[tuple[Task, bytes]]:
-        """The tasks with their pickled results, in order. Calls `tell` whenever a plant is done.
+        """Yields the tasks with their pickled results, in order. Calls `tell` for each finished plant.
 
-        Takes from `tasks` only as many as are grown ahead. Raises what the job raises, at the plant's turn, and
-        MachineError where a worker dies. May be called again; what an earlier run that was left before its end has
-        given to the workers is dropped.
+        Takes only a bounded number of `tasks` ahead. Raises the job's errors at the plant's turn, and MachineError if a
+        worker dies. May be called again: results of an earlier run that was left before its end are dropped.
         """
         first = next(self._numbers)
         source = zip(self._numbers, tasks)
@@ -98,7 +97,7 @@ class Pool:
                 yield task, result_of(*answers.pop(number)[1:])
 
     def stop(self) -> None:
-        """Ends all workers, also in the midst of a plant; returns once they have, within half a second or so."""
+        """Ends all workers, also in the middle of a plant. Returns when they have ended, within about half a second."""
         for worker in self._workers:
             worker.dismiss()
         deadline = time.monotonic() + 2 * _GRACE
@@ -107,7 +106,7 @@ class Pool:
         self._workers.clear()
 
     def _give(self, source: Iterator[tuple[int, Task]], due: deque[tuple[int, Task]]) -> None:
-        """Gives tasks to the workers that have the fewest, until all are busy or enough is ahead."""
+        """Sends tasks to the workers with the fewest tasks, until all are busy or enough plants are ahead."""
         while len(due) < _AHEAD * len(self._workers):
             worker = min(self._workers, key=lambda worker: len(worker.tasks))
             if len(worker.tasks) == _GIVEN:
@@ -119,7 +118,7 @@ class Pool:
             worker.give(*item)
 
     def _receive(self, may_wait: bool) -> Iterator[_Answer]:
-        """The answers that have come; with `may_wait` at least one."""
+        """Returns the answers that have arrived. With `may_wait`, waits for at least one."""
         connections = {worker.connection: worker for worker in self._workers}
         for connection in wait(list(connections), None if may_wait else 0):
             yield connections[connection].take()  # type: ignore[index]
@@ -127,11 +126,11 @@ class Pool:
 
 @contextmanager
 def _interrupts_deferred() -> Iterator[None]:
-    """Has Ctrl-C wait meanwhile, here and in a server of workers that is started; see _server.py."""
+    """Defers Ctrl-C during the block, here and in a server of workers that starts in it; see _server.py."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    ensure_running()  # a server starts with it, and it lets interrupts through when it starts
+    ensure_running()  # a server of workers would start this tracker, which unblocks interrupts when it starts
     before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
     try:
         yield
@@ -140,19 +139,19 @@ def _interrupts_deferred() -> Iterator[None]:
 
 
 class _Worker:
-    """A worker process as the asking process sees it."""
+    """A worker process, seen from the calling process."""
 
     def __init__(self, connection: Connection, process: BaseProcess) -> None:
         self.connection = connection
         self.process = process
-        self.tasks: deque[Task] = deque()  #: given and not yet answered; it has the first in hand
+        self.tasks: deque[Task] = deque()  #: tasks without an answer; the worker runs the first of them
 
     def give(self, number: int, task: Task) -> None:
         self.tasks.append(task)
         try:
             self.connection.send((number, task))
         except OSError:
-            pass  # it has died; take() tells that, after the answers that it has still given
+            pass  # the worker has died; take() reports this after its last answers
 
     def take(self) -> _Answer:
         try:
@@ -164,7 +163,7 @@ class _Worker:
 
     def dismiss(self) -> None:
         try:
-            self.connection.send(None)  # a copy of our end in a forked process would keep the pipe open
+            self.connection.send(None)  # a copy of this end in a forked process would keep the pipe open
         except OSError:
             pass  # it has died already
         self.connection.close()
@@ -192,7 +191,7 @@ class _Worker:
 
 
 def result_of(result: bytes | None, failure: bytes | None) -> bytes:
-    """The pickled result. Raises the error of a pickled failure instead, with where it was raised in the worker."""
+    """Returns the pickled result. For a pickled failure, raises its error with its traceback in the worker."""
     if result is not None:
         return result
     assert failure is not None
@@ -201,7 +200,7 @@ def result_of(result: bytes | None, failure: bytes | None) -> bytes:
 
 
 class _InWorker(Exception):
-    """Shows where in a worker an error was raised."""
+    """Shows the traceback of an error in a worker."""
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
@@ -216,7 +215,7 @@ class _InWorker(Exception):
 def refuse_unguarded_program() -> None:
     """Ends a worker that imports a program which starts a batch when it is imported.
 
-    Quietly, as its exit code tells the asking process, which raises one error in place of each worker's.
+    Ends without a message. The exit code informs the calling process, which raises one error for all workers.
     """
     if multiprocessing.current_process().name == _NAME and not _has_begun:
         sys.stdout.flush()
@@ -227,10 +226,10 @@ _has_begun = False
 
 
 def _work(connection: Connection, job_bytes: bytes) -> None:
-    """What a worker does: one task after the other until the pipe is closed."""
+    """Runs a worker: one task after the other until the pipe is closed."""
     global _has_begun
     _has_begun = True
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the asking one ends the others
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the calling process ends the others
     progress = Progress()
     tasks: queue.SimpleQueue[tuple[int, Task] | None] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(connection, tasks, progress), daemon=True).start()
@@ -238,7 +237,7 @@ def _work(connection: Connection, job_bytes: bytes) -> None:
     while (item := tasks.get()) is not None:
         number, task = item
         try:
-            # Here and not before, so that a document or function that cannot be read is told as an error.
+            # Loaded here, so that an unreadable document or function is reported as an error.
             job = job or load_job(job_bytes)
             answer: _Answer = (number, job.run(task, progress), None)
         except Exception as error:
@@ -250,7 +249,7 @@ def _work(connection: Connection, job_bytes: bytes) -> None:
 
 
 def _listen(connection: Connection, tasks: queue.SimpleQueue[tuple[int, Task] | None], progress: Progress) -> None:
-    """Passes tasks on; at the end cancels what grows, and exits if a function of the plant goes on."""
+    """Passes tasks on. At the end it cancels the growth, and exits if a function of the plant still runs."""
     try:
         while (item := connection.recv()) is not None:
             tasks.put(item)
@@ -263,7 +262,7 @@ def _listen(connection: Connection, tasks: queue.SimpleQueue[tuple[int, Task] | 
 
 
 def load_job(job: bytes) -> Job:
-    """The job. Raises TypeError where it is of a function that this process cannot import."""
+    """Returns the job. Raises TypeError if this process cannot import the job's function."""
     try:
         loaded: Job = pickle.loads(job)
     except (AttributeError, ImportError) as error:
@@ -272,11 +271,11 @@ def load_job(job: bytes) -> Job:
 
 
 def pickle_failure(error: Exception) -> bytes:
-    """An error with its traceback in words, as result_of() raises it."""
+    """Pickles an error with its traceback as text, for result_of()."""
     text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
     try:
         failure = pickle.dumps((error, text))
-        pickle.loads(failure)  # some errors can be written but not read
+        pickle.loads(failure)  # some errors can be pickled but not unpickled
     except Exception:
         in_words = RuntimeError(f"{type(error).__name__}: {error}")
         for note in getattr(error, "__notes__", []):

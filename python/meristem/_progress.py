@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a long call over many plants has come: told to a function, or in words on standard error."""
+"""Reports the progress of a long call over many plants, to a function or as text on standard error."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import time
 from collections.abc import Callable
 from typing import Optional
 
-#: Called with the number of plants done and that of all, None if it is unknown.
+#: Called with the number of finished plants and the total, None if it is unknown.
 ProgressCallback = Callable[[int, Optional[int]], object]
 
-_EVERY = 1.0  #: seconds between lines, or 10 where no terminal shows them
+_EVERY = 1.0  #: seconds between lines on a terminal; 10 elsewhere
 
 
 def teller(progress: ProgressCallback | bool | None, what: str) -> ProgressCallback | None:
-    """What is called as the plants are done. Raises TypeError for what cannot be called."""
+    """Returns the function that is called for finished plants. Raises TypeError if it cannot be called."""
     if progress is None or progress is False:
         return None
     if progress is True:
@@ -26,7 +26,7 @@ def teller(progress: ProgressCallback | bool | None, what: str) -> ProgressCallb
 
 
 def duration_text(seconds: float) -> str:
-    """'8 s', '3 min', '2 h 5 min', '3 days 4 h'."""
+    """Returns a text such as '8 s', '3 min', '2 h 5 min', '3 days 4 h'."""
     whole = round(seconds)
     if whole < 90:
         return f"{whole} s"
@@ -41,7 +41,7 @@ def duration_text(seconds: float) -> str:
 
 
 class _Words:
-    """Lines such as `1,200 of 10,000 plants, 3 min left`, one over the other on a terminal."""
+    """Prints lines such as `1,200 of 10,000 plants, 3 min left`. On a terminal each line replaces the previous one."""
 
     def __init__(self, what: str) -> None:
         self._what = what
@@ -52,7 +52,7 @@ class _Words:
     def tell(self, done: int, total: int | None) -> None:
         now = time.monotonic()
         if self._first is None:
-            self._first = done - 1  # what was there before takes no time
+            self._first = done - 1  # plants that existed before take no time
         is_over = total is not None and done >= total
         shows = sys.stderr.isatty()
         if not is_over and now - self._shown < (_EVERY if shows else 10 * _EVERY):

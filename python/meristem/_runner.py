@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs tasks of one job: here, on worker processes, which stay for the next ones, or on an executor."""
+"""Runs tasks of one job: in this process, on worker processes, which stay for further tasks, or on an executor."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ from ._pool import Pool
 
 
 class Runner:
-    """Where the tasks of a job are run. Its end, by `with`, is that of the processes; an executor goes on."""
+    """Runs the tasks of a job. Leaving its `with` block ends the worker processes; an executor keeps running."""
 
     def __init__(
         self, job: AnyJob, pickled: bytes | None, count: int, executor: Executor | None = None, *, chunks: bool = True
     ) -> None:
-        """With the pickled job on an executor or, without one, on `count` processes; in this one if there is none.
+        """Uses the executor with the pickled job. Without an executor, uses `count` processes, or this process if there
+        is no pickled job.
 
-        Tasks go to an executor in `chunks`, or one by one.
+        Tasks are sent to an executor in `chunks`, or one by one.
         """
         self._job = job
         self._pool: Pool | ExecutorPool | None = None
@@ -29,7 +30,7 @@ class Runner:
             self._pool = Pool(pickled, count) if executor is None else ExecutorPool(pickled, executor, chunks=chunks)
 
     def run(self, tasks: Iterable[Any], tell: Callable[[], None]) -> Iterator[tuple[Any, Any]]:
-        """The tasks with their results, in order. Calls `tell` whenever one is done."""
+        """Yields the tasks with their results, in order. Calls `tell` for each finished task."""
         if self._pool is not None:
             for task, result in self._pool.run(tasks, tell):
                 yield task, pickle.loads(result)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Python's server of worker processes imports before it forks workers.
+"""Python's server of worker processes imports this module before it forks workers.
 
-It ignores Ctrl-C once it serves, and is started with it blocked, so that while it imports this it does not end with a
-traceback. What has come in the meantime is dropped here: the program that asks for workers has received it as well.
+The running server ignores Ctrl-C. It starts with Ctrl-C blocked, so that an interrupt during this import causes no
+traceback. This module drops interrupts that came in the meantime, because the calling program has received them as
+well.
 """
 
 from __future__ import annotations

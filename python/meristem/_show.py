@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a plant shows itself: in notebooks, on desktops, and where there are neither."""
+"""Shows a plant: in notebooks, on desktops, and elsewhere."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from ._errors import MachineError
 from ._page import PageInNotebook, has_viewer, is_page, save_html, to_html
 
 _QUICK: dict[str, Any] = {"size": (400, 400), "samples": 4}  # under a second for the shipped trees
-_FAIR: dict[str, Any] = {"size": (480, 480), "samples": 8}  # for who asks for a picture and waits a second or two
-_OPENING_SECONDS = 2.0  #: a program for opening files that still runs then has found one for the file
+_FAIR: dict[str, Any] = {"size": (480, 480), "samples": 8}  # for a requested picture, which may take a second or two
+_OPENING_SECONDS = 2.0  #: seconds after which a running opener has found a program for the file
 
 
 def show(
@@ -30,18 +30,18 @@ def show(
     samples: int | None = None,
     view: tuple[float, float] | None = None,
 ) -> Path | None:
-    """Shows the plant in the way that the surroundings offer, and gives the path of the file that was written, if any.
+    """Shows the plant in a notebook, in a browser or as a picture. Returns the path of the written file, if any.
 
-    With a `path`, writes a picture (.png, .jpg), a page to turn the plant in (.html), or what save() writes (.glb and
-    others) there. Without one, shows the plant in a notebook so that a hand can turn it, and on a desktop opens such a
-    page in the browser. Elsewhere, or if there is no browser, writes a picture NAME.png into the current folder, never
-    over another file, and prints where. A module that was built without the view shows a picture in notebooks, and opens
-    a .glb in the system's program for it.
+    With a `path`, writes a picture (.png, .jpg), a page with the plant to turn (.html), or a file of save() (.glb and
+    others). Without a `path`, shows the plant in a notebook, where the user can turn it; on a desktop, opens such a
+    page in the browser. Elsewhere, or without a browser, writes a picture NAME.png into the current folder, never over
+    another file, and prints the path. A module that was built without the view shows a picture in notebooks, and opens
+    a .glb file in the system's program for it.
 
     `size` is (width, height) in pixels and `view` (azimuth, altitude) of the camera in degrees, as in png(); `samples`
-    are the paths a pixel of a picture, which is what is shown where they are given. Size and samples not given are the
-    document's with a `path` and small without. Raises InputError for endings that are not known, sizes out of range and
-    files that the document reads, MachineError where it cannot be written.
+    is the number of light paths per pixel; if it is given, a still picture is shown. Default size and samples come from
+    the document with a `path`, and are small without. Raises InputError for unknown endings, sizes out of range and
+    files that the document reads, and MachineError if the file cannot be written.
     """
     given = {name: value for name, value in (("size", size), ("samples", samples), ("view", view)) if value is not None}
     if path is not None:
@@ -60,12 +60,12 @@ def show(
 
 
 def make_preview(self: Plant) -> bytes:
-    """A small picture as the bytes of a PNG file, which notebooks show for a plant."""
+    """Returns a small picture as the bytes of a PNG file, which notebooks show for a plant."""
     return self.png(**_QUICK)
 
 
 def describe(self: Document) -> str:
-    """The document's name, what it says of itself, and its handles as a table, which notebooks show for it."""
+    """Returns the document's name, its description, and its handles as a table, which notebooks show for it."""
     lines = [f"**{_cell(self.name or 'Document')}**, seed {self.seed}", ""]
     if self.description:
         lines += [_cell(self.description), ""]
@@ -78,7 +78,7 @@ def describe(self: Document) -> str:
 
 
 def _cell(text: str) -> str:
-    """As plain text within Markdown, on one line."""
+    """Returns plain text within Markdown, on one line."""
     return re.sub(r"([\\`*_|<>\[\]])", r"\\\1", " ".join(text.split()))
 
 
@@ -98,7 +98,7 @@ def _write(plant: Plant, path: Path, given: Mapping[str, Any]) -> Path:
 
 
 def _is_notebook() -> bool:
-    """Whether this is an IPython kernel; IPython at a terminal shows no pictures."""
+    """Returns true in an IPython kernel. IPython at a terminal shows no pictures."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None
     return shell is not None and getattr(shell, "kernel", None) is not None
@@ -121,14 +121,14 @@ def _has_desktop() -> bool:
 
 
 def _open_in_program(plant: Plant, given: Mapping[str, Any]) -> Path | None:
-    """The file that was opened; None if there is no program for it, or it cannot show what is asked for."""
+    """Opens the plant in a program and returns the file. Returns None if no program can show it."""
     if given.keys() - ({"view"} if has_viewer() else set()):
         return None
     folder = Path(tempfile.mkdtemp(prefix="meristem-"))
     path = folder / f"{_file_name(plant)}.{'html' if has_viewer() else 'glb'}"
     _write(plant, path, given)
     if _open(path):
-        return path  # it stays, as the program may read it again
+        return path  # it stays, because the program may read it again
     shutil.rmtree(folder, ignore_errors=True)
     return None
 
@@ -157,7 +157,7 @@ def _file_name(plant: Plant) -> str:
 
 
 def _write_beside_others(png: bytes, name: str) -> Path:
-    """Writes NAME.png into the current folder, or NAME-2.png and so on if it is there already."""
+    """Writes NAME.png into the current folder, or NAME-2.png and so on if the file exists."""
     number = 1
     while True:
         path = Path(f"{name}.png" if number == 1 else f"{name}-{number}.png")

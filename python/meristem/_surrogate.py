@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A guess where in a box the wanted measures are, from points whose measures are known.
+"""Guesses the point of a box that has the wanted measures, from points with known measures.
 
-About the best point each measure is taken for a polynomial of second degree, or a plane while points are few, which
-regression finds from the nearest points, near ones counting more. The guess is where these polynomials come closest to
-what is wanted, no further away than the points reach. Measures jump a little from plant to plant; regression over more
-points than it needs evens that out.
-Based on: K. Levenberg, D. Marquardt (damped least squares); M. J. D. Powell: The NEWUOA software for unconstrained
-optimization without derivatives (2006), whose trust region this does without: the nearest points are its measure.
+Near the best point, each measure is approximated by a polynomial of second degree, or by a plane if points are few.
+Regression fits the polynomial to the nearest points; nearer points count more. The guess is the point at which these
+polynomials come closest to the targets, within the reach of the points. Measures jump a little from plant to plant, and
+regression over more points than necessary evens this out. Based on: K. Levenberg, D. Marquardt (damped least squares);
+M. J. D. Powell: The NEWUOA software for unconstrained optimization without derivatives (2006), but without its trust
+region: the nearest points bound the guess.
 """
 
 from __future__ import annotations
@@ -18,14 +18,15 @@ from ._evolution import solve
 
 Vector = Sequence[float]
 
-_RIDGE = 1e-6  #: against directions in which points do not differ, in squares of their distance
-_STEPS = 30  #: of damped least squares on the polynomials
+_RIDGE = 1e-6  #: ridge against directions in which points do not differ, in squares of their distance
+_STEPS = 30  #: number of steps of damped least squares on the polynomials
 
 
 def guess_point(
     shares: Sequence[Vector], measured: Sequence[Vector], best: int, errors_of: Callable[[Vector], list[float]]
 ) -> list[float] | None:
-    """The point of the unit box that promises the least sum of squared errors; None while too few are known.
+    """Returns the point of the unit box with the smallest expected sum of squared errors. None if too few points are
+    known.
 
     `shares` are points and `measured` their measures, `best` the index of the best one; `errors_of` gives weighted errors
     of measures.
@@ -50,7 +51,7 @@ def _coefficient_count(dimensions: int, degree: int) -> int:
 
 
 def _terms(move: Vector, degree: int) -> list[float]:
-    """1, the coordinates, and for degree 2 their products."""
+    """Returns 1, the coordinates, and for degree 2 their products."""
     terms = [1.0, *move]
     if degree == 2:
         terms += [move[i] * move[j] for i in range(len(move)) for j in range(i, len(move))]
@@ -60,7 +61,7 @@ def _terms(move: Vector, degree: int) -> list[float]:
 def _fit_polynomials(
     shares: Sequence[Vector], measured: Sequence[Vector], centre: Vector, radius: float, degree: int
 ) -> list[list[float]]:
-    """For each measure the coefficients of _terms, by weighted least squares."""
+    """Returns the coefficients of _terms for each measure, by weighted least squares."""
     rows = [_terms([(a - b) / radius for a, b in zip(share, centre)], degree) for share in shares]
     weights = [(1 - min(1.0, math.dist(share, centre) / (1.1 * radius)) ** 3) ** 3 for share in shares]
     size = len(rows[0])
@@ -70,7 +71,7 @@ def _fit_polynomials(
     middle = measured[0]
     polynomials = []
     for number in range(len(middle)):
-        # Differences from the best point's measures, as the ridge pulls to these.
+        # Uses differences from the best point's measures, because the ridge pulls to these.
         right = [
             math.fsum(w * row[i] * (values[number] - middle[number]) for w, row, values in zip(weights, rows, measured))
             for i in range(size)
@@ -87,7 +88,7 @@ def _least(
     degree: int,
     errors_of: Callable[[Vector], list[float]],
 ) -> list[float]:
-    """Damped least squares on the polynomials, within the box and the radius."""
+    """Minimizes by damped least squares on the polynomials, within the box and the radius."""
     axes = range(len(centre))
     low = [max(-1.0, -share / radius) for share in centre]
     high = [min(1.0, (1 - share) / radius) for share in centre]
@@ -101,7 +102,7 @@ def _least(
     loss = math.fsum(error**2 for error in errors)
     damping = 1e-3
     for _ in range(_STEPS):
-        slopes = []  # of each error along each axis
+        slopes = []  # slope of each error along each axis
         for axis in axes:
             delta = 1e-4 if move[axis] + 1e-4 <= high[axis] else -1e-4
             beside = errors_at([number + delta * (k == axis) for k, number in enumerate(move)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a plant is to measure, and how far from that it is."""
+"""Targets of a fit, and the errors of measures."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Tuple, Union
 
-#: A number that a measure shall have, or the least and greatest one that it may have
+#: The wanted value of a measure, or its smallest and largest allowed value
 Wanted = Union[float, Tuple[float, float]]
 
 
 @dataclass(frozen=True)
 class Target:
-    """What one measure shall be, for fit()."""
+    """The target of one measure, for fit()."""
 
     value: Wanted  #: a number, or a band (low, high), within which all numbers are equally good
     scale: float | None = None
-    """The error that counts as 1, in the measure's unit. Raised, the target is less strict. None takes the number itself,
-    or the middle of the band, so that errors are shares of it; 180 for azimuths."""
-    weight: float = 1.0  #: how much the target counts beside the others; raised, it is met more closely than they are
+    """The error that counts as 1, in the measure's unit. A larger scale makes the target less strict. None uses the
+    number itself, or the middle of the band, so that errors are relative; for azimuths it uses 180."""
+    weight: float = 1.0  #: weight of the target; a larger weight makes it more important than the others
 
 
 @dataclass(frozen=True)
 class CheckedTarget:
-    """A Target that makes sense, of a measure."""
+    """A valid Target of a measure."""
 
     name: str
     low: float
@@ -38,7 +38,7 @@ class CheckedTarget:
         return self.name.endswith("_azimuth")
 
     def error_of(self, measured: float) -> float:
-        """How far over (or, negative, under) what is wanted, in the target's scale."""
+        """Returns the error in the target's scale: positive above the target, negative below."""
         if self.is_azimuth:
             half = math.fmod(self.high - self.low + 360.0, 360.0) / 2
             away = math.fmod(measured - self.low - half + 900.0, 360.0) - 180.0
@@ -46,7 +46,7 @@ class CheckedTarget:
         return (measured - min(max(measured, self.low), self.high)) / self.scale
 
     def mean_of(self, measured: Sequence[float]) -> float:
-        """The mean over several plants; of azimuths that of their unit vectors."""
+        """Returns the mean over several plants; for azimuths, the azimuth of the mean of their unit vectors."""
         if not self.is_azimuth:
             return math.fsum(measured) / len(measured)
         angles = [math.radians(angle) for angle in measured]
@@ -55,7 +55,7 @@ class CheckedTarget:
 
 
 def check_targets(targets: Mapping[str, Wanted | Target]) -> list[CheckedTarget]:
-    """Raises TypeError and ValueError for what cannot be aimed at."""
+    """Raises TypeError and ValueError for invalid targets."""
     if not isinstance(targets, Mapping):
         raise TypeError(f"targets must be a dict, such as {{'height': 9.5}}, not {type(targets).__name__}")
     if not targets:

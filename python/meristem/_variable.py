@@ -8,14 +8,14 @@ from dataclasses import dataclass
 class Variable:
     """A value of a document that its expressions use by name; Document.set({name: value}) sets it.
 
-    Those that are not `private` are the handles that a document offers to its users.
+    Variables that are not `private` are the handles that a document offers to its users.
     """
 
     name: str
     value: float
-    min: float  #: least and greatest sensible value; nothing is refused beyond them
+    min: float  #: smallest and largest sensible value; values beyond them are not refused
     max: float
     unit: str
     doc: str
-    expression: str | None = None  #: from which the value was worked out, such as "2 + 0.1*age"; None for plain numbers
-    private: bool = False  #: no handle, but a name for what several expressions share
+    expression: str | None = None  #: formula of the value, such as "2 + 0.1*age"; None for plain numbers
+    private: bool = False  #: true: no handle, but a name for a value that several expressions share

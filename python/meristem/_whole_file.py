@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that appear whole or not at all, as those that the library writes."""
+"""Writes files that appear whole or not at all, like the files of the library."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from ._core import ScratchFolder
 
 @contextmanager
 def whole_file(target: Path) -> Iterator[Path]:
-    """Gives a path to write to, and renames the file to `target` unless an exception comes.
+    """Yields a path to write to, and renames the file to `target` unless an exception is raised.
 
     The file lies in a hidden folder beside the target. The next file that is written there removes the folder of a
     killed program.
     """
-    target.parent.stat()  # the folder is not made
+    target.parent.stat()  # the folder does not exist
     scratch = ScratchFolder(os.path.abspath(target.parent), ".meristem-")
     partial = Path(scratch.path) / target.name
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stages of a grass leaf, a function each: measured points become a leaf, which ages, bends, and gets a surface.
+"""A function for each stage of a grass leaf: measured points become a leaf, which ages, bends, and gets a surface.
 
     from meristem import grass
 

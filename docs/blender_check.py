@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opens binary glTF files in Blender and says whether all of them has arrived.
+"""Opens binary glTF files in Blender and checks that everything was imported.
 
     blender -b -P docs/blender_check.py -- oak.glb [more.glb ...] [--component leaf] [--leaves N]
 
-Prints objects, triangles, parts of the leaves and materials with pictures as Blender has them, and ends with code 1
-where triangles or materials are not those that the file tells of. Parts are the connected ones in the meshes of the
-component, flattened or not; a leaf with a stalk has two. With --leaves N there has to be a whole number of parts for each
-of N leaves, the leaf_count of `meristem measure --json`.
+Prints the numbers of objects, triangles, parts of the leaves and materials with pictures in Blender. Ends with code 1
+if triangles or materials differ from the file. Parts are connected pieces of the meshes of the component, flattened or
+not; a leaf with a stalk has two. With --leaves N, the leaf_count of `meristem measure --json`, each of the N leaves
+must have an equal whole number of parts.
 """
 import argparse
 import json
@@ -17,13 +17,13 @@ import sys
 import bpy
 import numpy
 
-# Debian 12 has Blender 3.4 with a NumPy that no longer knows the name that its glTF importer uses.
+# Debian 12 has Blender 3.4 with a NumPy that lacks the name that the glTF importer uses.
 if not hasattr(numpy, "bool"):
     numpy.bool = bool
 
 
 def read_json(path):
-    """The JSON chunk of a binary glTF."""
+    """Returns the JSON chunk of a binary glTF."""
     with open(path, "rb") as file:
         magic, _, _, length, _ = struct.unpack("<4s4I", file.read(20))
         if magic != b"glTF":
@@ -32,7 +32,7 @@ def read_json(path):
 
 
 def told_by(path):
-    """What the file says: triangles with all instances, and materials with pictures."""
+    """Returns the numbers in the file: triangles with all instances, and materials with pictures."""
     gltf = read_json(path)
     accessors = gltf.get("accessors", [])
 
@@ -51,7 +51,7 @@ def told_by(path):
 
 
 def parts_of(mesh):
-    """How many connected parts a mesh has."""
+    """Returns the number of connected parts of a mesh."""
     parent = list(range(len(mesh.vertices)))
 
     def root(vertex):

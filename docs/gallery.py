@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the pictures of the documentation that have moved, and writes the gallery page.
+"""Draws the pictures of the documentation that have changed, and writes the gallery page.
 
 In:  the built program, models/*.json, docs/manual/figures/figures.txt and graphs.txt, apps/studio/parts/*.json,
      docs/pictures.txt.
 Out: docs/gallery/*.jpg, docs/manual/figures/*.jpg and *.svg, apps/studio/parts/*.jpg, docs/pictures.txt with the
      fingerprint of each picture, docs/gallery.md.
 
-A picture is drawn again only where its fingerprint, which `meristem render --fingerprint` tells without drawing, is not
-the one that docs/pictures.txt has. `--check` draws and writes nothing and ends with 1 where something has moved;
-`--accept` takes the pictures as they are; names of pictures draw those anew in any case.
+A picture is drawn again only if its fingerprint differs from its fingerprint in docs/pictures.txt. `meristem render
+--fingerprint` prints the fingerprint without drawing. `--check` draws and writes nothing, and ends with 1 if a picture
+has changed. `--accept` accepts the pictures as they are. Named pictures are always drawn anew.
 """
 
 import argparse
@@ -26,10 +26,10 @@ ROOT = Path(__file__).resolve().parents[1]
 MANIFEST = ROOT / "docs" / "pictures.txt"
 PAGE = ROOT / "docs" / "gallery.md"
 FIGURES = ROOT / "docs" / "manual" / "figures"
-MOST_KILOBYTES = 250  # of one picture, so that everyone who clones has little to carry
+MOST_KILOBYTES = 250  # of one picture, to keep clones small
 QUALITY = 88
 
-# Documents that are shown at other settings as well: picture, model, options.
+# Documents that are also shown with other settings: picture, model, options.
 FURTHER = [("oak_young", "oak", ["--set", "age=10"]), ("oak_old", "oak", ["--set", "age=140"])]
 
 
@@ -84,7 +84,7 @@ def draw(program: str, picture: Picture) -> None:
 
 
 def update_pictures(program: str, wanted: list[str], check: bool, accept: bool) -> int:
-    """Draws what has moved, or only counts it, or takes the pictures as they are."""
+    """Draws the changed pictures, or only counts them, or accepts the pictures as they are."""
     fingerprints = read_manifest()
     pictures = planned_pictures()
     moved = 0
@@ -106,7 +106,7 @@ def update_pictures(program: str, wanted: list[str], check: bool, accept: bool) 
 
 
 def update_graphs(program: str, check: bool) -> int:
-    """Draws the manual's graphs that are other ones than before, or only counts them: to draw is to compare."""
+    """Draws the manual's changed graphs, or only counts them. Graphs are drawn for the comparison."""
     moved = 0
     for line in (FIGURES / "graphs.txt").read_text(encoding="utf-8").splitlines():
         if not line.strip() or line.startswith("#"):
@@ -124,7 +124,7 @@ def update_graphs(program: str, check: bool) -> int:
 
 
 def facts_of(program: str, model: Path) -> dict[str, str]:
-    """What the gallery says of a plant."""
+    """Returns the figures of a plant for the gallery."""
     with tempfile.TemporaryDirectory() as folder:
         begin = time.perf_counter()
         run(program, "grow", str(model), "-o", f"{folder}/plant.glb", "--quiet")
@@ -141,7 +141,7 @@ def facts_of(program: str, model: Path) -> dict[str, str]:
 
 
 def title_of(model: Path) -> tuple[str, str]:
-    """The name and the description that the document gives itself."""
+    """Returns the name and the description of a document."""
     text = "\n".join(line for line in model.read_text(encoding="utf-8").splitlines()
                      if not line.lstrip().startswith("//"))
     document = json.loads(text)

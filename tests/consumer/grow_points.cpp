@@ -25,7 +25,7 @@ int main() {
   meristem::Scene scene;
   scene.obstacles = meristem::Obstacles(std::move(walls));
 
-  // Attraction points; those of a scan would do as well.
+  // Attraction points. The points of a scan are possible, too.
   const meristem::EllipsoidCrown crown({0, 1.8F, 0}, {1, 1.2F, 1});
   meristem::Seedling seedling;
   seedling.points = meristem::sample_crown(crown, 2000, key.child("points"), progress);

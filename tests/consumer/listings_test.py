@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The programs that the manual's page on C++ shows are those that the tests build and run, each as a whole and only
-those; and the headers and folders that it names are installed. Usage: listings_test.py REPOSITORY
+"""Checks the manual's page on C++. It must show exactly the programs that the tests build and run, each as a whole. The
+headers and folders that it names must be installed. Usage: listings_test.py REPOSITORY
 """
 
 import pathlib

@@ -22,14 +22,14 @@ struct Thorn : meristem::ComponentBase {
   double opening = meristem::radians(40);
 };
 
-/// One instance, in its own frame; y points along the thorn.
+/// Expands one instance in its own frame; y points along the thorn.
 void expand(const Thorn& thorn, const meristem::Site&, meristem::Emitter& out) {
   // Thorns of equal slimness share a mesh; each scales it to its length.
   const double slimness = thorn.radius / thorn.length;
   meristem::Frame stretched;
   stretched.axes *= static_cast<float>(thorn.length);
   out.organ(stretched, meristem::shape_key({slimness}), [&] { return meristem::make_cone(slimness, 1, 8); });
-  out.no_children();  // except those of the ring below
+  out.no_children();  // except the children of the ring below
   for (int k = 0; k < thorn.number; ++k) {
     meristem::Frame child;
     child.axes = meristem::rotation({0, 1, 0}, 2 * meristem::kPi * k / thorn.number) *

@@ -13,7 +13,7 @@
 
 namespace meristem::levels_of_models_test {
 
-/// The directions are those of outline.h; a level is drawn as large as it is meant to be seen.
+/// Uses the directions of outline.h. A level is drawn at the size at which it is shown.
 OutlineOverlap overlap_of(const DetailedModel& model, const MeshScene& scene, int level) {
   Progress progress;
   return outline_overlap(model.grown.meshes, scene, {.directions = 50, .size = pixels_of_level(level)}, progress);
@@ -21,9 +21,9 @@ OutlineOverlap overlap_of(const DetailedModel& model, const MeshScene& scene, in
 
 class LevelsOfModels : public testing::TestWithParam<const char*> {};
 
-// What grow writes: a level that is not worth a file ends the levels.
+// The levels that grow writes: they end before the first level that is not worth a file.
 TEST_P(LevelsOfModels, ThatAreWrittenHaveFewTrianglesAndKeepTheOutline) {
-  // The program looks from 26 other directions: between two of them an outline may be a little worse.
+  // The program checks 26 other directions. Between two of them an outline may be a little worse.
   constexpr double kBetweenDirections = 0.01;
   const DetailedModel model(GetParam());
   const Box box = model.grown.meshes.bounds();

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A running studio and what a page, or somebody who is none, says to it: HTTP and WebSocket over plain sockets."""
+"""A running studio, and clients that connect to it like a page or like a stranger: HTTP and WebSocket over plain
+sockets."""
 
 from __future__ import annotations
 
@@ -58,7 +59,7 @@ class Studio:
         return socket.create_connection(("127.0.0.1", self.port), timeout=60)
 
     def raw(self, request: bytes) -> Response:
-        """What is answered to any bytes."""
+        """Sends bytes and returns the answer."""
         with self.connect() as connection:
             connection.sendall(request)
             return read_response(connection.makefile("rb"))
@@ -153,7 +154,7 @@ class Page:
         return head[0] & 0x0F, self.stream.read(size)
 
     def receive(self) -> dict[str, Any] | None:
-        """Takes one message over; None where it was a packet."""
+        """Receives one message. Returns None for a packet."""
         while True:
             opcode, payload = self.read_frame()
             if opcode == 1:

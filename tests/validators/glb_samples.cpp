@@ -104,7 +104,7 @@ MeshScene textured(MeshScene scene) {
   return scene;
 }
 
-/// What a reader has to find in a file besides its triangles.
+/// The content that a reader must find in a file besides its triangles.
 struct Expected {
   int instanced_meshes = 0;
   int instance_colours = 0;
@@ -172,7 +172,7 @@ void write_all(const std::string& directory) {
   samples.write(tree, "flattened.glb", kNoLimit, {});
   samples.write(tree, "shared.glb", 0, {});
   samples.write(large, "wide_indices.glb", kNoLimit, {});
-  // The stem, and the leaves: upright, mirrored, and those that had to be flattened.
+  // The stem, and the leaves: upright, mirrored, and flattened.
   samples.write(tree, "instanced.glb", kNoLimit, {.instanced_meshes = 2}, true);
   samples.write(textured(tree), "textured.glb", kNoLimit,
                 {.vertex_colours = 1, .tangents = 2, .materials_with_map = 2});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads the samples with the loader of three.js and compares what it makes of them with what glb_samples says that it
-// wrote; or loads the GLBs it is given and prints what is in them. Exits 1 where they differ. Pictures are not decoded,
-// which takes a browser.
+// Loads the samples with the loader of three.js and compares them with the contents that glb_samples reports. If GLB
+// files are given, loads them and prints their contents. Exits with 1 if the contents differ. Pictures are not decoded,
+// because this needs a browser.
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
@@ -21,7 +21,7 @@ const [{ Matrix4, Texture }, { GLTFLoader }] = await Promise.all([
   process.exit(1);
 });
 
-/// Stands for the loader of pictures.
+/// Replaces the loader of pictures.
 const withoutPictures = (parser) => ({
   name: 'WITHOUT_PICTURES',
   beforeRoot() {
@@ -35,7 +35,7 @@ async function load(file) {
   return loader.parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength), '');
 }
 
-/// The least height and the greatest of all vertices, instances included.
+/// Returns the smallest and the largest height of all vertices, including instances.
 function heights(mesh) {
   mesh.updateWorldMatrix(true, false);
   const places = [];
@@ -93,7 +93,8 @@ for (const [name, { low, high, ...expected }] of Object.entries(expectations)) {
     console.log(`${name}: ${what}: ${found.counts[what]}, where ${count} were written`);
     ++faults;
   }
-  // Boxes of turned leaves are larger than the leaves; so three's may only lie a little outside of ours.
+  // Boxes of turned leaves are larger than the leaves, so the box of three.js may lie slightly outside of the expected
+  // box.
   if (low <= high && !(found.low <= low + 1e-4 && found.low > low - 0.5 && found.high >= high - 1e-4 && found.high < high + 0.5)) {
     console.log(`${name}: from ${found.low} m to ${found.high} m, where it is from ${low} m to ${high} m`);
     ++faults;

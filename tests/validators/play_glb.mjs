@@ -3,9 +3,9 @@
 //
 // Usage: node play_glb.mjs PROGRAM FOLDER DOCUMENT [DOCUMENT ...]
 //
-// Each document is written as an animated GLB of nine keys, which the Khronos validator has to accept. At three of the
-// keys the mixer of three.js moves it; its triangles then have the bounds of the document's own mesh at that time, and
-// lie where those lie: of samples of each, the nearest point of the other is within 1 % of the plant's size.
+// Each document is written as an animated GLB of nine keys, which the Khronos validator has to accept. The mixer of
+// three.js moves the file to three of the keys. Its triangles must then have the bounds of the document's mesh at this
+// time, and the same positions: samples of each surface must have a point of the other within 1 % of the plant's size.
 import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -32,7 +32,7 @@ const kPlayed = [3, 6, 8];
 const kSamples = 400;
 const kTolerance = 0.01; // of the plant's size
 
-/// Stands for the loader of pictures.
+/// Replaces the loader of pictures.
 const withoutPictures = (parser) => ({
   name: 'WITHOUT_PICTURES',
   beforeRoot() {
@@ -46,7 +46,7 @@ async function load(file) {
   return loader.parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength), '');
 }
 
-/// The corners of all triangles that can be seen, in the world.
+/// Returns the corners of all visible triangles, in the world.
 function corners(scene) {
   scene.updateMatrixWorld(true);
   const points = [];
@@ -65,7 +65,7 @@ function corners(scene) {
   return points;
 }
 
-/// Points in cells of this width, to find near ones.
+/// Points in cells of this width, for searches of near points.
 class Cells {
   constructor(points, width) {
     this.width = width;
@@ -80,7 +80,7 @@ class Cells {
     const cell = (value, shift) => Math.floor(value / this.width) + shift;
     return `${cell(x, dx)} ${cell(y, dy)} ${cell(z, dz)}`;
   }
-  /// The distance to the nearest point; Infinity beyond a cell's width.
+  /// Returns the distance to the nearest point, or Infinity beyond a cell's width.
   distance(point) {
     let best = Infinity;
     for (let k = 0; k < 27; ++k) {
@@ -93,7 +93,7 @@ class Cells {
 
 const spread = (points) => points.filter((_, k) => k % Math.max(1, Math.floor(points.length / kSamples)) === 0);
 
-/// Points all over the triangles, no farther apart than `step`.
+/// Returns points spread over the triangles, at distances of at most `step`.
 function dense(points, step) {
   const all = [];
   for (let t = 0; t < points.length; t += 3) {
@@ -110,7 +110,7 @@ function dense(points, step) {
   return all;
 }
 
-/// How far samples of `from` lie from the triangles of `to`, at most.
+/// Returns the largest distance of samples of `from` from the triangles of `to`.
 function farthest(from, to, width) {
   const cells = new Cells(dense(to, 0.05 * width), 0.5 * width);
   return Math.max(0, ...spread(from).map((point) => cells.distance(point)));

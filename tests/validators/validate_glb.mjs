@@ -5,8 +5,8 @@ import process from 'node:process';
 
 const severityNames = ['error', 'warning', 'info', 'hint'];
 
-// Texture coordinates are written for the textures that people add, so materials without one do not use them. The
-// validator does not know the two extensions that we use, nor that instancing uses accessors.
+// Texture coordinates are written for textures that users add, so materials without a texture do not use them. The
+// validator does not know the two extensions of these files, nor that instancing uses accessors.
 const isExpected = ({ code, pointer }, isInstanced) =>
   code === 'UNSUPPORTED_EXTENSION' ||
   (code === 'UNUSED_OBJECT' && /\/TEXCOORD_\d+$/.test(pointer ?? '')) ||

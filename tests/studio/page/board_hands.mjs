@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person does on the board, with the mouse and with the keyboard alone.
+// Actions of a user on the board, with the mouse and with the keyboard alone.
 import { field, type_into } from './hands.mjs';
 import { changes } from './support.mjs';
 
@@ -14,12 +14,12 @@ export async function open_board(page) {
 
 export const chosen = (page) => page.evaluate(() => window.studio.chosen.get());
 
-/// A click on a node, in the middle of what of it is in view.
+/// Clicks a node, in the middle of its visible part.
 export async function click_node(page, id) {
   await node(page, id).click();
 }
 
-/// Adds a component below another one: by the button and its picture.
+/// Adds a component below another one, by the button and its picture.
 export async function add_by_mouse(page, below, type, kind = null) {
   await click_node(page, below);
   await tool(page, 'Add').click();
@@ -37,13 +37,13 @@ export async function rename_by_mouse(page, name) {
   await page.waitForFunction((wanted) => window.studio.chosen.get() === `components.${wanted}`, name);
 }
 
-/// The middle of an element, where the mouse can take hold of it.
+/// Returns the middle of an element, where the mouse can grab it.
 export async function middle(target) {
   const box = await target.boundingBox();
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
-/// Holds one place and lets go at another.
+/// Drags from one position to another.
 export async function carry(page, [x1, y1], [x2, y2], lets_go = true) {
   await page.mouse.move(x1, y1);
   await page.mouse.down();
@@ -57,13 +57,13 @@ export async function draw_link(page, from, to, lets_go = true) {
   await carry(page, await middle(page.locator(`[data-port="${from}"]`)), await middle(node(page, to)), lets_go);
 }
 
-/// Hangs a component on another one, by dragging it there.
+/// Makes a component the child of another one, by dragging it there.
 export async function hang_by_mouse(page, id, on) {
   const [x, y] = await middle(node(page, id));
   await changes(page, async () => carry(page, [x - 20, y], await middle(node(page, on))));
 }
 
-/// Chooses the link above a component and makes it one of this kind.
+/// Chooses the link above a component and gives it this kind.
 export async function set_kind_by_mouse(page, id, kind) {
   await click_node(page, id);
   await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
@@ -75,7 +75,7 @@ export async function set_kind_by_mouse(page, id, kind) {
 
 const keyboard_is_at = (page, selector) => page.evaluate((wanted) => document.activeElement?.matches(wanted) ?? false, selector);
 
-/// Tab until something has the keyboard.
+/// Presses Tab until an element has the focus.
 export async function tab_to(page, selector, key = 'Tab') {
   for (let k = 0; k < 400; k += 1) {
     if (await keyboard_is_at(page, selector)) return;
@@ -84,7 +84,7 @@ export async function tab_to(page, selector, key = 'Tab') {
   throw new Error(`Tab does not come to ${selector}`);
 }
 
-/// Arrow keys to a component, from wherever the keyboard is.
+/// Goes to a component by arrow keys, from the focused component.
 export async function go_to(page, id) {
   await tab_to(page, '.board-node');
   const way = await page.evaluate((wanted) => {
@@ -118,7 +118,7 @@ export async function go_to(page, id) {
   }
 }
 
-/// Adds a component below the one that has the keyboard.
+/// Adds a component below the focused component.
 export async function add_by_keyboard(page, type, kind = null) {
   await page.keyboard.press('a');
   await page.getByRole('dialog').waitFor();
@@ -142,13 +142,13 @@ export async function rename_by_keyboard(page, name) {
   await page.waitForFunction((wanted) => window.studio.chosen.get() === `components.${wanted}` && document.activeElement?.matches('.board-node'), name);
 }
 
-/// Finds a piece of the text and puts another one in its place.
+/// Finds a piece of the text and replaces it.
 export async function retype_by_keyboard(page, piece, replacement) {
   await tab_to(page, '.cm-content');
   await page.keyboard.press('Control+f');
   await page.locator('.cm-search input[name=search]').waitFor();
   await page.keyboard.press('Control+a');
-  // The search begins when a key comes up.
+  // The search begins when a key is released.
   await page.keyboard.insertText(piece.slice(0, -1));
   await page.keyboard.type(piece.slice(-1));
   await page.keyboard.press('Enter');

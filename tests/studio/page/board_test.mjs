@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The board: what it shows of a document, what hands do on it, and the one choice that all panels share.
+// The board: its drawing of a document, its actions, and the selection that all panels share.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -41,7 +41,7 @@ const kRecursion = {
   },
   links: [['A', 'B'], ['B', 'C'], ['C', 'D'], ['D', 'D'], { from: 'D', to: 'E', kind: 'leaf' }],
 };
-/// Components that nothing links to: the order of the document is that of the board.
+/// Components without links to them: the board shows them in the order of the document.
 const kStones = `{\r
 \t"meristem": 1,\r
 \t"components": {\r
@@ -89,7 +89,7 @@ const reopen = () => open_file(page, 'flower.json');
 const said = () => page.evaluate(() => JSON.parse(JSON.stringify(window.studio.document.state.get().tree.value)));
 const links = async () => (await said()).links;
 
-/// One step of the undo list, whose undoing gives the first bytes.
+/// Does one step of the undo list and checks that undoing it restores the first bytes.
 async function is_one_step(act) {
   const [text, count] = [await text_of(page), await undo_count(page)];
   await changes(page, act);
@@ -151,7 +151,7 @@ test('what is chosen on the board is chosen in outline, inspector and text, and 
   await choose(page, 'ring → petal');
   await open_board(page);
   assert.equal(await lines('.board-line.chosen'), 1);
-  // A line is clicked.
+  // Click a line.
   const hit = page.locator('[data-line="1"] .board-hit');
   const box = await hit.boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
@@ -200,7 +200,7 @@ test('links are drawn from node to node; a circle is refused at the edge, with t
   assert.equal(await lines('.board-line.refused'), 1);
   assert.equal(await text_of(page), kFlower);
   assert.equal(await undo_count(page), 0);
-  // To the camera nothing leads.
+  // No link leads to the camera.
   await draw_link(page, 'leaf', 'view');
   assert.match(await page.locator('.board-word.fault').innerText(), /camera/);
   assert.equal(await text_of(page), kFlower);
@@ -260,7 +260,7 @@ test('components change places among themselves, and their comments go along', a
   await is_one_step(async () => carry(page, await middle(node(page, 'pebble')), before_it));
   assert.deepEqual(await ids(), ['pebble', 'ball', 'stone']);
   assert.deepEqual((await nodes()).filter((one) => one !== 'camera'), ['pebble', 'ball', 'stone']);
-  // By the menu, and in the document where the links say the places on the board.
+  // By the menu, and in the document, where the links give the positions on the board.
   await click_node(page, 'stone');
   await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
   await changes(page, () => page.getByRole('menuitem', { name: 'Earlier in the document', exact: true }).click());
@@ -306,7 +306,7 @@ test('renaming follows all references, says that chance is drawn anew, and undo 
   await rename_by_mouse(page, 'corolla');
   assert.deepEqual((await links()).slice(2), [['stem', 'corolla'], ['corolla', 'petal']]);
   await page.locator('.toast', { hasText: 'chance' }).waitFor();
-  // A name that is taken stays out.
+  // A name in use is refused.
   await page.keyboard.press('F2');
   await page.locator('#board-name').fill('leaf');
   await page.locator('#board-name').press('Enter');
@@ -466,7 +466,7 @@ test('whole plants are put together, entered and left', async () => {
   await settled(page);
   await page.locator('.board-trail button').click();
   await page.waitForFunction(() => window.studio.document.state.get().path === 'flower.json');
-  // What had not been saved is there again.
+  // The unsaved changes are back.
   await page.waitForFunction(() => window.studio.document.state.get().text.includes('"tulip"'));
   assert.equal(await page.locator('.board-trail').count(), 0);
 });

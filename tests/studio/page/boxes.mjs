@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether what a page shows has room: nothing lies over the edge, over something else, or is cut, and no text is tiny; and
-// whether all can use it.
+// Checks the layout of a page: no element crosses the edge, covers another element or is cut, and no text is tiny. Also
+// checks accessibility.
 import { readFile } from 'node:fs/promises';
 
 import { kAxe } from './support.mjs';
 
-/// What is wrong, in words; nothing where all is well.
+/// Returns the faults as texts; empty if there are none.
 export function box_faults(page) {
   return page.evaluate(() => {
     const kLeastText = 11; // pixels
@@ -23,7 +23,7 @@ export function box_faults(page) {
     if (Math.abs(view.width - canvas.width) > 1 || Math.abs(view.height - canvas.height) > 1) faults.push('the plant does not fill its view');
     for (const element of all('#root *')) {
       const has_text = [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim() !== '');
-      // The sizes within pictures are those of the picture's own units.
+      // Sizes within pictures are in the picture's own units.
       if (has_text && !element.closest('svg') && parseFloat(getComputedStyle(element).fontSize) < kLeastText) faults.push(`tiny: ${name(element)}`);
     }
     for (const element of all('button, h1, h2, h3, .quiet.unit')) {
@@ -51,8 +51,8 @@ export function box_faults(page) {
   });
 }
 
-/// What axe finds that keeps people from using the page, in words. `colours_only`: what another theme of the same page can
-/// change, where that page was looked at in full.
+/// Returns the accessibility faults that axe finds, as texts. `colours_only` limits the check to colours, for another
+/// theme of a page that was checked in full.
 export async function serious_faults(page, { colours_only = false } = {}) {
   if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(await readFile(kAxe, 'utf8'));
   return page.evaluate(
@@ -65,7 +65,7 @@ export async function serious_faults(page, { colours_only = false } = {}) {
   );
 }
 
-/// Texts that are hard to read on what is behind them.
+/// Returns texts with too little contrast to their background.
 export async function faint_texts(page, axe) {
   await page.evaluate(axe);
   return page.evaluate(async () => {

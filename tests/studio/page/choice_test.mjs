@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is clicked in the view is chosen in the outline, the inspector and the text, and the other way round.
+// A click in the view chooses in the outline, the inspector and the text, and the other way round.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
@@ -45,7 +45,7 @@ after(async () => {
   await place?.remove();
 });
 
-/// The pixel of the page at which a point of the world is seen, by the camera's matrices.
+/// Returns the pixel of the page that shows a point of the world, by the camera's matrices.
 async function seen_at([x, y, z]) {
   return page.evaluate(async (point) => {
     await window.studio.view.drawn(); // a panel may just have become wider
@@ -68,7 +68,7 @@ test('twenty clicks choose the twenty balls that are there', async () => {
   for (const key of ['7', '1']) {
     await page.locator('.status').click({ position: { x: 300, y: 10 } });
     await page.keyboard.press(key);
-    // From the front only the first row is sure to be seen.
+    // From the front only the first row is certainly visible.
     const balls = key === '7' ? kNames : kNames.slice(15);
     for (const name of balls) {
       const [x, z] = place_of(kNames.indexOf(name));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of the studio as a person drives it, in a real browser against the real server. Counts, and no times.
+// The page of the studio under a user's actions, in a real browser with the real server. Checks counts, and no times.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -121,7 +121,7 @@ test('a curve: points are dragged, added, moved by keys and removed, each as one
   await step(page, () => taper.getByRole('button', { name: 'Remove the point of taper' }).click());
   assert.equal((await curve()).length, first.length);
   assert.equal((await undo_count(page)) - before, 5);
-  // Escape while the hand holds a point puts it back.
+  // Escape during a drag restores the point.
   const text = await text_of(page);
   await drag(page, points.first(), [0, -15], { lets_go: false });
   await page.keyboard.press('Escape');
@@ -140,7 +140,7 @@ const centre = async (target, across, down) => {
 
 test('1,000 rapid edits: the last value wins', async () => {
   await reopen();
-  // Presses of arrow keys, without waiting for what they do.
+  // Presses arrow keys without waiting for their effects.
   const size = field(page, 'size');
   await size.click();
   const press = (key, times) => Promise.all(Array.from({ length: times }, () => page.keyboard.press(key)));
@@ -271,7 +271,7 @@ test('a killed server loses nothing', async () => {
   await other.stop('SIGKILL');
   await lone.getByText('The server is gone.').waitFor();
   assert.match(await text_of(lone), /"bend": \{"value": 66,/);
-  // Typing goes on without it.
+  // Typing continues without the server.
   await leave_fields(lone);
   await lone.keyboard.press('t');
   await retype(lone, 'Sapling', 'Whip');
@@ -344,7 +344,7 @@ test('the keyboard alone opens a plant, turns a handle, chooses a component and 
   await settled(page);
 });
 
-/// What is looked at, and how a person comes there and back.
+/// The views to check, with the actions that open and close them.
 const kViews = [
   ['an outline', () => choose(page, 'Document')],
   ['a component', () => choose(page, 'leaf')],
@@ -385,7 +385,7 @@ test('the theme button goes round, and the choice stays', async () => {
 
 test('what is drawn goes when it is gone, and comes back after a lost context', async () => {
   await reopen();
-  // Buffers are counted once what is shown has been drawn.
+  // Buffers are counted after the drawing.
   const counts = () => page.evaluate(async () => {
     await window.studio.view.drawn();
     return window.studio.view.counts;

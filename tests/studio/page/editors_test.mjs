@@ -126,7 +126,7 @@ test('the outline of a leaf stays within the limits of its two numbers, which ar
 test('a hand is drawn to the grid and to other points, unless Alt is held', async () => {
   await enlarge('stem', 'taper');
   const points = drawer().locator('.curve-point');
-  // The middle point is brought nearly level with the first, at 1.
+  // Move the middle point nearly to the height of the first, at 1.
   const [first, middle] = [await points.nth(0).boundingBox(), await points.nth(1).boundingBox()];
   const up = first.y - middle.y + 2;
   await point_at(page, points.nth(1));
@@ -299,7 +299,7 @@ test('rows that exclude each other: setting one removes the other, as one step',
   assert.deepEqual(await operation(), { do: 'cut', at: 2, shoots: 'leader', above_lateral: 3 });
   await one_step(() => type_into(page, row(page, 'components.apple.operations[0].from').getByRole('textbox').first(), '2'));
   assert.deepEqual(await operation(), { do: 'cut', shoots: 'leader', above_lateral: 3, from: 2 });
-  // Also where something below a row is given for the first time.
+  // Also if a value below a row is given for the first time.
   await page.locator('[data-path="components.apple.operations[0].to_bud"] > .fold-head > .fold-title').click();
   const bud = page.locator('[data-path="components.apple.operations[0].to_bud"] .fold-body .row').first();
   await one_step(() => pick(page, bud, 'Set'));

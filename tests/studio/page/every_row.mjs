@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives each kind of row of each component type, of links, scene, output and limits a value by hand. The documents of
-// tests/rows say which: between them they give every row that there is. What is set is taken away first, so that in the
-// end each document must say again what it said.
+// tests/rows together contain every row. Each value is removed before it is set, so that each document must have its
+// first content in the end.
 import { cp, readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 
@@ -9,10 +9,10 @@ import { at_path, below, kNested, RowHand, table_of_element, unfold } from './ro
 import { kSource, meristem } from './support.mjs';
 
 const kFolder = path.join(kSource, 'tests/rows');
-/// Further documents, about rows that those do not give.
+/// Further documents for rows that are missing in tests/rows.
 const kMore = path.join(kSource, 'tests/studio/page/documents');
 
-/// The documents, by name, with the files that they read beside them.
+/// The documents by name, beside the files that they read.
 export async function put_documents(folder) {
   await cp(kFolder, path.join(folder, 'rows'), { recursive: true });
   await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(folder, 'fuzz/corpus/image/rgba.png'));
@@ -21,7 +21,7 @@ export async function put_documents(folder) {
   return Promise.all(names.map(async (name) => ({ name: `rows/${name}`, said: JSON.parse((await readFile(path.join(folder, 'rows', name), 'utf8')).replace(/(^|\s)\/\/.*$/gm, '')) })));
 }
 
-/// Whose rows there are, with their tables: component types, what all components share, links, parts of the document.
+/// The owners of rows with their tables: component types, the rows of all components, links, parts of the document.
 export function owners_of(tables) {
   const head = tables.tables[tables.document];
   const part = (name) => tables.tables[head.rows.find((one) => one.name === name).table];
@@ -37,7 +37,7 @@ export function owners_of(tables) {
   };
 }
 
-/// What of a document its rows are of: the title in the outline, the path, and the tables with their owners.
+/// The subjects of a document's rows: the title in the outline, the path, and the tables with their owners.
 function subjects_of(document, tables) {
   const owners = owners_of(tables);
   const { components = {}, links = [] } = document.said;
@@ -47,20 +47,20 @@ function subjects_of(document, tables) {
   for (const [k, said] of links.entries()) if (!Array.isArray(said)) add(`${said.from} → ${said.to}`, `links[${k}]`, said, 'link', `link ${said.kind ?? ''}`);
   for (const part of ['scene', 'output', 'limits']) if (document.said[part]) add(part[0].toUpperCase() + part.slice(1), part, document.said[part], part);
   add('Document', '', document.said, 'document');
-  // Links may have the same name; then a hand takes the outline's first.
+  // Links may have equal names; then the first in the outline is taken.
   return found.filter((one, k) => found.findIndex((other) => other.title === one.title) === k);
 }
 
 const is_object = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/// All rows that are given below a value, with the folds that are opened on the way to them.
+/// Returns all rows that are given below a value, with the folds that must be opened for them.
 function* given_rows(tables, rows, said, at, folds) {
   for (const row of rows) {
     const value = said[row.name];
     if (value === undefined || row.name === 'type') continue;
     const here = below(at, row.name);
     const is_written_out = !kNested.includes(row.kind) || (row.kind === 'list' ? Array.isArray(value) : is_object(value));
-    if (!is_written_out) continue; // in short, as a number in place of an object
+    if (!is_written_out) continue; // in short form, as a number instead of an object
     yield { row, value, at: here, folds };
     const inside = [...folds, here];
     if (row.kind === 'object') yield* given_rows(tables, tables.tables[row.table].rows, value, here, inside);
@@ -69,7 +69,7 @@ function* given_rows(tables, rows, said, at, folds) {
   }
 }
 
-/// All rows that a document gives, cheapest first for each owner and kind.
+/// Returns all rows of a document, cheapest first for each owner and kind.
 function rows_of(document, tables) {
   const best = new Map();
   for (const subject of subjects_of(document, tables)) {
@@ -77,7 +77,7 @@ function rows_of(document, tables) {
       for (const found of given_rows(tables, rows, subject.said, subject.at, [])) {
         if (['from', 'to'].includes(found.row.name)) continue;
         const key = `${owner}: ${found.row.kind}`;
-        // Lines that are written as one text come back as lines.
+        // Lines that are written as one text are read back as lines.
         const is_odd = found.row.kind === 'lines' && !Array.isArray(found.value);
         const cost = JSON.stringify(found.value).length + 20 * found.folds.length + (found.row.required ? 200 : 0) + (is_odd ? 1000 : 0);
         if (cost < (best.get(key)?.cost ?? Infinity)) best.set(key, { key, cost, document, subject, ...found });
@@ -87,8 +87,8 @@ function rows_of(document, tables) {
   return best;
 }
 
-/// One row for each owner and kind that is wanted, and for each kind beside them, out of few documents: next comes the
-/// one that has most of what is not there yet.
+/// Chooses one row for each wanted owner and kind, and for each other kind, from few documents. Takes the document with
+/// the most missing rows next.
 export function chosen_rows(documents, tables, wanted) {
   const given = documents.map((document) => [...rows_of(document, tables).values()]);
   const chosen = new Map();
@@ -109,7 +109,7 @@ export function chosen_rows(documents, tables, wanted) {
   return [...chosen.values()];
 }
 
-/// Gives all chosen rows of one document anew, and says what is wrong with it then.
+/// Sets all chosen rows of one document anew, and returns the faults.
 export async function set_rows(page, rows, tables) {
   const hand = new RowHand(page, tables);
   const faults = [];
@@ -126,14 +126,14 @@ export async function set_rows(page, rows, tables) {
   return { kinds: hand.kinds, faults };
 }
 
-/// Opens a document of the list, of which nothing needs to grow.
+/// Opens a document of the list. Its plant need not grow.
 export async function open_document(page, name) {
   await page.keyboard.press('Control+o');
   for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
   await page.waitForFunction((path) => window.studio.document.state.get().path === path && document.querySelector('dialog') === null, name);
 }
 
-/// Saves the open document and has the program check it.
+/// Saves the open document and checks it by the program.
 export async function check_saved(page, folder, name) {
   await page.keyboard.press('Control+s');
   await page.waitForFunction(() => !window.studio.document.is_changed);

@@ -62,7 +62,7 @@ test('a strip shows five plants over the usual range of a row; a click takes a v
   assert.equal((await undo_count(page)) - count, 1);
   const value = await page.evaluate(() => window.studio.document.state.get().tree.value.components.tree.length);
   assert.equal(await page.locator('.strip button[aria-pressed=true]').innerText(), String(value));
-  // What else changes shows in the strip too.
+  // The strip shows all other changes, too.
   await step(page, () => type_into(page, field(page, 'size'), '0.2'));
   await pictures('.strip', 5);
   await page.waitForFunction((before) => document.querySelector('.strip img.still')?.src !== before, first[0], { timeout: 20000 });
@@ -165,12 +165,12 @@ test('two states are pinned beside the present one and seen from its side; one i
   assert.ok(await page.getByRole('button', { name: 'Two states are pinned' }).isDisabled());
   const widths = await page.locator('.pinned, .views > .view').evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
   assert.ok(Math.max(...widths) - Math.min(...widths) < 2, widths.join(' '));
-  // Turning one turns all.
+  // Turning one view turns all views.
   const azimuth = () => page.evaluate(() => window.studio.view.orbit.azimuth);
   const first = await azimuth();
   await drag(page, page.locator('.pinned canvas').first(), [60, 0], { steps: 5 });
   await page.waitForFunction((known) => window.studio.view.orbit.azimuth !== known, first);
-  // What a hand has moved is not fitted again when the window's size changes.
+  // A view that was moved is not fitted again when the window's size changes.
   const distance = () => page.evaluate(() => window.studio.view.orbit.distance);
   const far = await distance();
   await page.locator('.pinned canvas').first().hover();
@@ -191,7 +191,7 @@ test('two states are pinned beside the present one and seen from its side; one i
   });
   for (const name of ['A', 'B']) await page.getByRole('button', { name: `Let state ${name} go` }).click();
   assert.equal(await page.locator('.pinned').count(), 0);
-  // Nothing of the page holds what they drew with; React itself may hold the last one until it draws again.
+  // The page keeps no drawing contexts of the pinned views. React itself may keep the last one until it draws again.
   const session = await page.context().newCDPSession(page);
   await page.waitForTimeout(100);
   await session.send('HeapProfiler.collectGarbage');

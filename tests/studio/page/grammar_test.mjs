@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grammars by hand: typed without losing a key, faults at their line, derived step by step beside the plant.
+// Grammars in the studio: no lost keys, faults at their lines, derivation step by step beside the plant.
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -75,7 +75,7 @@ test('a derivation goes step by step, and the plant with it; the document stays'
   await derived(2);
   assert.equal(await word(), 'FF[+F[+A][-A]FA][-F[+A][-A]FA]FFF[+A][-A]FA');
   assert.equal(await text_of(page), text);
-  // Kept, the step is the document's, as one step of the undo list.
+  // After *Keep*, the document has the step, as one step of the undo list.
   await step(page, () => page.getByRole('button', { name: 'Keep' }).click());
   assert.match(await text_of(page), /"steps": 2/);
   assert.equal(await undo_count(page), 1);
@@ -161,7 +161,7 @@ test('a click in the view chooses the instance whose word is told', async () => 
   const instance = async () => (await told()).instance;
   assert.deepEqual([(await instance()).number, (await instance()).of], [0, 3]);
   const words = new Set([(await told()).modules.join('')]);
-  // From above, the three stand apart; a click at a segment of each chooses it.
+  // From above, the three are separate; a click at a segment of each chooses it.
   await page.getByRole('button', { name: 'Instance behind' }).click();
   await page.waitForFunction(() => window.studio.bench.derivation.state.get().told?.instance?.number === 1);
   words.add((await told()).modules.join(''));
@@ -200,7 +200,7 @@ test('typing in a grammar of 20 kB loses no key', async () => {
   await page.waitForFunction(() => !window.studio.document.awaits_typed);
   const wanted = [...long];
   const line = (await grammar()).at(-1);
-  // Brackets close themselves and are typed over, so what stands there is what was typed.
+  // Brackets close automatically and are typed over, so the text is the typed text.
   assert.equal(line, characters);
   assert.deepEqual((await grammar()).slice(0, -1), wanted);
   await settled(page);
@@ -214,7 +214,7 @@ test('typing in a grammar of 20 kB loses no key', async () => {
 test('keys typed while an edit is on its way come after it', async () => {
   await editor().click();
   await page.keyboard.press('Control+End');
-  // The inspector's edit and the keys cross.
+  // The inspector's edit and the keys happen at the same time.
   await page.evaluate(() => void window.studio.edit([{ set: 'components.weed.angle', value: 41 }], 'Set angle'));
   await page.keyboard.type('G+G-G');
   await page.waitForFunction(() => !window.studio.document.awaits_typed && Object.keys(window.studio.dragged.get()).length === 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth seen by hand: scrubbed step by step without growing anew, with overlays that belong to the step.
+// The panel of growth: stepping without growing anew, with the overlays of the step.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -17,7 +17,7 @@ const kTree = `{
 }
 `;
 
-// Two such trees of another document beside a herb of its own.
+// Two of these trees, from another document, beside a herb of the document.
 const kGarden = `{
   "meristem": 1,
   "components": {

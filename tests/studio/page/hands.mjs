@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person does with mouse and keyboard. The page's own functions are asked what came of it, and never called.
+// Actions of a user with mouse and keyboard. The page's own state is read for results, and its functions are never
+// called.
 import { changes, patient, settled, text_of } from './support.mjs';
 
 export const slider = (page, name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
 export const field = (page, name) => page.getByRole('textbox', { name, exact: true });
 export const row = (page, path) => page.locator(`.inspector [data-path="${path}"]`);
 
-/// Takes the keyboard away from what has it, as a click beside everything does.
+/// Removes the focus, as a click beside all elements does.
 export async function leave_fields(page) {
   await page.locator('.status').click({ position: { x: 300, y: 10 } });
 }
 
-/// The text of unsaved work on a file that the browser keeps for this tab; null where there is none.
+/// Returns the text of unsaved work on a file that the browser keeps for this tab. Null if there is no such work.
 async function kept_text(page, name) {
   return page.evaluate(async (wanted) => {
     const database = await new Promise((done, fail) => {
@@ -46,7 +47,7 @@ export async function open_file(page, name) {
     [name, packets],
   );
   await settled(page);
-  // The page lets kept work go a moment after it was undone, so what was kept before may be gone by now.
+  // The page removes kept work shortly after it was undone, so earlier work may be missing by now.
   const banner = page.locator('[data-banner="kept"]');
   while (!(await banner.isVisible())) {
     const kept = await kept_text(page, name);
@@ -67,8 +68,8 @@ export async function start_new(page) {
   await settled(page);
 }
 
-/// Does something that saves. If the page asks, since the file on the disk is another one, `answer` is the button to press.
-/// Returns true if the file was saved. Throws if the page says that it was not.
+/// Does something that saves. If the page asks because the file on the disk has changed, `answer` is the button to
+/// press. Returns true if the file was saved. Throws if the page reports a failure.
 async function saves(page, act, answer) {
   const last = await page.evaluate(() => Math.max(0, ...window.studio.toasts.shown.get().map((one) => one.id)));
   const outcome = async () => {
@@ -118,12 +119,12 @@ export async function open_model(page, name) {
   await settled(page);
 }
 
-/// Chooses what the outline calls so: a component, a link, a part of the document.
+/// Chooses an entry of the outline by its title: a component, a link, a part of the document.
 export async function choose(page, title) {
   await page.locator('.outline-choice').filter({ has: page.locator('.outline-title', { hasText: new RegExp(`^${title}$`) }) }).click();
 }
 
-/// Types in place of what stands in a field, and takes it over.
+/// Replaces the text of a field, and confirms it.
 export async function type_into(page, target, text, key = 'Enter') {
   await target.click();
   await page.keyboard.press('Control+a');
@@ -155,7 +156,7 @@ export async function pick(page, target, entry) {
   await page.getByRole('menuitem', { name: entry, exact: true }).click();
 }
 
-/// Does something that is a step, and waits until the text has it and the plant shows it.
+/// Does a step of the undo list, and waits until the text has the step and the plant shows it.
 export async function step(page, act) {
   await changes(page, act);
   await settled(page);
@@ -170,7 +171,7 @@ export async function undo_all(page) {
   await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
 }
 
-/// Finds a word in the editor of the text and types in its place.
+/// Finds a word in the editor of the text and replaces it.
 export async function retype(page, word, replacement) {
   const editor = page.getByRole('textbox', { name: 'Text of the document' });
   await editor.click();

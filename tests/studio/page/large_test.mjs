@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A large plant is opened: the plant before it disappears at once, a draft comes first, and if the growth reaches its time
-// limit, the draft stays and Continue goes on.
+// A large plant is opened. The previous plant disappears at once, and a draft comes first. If the growth reaches its
+// time limit, the draft stays, and Continue continues the growth.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import process from 'node:process';
@@ -18,7 +18,7 @@ const kSmall = `{
 let place, server, browser, page;
 const limit = { is_reached: false, held: [], asked: 0 }; // while reached, pictures at rest wait for Continue
 
-/// Stands between page and server, as a server does whose growth reaches the time limit after the draft.
+/// A proxy between page and server. It acts like a server whose growth reaches the time limit after the draft.
 async function hold_pictures(context) {
   await context.routeWebSocket(/socket$/, (socket) => {
     const beyond = socket.connectToServer();
@@ -63,7 +63,7 @@ const note = () => page.locator('.view > .view-note');
 test('a large plant shows a draft that stays at the time limit, and Continue goes on', async () => {
   await settled(page);
   assert.deepEqual(await page.evaluate(() => window.studio.view.plant.components), ['post']);
-  // What the view holds whenever the document or the picture changes.
+  // Records the view's plant at each change of the document or the picture.
   await page.evaluate(() => {
     const { document, growth, view } = window.studio;
     window.seen = [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures beside the plant: as the command line has them, beside real plants, over a handle.
+// Measures beside the plant: equal to the command line's measures, beside real plants, over a handle.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -96,7 +96,8 @@ test('a measure is drawn over a handle, and a point of the plot takes its value'
 test('axe finds nothing serious in the measures, light and dark', async () => {
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
-    // While the document before is measured still, what it measures is pale; the next one is measured after that.
+    // While the previous document is still being measured, its measures are pale. The next document is measured
+    // afterwards.
     do {
       await page.locator('.measured.old').waitFor({ state: 'detached' });
       await page.waitForTimeout(500);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the pictures of the manual's chapter on the studio, as `./dev gallery studio` has them drawn:
-// node tests/studio/page/pictures.mjs [FOLDER]
+// Draws the pictures of the manual's chapter on the studio, as `./dev gallery studio` does: node
+// tests/studio/page/pictures.mjs [FOLDER]
 import { cp, mkdir, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
@@ -13,8 +13,8 @@ import { kSource, open_page, start_browser, start_server, temporary_folder } fro
 export const kMostBytes = 250_000;
 export const kFolder = path.join(kSource, 'docs/manual/studio');
 
-/// What each picture shows, and how a hand comes there: from the oak that is open at first, or from a small plant. `has_many`
-/// says that it holds many small pictures, which look otherwise on fewer pixels.
+/// The content of each picture, and the actions that lead to it: from the oak, which is open at first, or from a small
+/// plant. `has_many` marks a picture of many small pictures, which look different on fewer pixels.
 export const kPictures = [
   { name: 'oak', on_oak: true, theme: 'light', act: (page) => choose(page, 'tree') },
   {
@@ -97,7 +97,7 @@ export const kPictures = [
     on_oak: true,
     theme: 'dark',
     act: async (page) => {
-      // The same chance each time.
+      // Equal random numbers each time.
       await page.evaluate(() => {
         let state = 7;
         Math.random = () => (state = (state * 16807) % 2147483647) / 2147483647;
@@ -264,7 +264,7 @@ export const kPictures = [
   },
 ];
 
-/// Chooses what has grips in the list beside the view.
+/// Chooses a thing with grips in the list beside the view.
 async function show_grips(page, label) {
   await page.locator('.gizmo-card').waitFor();
   const select = page.locator('.gizmo-card select');
@@ -274,7 +274,7 @@ async function show_grips(page, label) {
   await page.locator('.gizmo-grip').first().waitFor();
 }
 
-/// What the pictures of steering show; plain numbers, so that all of it has grips.
+/// The scene of the pictures about steering. It has plain numbers, so that everything has grips.
 const kOwn = {
   yard: {
     meristem: 1,
@@ -295,7 +295,7 @@ const kOwn = {
   },
 };
 
-/// Draws a picture as good as its size allows, and gives its path.
+/// Draws a picture in the best quality for its size, and returns its path.
 async function draw(browser, address, out, { name, theme, act }, scale) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 760 }, deviceScaleFactor: scale, colorScheme: theme });
   const page = await open_page(context, address);
@@ -312,7 +312,8 @@ async function draw(browser, address, out, { name, theme, act }, scale) {
   return file;
 }
 
-/// `scale` is how many pixels pictures have for each of the page's, along each side; those with many pictures have one.
+/// `scale` is the number of picture pixels per page pixel, along each side. It is 1 for pictures of many small
+/// pictures.
 export async function draw_all(browser, out, { scale = 1, tell = () => undefined } = {}) {
   const place = await temporary_folder();
   for (const [name, document] of Object.entries(kOwn)) await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manual's pictures of the studio are drawn anew, and those that are kept show the same.
+// Draws the manual's pictures of the studio anew, and compares them with the kept pictures.
 import assert from 'node:assert/strict';
 import { mkdir, readFile, stat } from 'node:fs/promises';
 import path from 'node:path';
@@ -9,8 +9,8 @@ import { after, before, test } from 'node:test';
 import { draw_all, kFolder, kMostBytes, kPictures } from './pictures.mjs';
 import { kSource, start_browser, temporary_folder } from './support.mjs';
 
-/// How far pictures may differ on average, out of 255, in squares of 16 pixels. The same page drawn again differs by up to
-/// 0.3, because times are other ones; a strip of small plants over the view makes 4.
+/// How far pictures may differ on average, out of 255, in squares of 16 pixels. A page that is drawn again differs by
+/// up to 0.3, because times differ. A strip of small plants over the view makes 4.
 const kNear = 2;
 const kScale = 0.5; // half as many pixels each way as the pictures that are kept: they are compared in far fewer
 
@@ -30,7 +30,7 @@ after(async () => {
   await place?.remove();
 });
 
-/// Mean difference of two pictures, both made small.
+/// Returns the mean difference of two pictures after both were made small.
 async function difference(first, second) {
   const address = async (file) => `data:image/jpeg;base64,${(await readFile(file)).toString('base64')}`;
   return page.evaluate(async (files) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing is lost: edits without a server, several tabs, reloads, faulty texts and files that are no text.
+// Work is never lost: edits without a server, several tabs, reloads, faulty texts and files that are not text.
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -73,7 +73,7 @@ test('edits without a server are kept, and given back to another tab of the next
   const restored = await text_of(next);
   assert.match(restored, /"bend": \{"value": 71,/);
   assert.equal(/"size": \{"value": ([\d.]+)/.exec(restored)[1], /"size": \{"value": ([\d.]+)/.exec(text)[1]);
-  // The tab before has given its work away: it is offered once.
+  // The work of the previous tab is offered only once.
   await saved_soon(next);
   assert.equal(await next.evaluate(async () => (await new Promise((done) => {
     const asked = indexedDB.open('meristem-studio');

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a person gives each kind of row of the inspector a value, with mouse and keyboard.
+// Sets each kind of row of the inspector, with mouse and keyboard.
 import assert from 'node:assert/strict';
 
 import { type_into } from './hands.mjs';
 import { changes } from './support.mjs';
 
-/// The row or the fold at a path.
+/// Returns the row or the fold at a path.
 export const at_path = (page, path) => page.locator(`.inspector [data-path="${path.replaceAll('"', '\\"')}"]`);
 
 export const same = (a, b) => {
@@ -17,17 +17,17 @@ export const same = (a, b) => {
   }
 };
 
-/// What the document says, as plain JSON.
+/// Returns the document as plain JSON.
 export const said_in = (page) => page.evaluate(() => window.studio.document.state.get().tree.value);
 
-/// What the document says at a path; undefined where it says nothing.
+/// Returns the value of the document at a path, or undefined.
 async function said_at(page, path) {
   const steps = [...path.matchAll(/"([^"]*)"|[^.[\]"]+/g)].map((one) => one[1] ?? one[0]);
   const said = await page.evaluate((way) => JSON.stringify(way.reduce((value, step) => value?.[step], window.studio.document.state.get().tree.value)), steps);
   return said === undefined ? undefined : JSON.parse(said);
 }
 
-/// Types into a field where something else stands there. What is shown is the text's once nothing is on its way.
+/// Types into a field that has another content. When no change is under way, the field shows the text's value.
 async function type_value(page, target, text, key = 'Enter') {
   await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0);
   if ((await target.inputValue()) === text) return;
@@ -54,7 +54,7 @@ async function set_number(page, element, row, value) {
     if (!is_range) await type_value(page, box_named(element, `${label}, applied to the range`), value.apply);
     return;
   }
-  // Typed into the field of a number, an expression of numbers would be worked out.
+  // In the field of a number, an expression of numbers would be evaluated.
   if (typeof value === 'string') await changes(page, () => pick_own(page, element, 'Expression'));
   await type_value(page, element.getByRole('textbox').first(), String(value));
 }
@@ -97,7 +97,7 @@ async function set_selection(page, element, row, value) {
   for (const entry of value) await changes(page, () => type_into(page, box_named(element, `Add to ${label_of(row)}`), text(entry)));
 }
 
-/// Files beside the document are found in the list of files, others are typed.
+/// Files beside the document are chosen in the list of files, and other files are typed.
 async function set_file(page, element, row, value) {
   if (value.includes('/')) return type_value(page, element.getByRole('textbox'), value);
   await element.getByRole('button', { name: /^Choose a file/ }).click();
@@ -148,7 +148,7 @@ const kHands = {
 export const kNested = ['object', 'list', 'map'];
 export const kKinds = [...Object.keys(kHands), ...kNested];
 
-/// Opens what is folded away at a path.
+/// Opens the fold at a path.
 export async function unfold(page, path) {
   const title = at_path(page, path).locator(':scope > .fold-head > .fold-title');
   if ((await title.getAttribute('aria-expanded')) === 'false') await title.click();
@@ -156,12 +156,12 @@ export async function unfold(page, path) {
 
 const below = (path, step) => (typeof step === 'number' ? `${path}[${step}]` : /^[A-Za-z_]\w*$/.test(step) ? (path === '' ? step : `${path}.${step}`) : `${path}["${step}"]`);
 
-/// The table of the element of a list.
+/// Returns the table of the element of a list.
 export function table_of_element(tables, row, element) {
   return tables.tables[row.kinds ? row.kinds.tables[element[row.kinds.key]] : row.table];
 }
 
-/// Works on one document that is open in a page.
+/// Edits one document that is open in a page.
 export class RowHand {
   kinds = new Set(); // that were set
   constructor(page, tables) {
@@ -169,7 +169,7 @@ export class RowHand {
     this.tables = tables;
   }
 
-  /// Takes the row away, where it may go, and gives it this value by hand.
+  /// Removes the row if possible, and sets it to this value by mouse and keyboard.
   async give_anew(path, row, value) {
     const element = at_path(this.page, path);
     if (!row.required) await changes(this.page, () => pick_own(this.page, element, 'Unset'));
@@ -184,16 +184,16 @@ export class RowHand {
     const said = await said_at(this.page, path);
     if (same(said, value)) return undefined;
     const element = at_path(this.page, path);
-    // What the default shows is given by the menu.
+    // The menu gives the default value.
     if (same(row.default, value)) return changes(this.page, () => pick_own(this.page, element, said === undefined ? 'Set' : 'Set to default'));
     return kHands[row.kind](this.page, element, row, value);
   }
 
   async give_members(path, table, value) {
     await unfold(this.page, path);
-    // In the order of the table: later rows may mean something beside earlier ones only.
+    // In the order of the table, because later rows may have an effect only beside earlier rows.
     for (const row of table.rows) if (value[row.name] !== undefined) await this.give(below(path, row.name), row, value[row.name]);
-    // A new element has one of those rows of which one must be given.
+    // A new element has one row of each group that requires one row.
     const extra = Object.keys((await said_at(this.page, path)) ?? {}).filter((name) => !(name in value));
     for (const name of extra) await changes(this.page, () => pick_own(this.page, at_path(this.page, below(path, name)), 'Unset'));
   }

@@ -27,10 +27,10 @@ after(async () => {
   await place?.remove();
 });
 
-/// The kinds of a table's own rows. What a link goes from and to is what it is, and cannot be taken away.
+/// The kinds of a table's own rows. The ends of a link are required and cannot be removed.
 const kinds_of = (table) => new Set(table.rows.filter((one) => !['from', 'to'].includes(one.name)).map((one) => one.kind));
 
-/// Sets the rows of these owners and kinds by hand, and one row of each other kind.
+/// Sets the rows of these owners and kinds by mouse and keyboard, and one row of each other kind.
 async function set_by_hand(wanted) {
   const all = new Set(Object.values(tables.tables).flatMap((table) => [...kinds_of(table)]));
   assert.deepEqual([...all].sort(), [...kKinds].sort());

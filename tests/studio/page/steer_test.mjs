@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth steered by hand: shoots are cut by a click, obstacles moved by their grips, the sun by its dial, crowns by
-// their outlines, grass leaves by their curves. Each gesture is one step of the undo list.
+// Steering growth: shoots are cut by a click, obstacles are moved by their grips, the sun by its dial, crowns by their
+// outlines, and grass leaves by their curves. Each gesture is one step of the undo list.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
@@ -84,7 +84,7 @@ after(async () => {
 
 const tree_of = async () => page.evaluate(() => window.studio.document.state.get().tree.value);
 
-/// The pixel of the page at which a point of the world is seen.
+/// Returns the pixel of the page that shows a point of the world.
 async function seen_at(point) {
   return page.evaluate(async (at) => {
     await window.studio.view.drawn(); // a panel may just have become wider
@@ -94,7 +94,7 @@ async function seen_at(point) {
   }, point);
 }
 
-/// Clicks a shoot of the tree, and gives it as the page knows it.
+/// Clicks a shoot of the tree, and returns the page's data of the shoot.
 async function click_shoot(point) {
   await page.mouse.click(...(await seen_at(point)));
   await page.locator('.shoot-tool').waitFor();
@@ -104,7 +104,7 @@ async function click_shoot(point) {
 const tool = () => page.locator('.shoot-tool');
 const acted = (path) => page.waitForFunction((wanted) => window.studio.bench.pruning.told.get()?.operations.places.length > 0 && window.studio.bench.pruning.looked_at.get()?.path === wanted, path);
 
-/// The end of a metamer of the stem, where nothing hides it from the front.
+/// Returns the end of a metamer of the stem that is visible from the front.
 const kOnStem = [0, 0.52, 0.01];
 
 test('a click on a shoot takes hold of it, and a cut stands in the document and undoes', async () => {
@@ -120,7 +120,7 @@ test('a click on a shoot takes hold of it, and a cut stands in the document and 
   assert.equal(await undo_count(page), 1);
   const left = await page.evaluate(() => window.studio.growth.get().grown.nodes);
   assert.ok(left < nodes, `${left} of ${nodes}`);
-  // What the page writes is what the command line does.
+  // The command line reads the document that the page writes.
   await write_document(place.folder, 'cut.json', await text_of(page));
   const { stdout } = await meristem('measure', `${place.folder}/cut.json`);
   assert.match(stdout, /height/);
@@ -186,7 +186,7 @@ test('the plan lists operations in order and by year; it moves, switches off and
   await items.nth(2).hover();
   await step(page, () => items.nth(2).getByRole('button', { name: 'Remove operation 3' }).click());
   assert.equal(await items.count(), 2);
-  // The rows of the one that is chosen are those of the inspector.
+  // The inspector shows the rows of the chosen operation.
   await items.nth(1).locator('.plan-choice').click();
   await acted('components.pear.operations[1]');
   assert.equal(await page.locator('.pruning-overlay .act').count(), 1);
@@ -255,7 +255,7 @@ test('by the keyboard alone a shoot is chosen and cut, and undo gives the first 
   await page.keyboard.press('c');
   await step(page, () => page.keyboard.press('Enter'));
   assert.deepEqual((await tree_of()).components.tree.operations, [{ do: 'cut', at: 7, shoots: 'main.4', tree: 0, above: 5 }]);
-  // The keyboard is with the view again; from there the shoot is taken hold of as it is now.
+  // The view has the focus again. Enter then holds the shoot in its present state.
   await tool().waitFor({ state: 'detached' });
   assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'CANVAS');
   await press('Enter', { shoot: 'main.4', metamer: 5 });
@@ -265,7 +265,7 @@ test('by the keyboard alone a shoot is chosen and cut, and undo gives the first 
   assert.equal(await text_of(page), kTrees);
   await page.keyboard.press('Escape');
   await tool().waitFor({ state: 'detached' });
-  // The plan takes hold of it as well.
+  // The plan can hold the shoot as well.
   await page.keyboard.press('o');
   await page.getByRole('button', { name: /^Take hold of a shoot/ }).focus();
   await press('Enter', { shoot: 'main.4', metamer: 5 });
@@ -275,7 +275,7 @@ test('by the keyboard alone a shoot is chosen and cut, and undo gives the first 
   await page.keyboard.press('o');
 });
 
-/// A grip of the group that is shown, with the middle of what is drawn of it.
+/// Returns a grip of the visible group, with the middle of its drawing.
 const grip = (key) => page.locator(`.gizmo-grip[data-grip="${key}"]`);
 async function drag_by(from, [dx, dy], { steps = 12, lets_go = true } = {}) {
   await page.mouse.move(...from);
@@ -348,7 +348,7 @@ test('boxes, lamps and poles are put into the scene with their grips', async () 
     await page.keyboard.press('ArrowUp');
   });
   assert.ok((await tree_of()).scene.supports.wire[1][1] > 1);
-  // What is out of sight is brought into it.
+  // The button brings a hidden thing into view.
   await page.locator('.gizmo-card select').selectOption({ label: 'obstacle 2, box' });
   const look = page.locator('.gizmo-card').getByRole('button', { name: /see all of it beside the plant/ });
   await page.locator('.view canvas').focus();
@@ -366,7 +366,7 @@ test('a grip of an expression moves the variable that it is, or says what holds 
   for (const key of ['1', '-', '-']) await page.keyboard.press(key);
   await choose(page, 'Scene');
   await page.locator('.gizmo-card select').selectOption({ label: 'lamp 1' });
-  // What is written as a variable alone moves the variable; the grip follows the hand.
+  // If the value is one variable, the grip moves this variable and follows the mouse.
   const from = await middle_of(grip('move x').locator('.tip'));
   await drag_by(from, [50, 0], { steps: 20, lets_go: false });
   await page.waitForFunction(() => window.studio.dragged.get().far > 0.4);
@@ -380,12 +380,12 @@ test('a grip of an expression moves the variable that it is, or says what holds 
   assert.match(await page.evaluate(() => window.studio.document.state.get().undo.done.at(-1).label), /^Set far$/);
   await undo_all(page);
   await settled(page);
-  // A plain number beside it leaves the expressions as they are written.
+  // Moving a plain number beside it keeps the expressions.
   await grip('move y').focus();
   await step(page, () => page.keyboard.press('ArrowUp'));
   const [x, y, z] = (await tree_of()).scene.lamps[0].position;
   assert.ok(x === 'far' && y > 0.5 && z === 'far*2', JSON.stringify([x, y, z]));
-  // Any other expression holds the grip, and says so.
+  // Any other expression blocks the grip, with a message.
   const refused = page.locator('.gizmo-refused');
   assert.match(await grip('move z').getAttribute('class'), /refuses/);
   await drag_by(await middle_of(grip('move z').locator('.tip')), [30, 10]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sunflower of the manual, in its five steps, built from nothing on the board: once with the mouse, its numbers in the
-// rows of the inspector, and once with the keyboard alone, its numbers in the text. Both are the shipped plant.
+// The sunflower of the manual, built on the board in its five steps. It is built once with the mouse, with numbers in
+// the rows of the inspector, and once with the keyboard alone, with numbers in the text. Both must equal the shipped
+// plant.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { readFile, writeFile } from 'node:fs/promises';
@@ -14,7 +15,7 @@ import { changes, kSource, meristem, open_page, start_browser, start_server, tem
 
 let place, server, browser, shipped, tables;
 
-/// Each step's components: on which they stand while they are made, and of which type they are.
+/// The components of each step: name, parent at first, and type.
 const kSteps = [
   ['a leaf with its stalk', [['petiole', 'view', 'tree'], ['blade', 'petiole', 'leaf']]],
   ['the bottom of the head', [['receptacle', 'view', 'revolution'], ['whorl', 'receptacle', 'hydra'], ['bract', 'whorl', 'leaf']]],
@@ -41,7 +42,7 @@ after(async () => {
   await place?.remove();
 });
 
-/// In one order of components, variables and links, which people write as they come.
+/// Sorts components, variables and links, because users write them in any order.
 function in_order(document) {
   const sorted = (object) => Object.fromEntries(Object.entries(object).sort(([a], [b]) => (a < b ? -1 : 1)));
   const links = [...document.links].map((link) => JSON.stringify(link)).sort().map((link) => JSON.parse(link));
@@ -71,12 +72,12 @@ async function new_page() {
 
 const begins_anew = (page) => page.waitForFunction(() => window.studio.document.state.get().text.includes('"New plant"') && window.studio.growth.get().shown);
 
-/// Gives what is chosen all rows that the shipped document has, by hand.
+/// Sets all rows of the shipped document for the chosen part, by mouse and keyboard.
 async function give_rows(page, at, said, ...names) {
   const hand = new RowHand(page, tables);
   const is_given = (row) => row.name !== 'type' && row.name !== 'meristem' && said[row.name] !== undefined;
   let rows = names.flatMap((name) => tables.tables[name].rows.filter(is_given));
-  // Some rows are there only beside others, such as a latitude where there is a sun.
+  // Some rows exist only beside others, such as a latitude beside a sun.
   for (let round = 0; rows.length > 0; round += 1) {
     const waiting = [];
     for (const row of rows) {
@@ -95,7 +96,7 @@ test('with the mouse', async () => {
   const page = await new_page();
   await page.getByRole('button', { name: 'New plant', exact: true }).click();
   await begins_anew(page);
-  // What grows on the way is tested elsewhere.
+  // The growth of intermediate plants is tested elsewhere.
   await page.getByRole('button', { name: 'Pause growing' }).click();
   // The document, its handles, its scene.
   await choose(page, 'Document');
@@ -120,7 +121,7 @@ test('with the mouse', async () => {
       await give_component(page, id);
     }
   }
-  // The leaf goes along the stem, and then the head onto the neck.
+  // The leaf moves to the stem, and then the head to the neck.
   await hang_by_mouse(page, 'petiole', 'stem');
   await set_kind_by_mouse(page, 'petiole', 'Branch');
   await hang_by_mouse(page, 'receptacle', 'neck');
@@ -150,7 +151,7 @@ test('with the keyboard alone', async () => {
       assert.equal(await chosen(page), `components.${id}`);
     }
   }
-  // Links from the stem to the petiole and from the neck to the receptacle, in place of those from the camera.
+  // Links from the stem to the petiole and from the neck to the receptacle replace the links from the camera.
   for (const [from, to] of [['stem', 'petiole'], ['neck', 'receptacle']]) {
     await go_to(page, from);
     await page.keyboard.press('l');
@@ -167,8 +168,8 @@ test('with the keyboard alone', async () => {
   const head = JSON.stringify({ name, description, licence, seed, variables, scene, output }).slice(1, -1);
   await retype_by_keyboard(page, '"name": "New plant"', head.replace(/"seed":\d+,/, ''));
   await retype_by_keyboard(page, '"seed": 1', `"seed": ${seed}`);
-  // Out of the text: Tab indents there unless Escape comes before. Then a link of another kind, with the keys of the board.
-  // The first Escape may close a list of completions.
+  // Leaves the text: Tab indents there unless Escape is pressed before. Then changes the kind of a link with the keys
+  // of the board. The first Escape may close a list of completions.
   await page.keyboard.press('Escape');
   await page.waitForTimeout(200);
   await page.keyboard.press('Escape');
@@ -188,7 +189,7 @@ test('with the keyboard alone', async () => {
   await page.context().close();
 });
 
-/// The arrow keys until what has the keyboard says this.
+/// Presses arrow keys until the focused element has this text.
 async function arrow_to(page, words) {
   for (const key of ['ArrowDown', 'ArrowUp']) {
     for (let k = 0; k < 40; k += 1) {
@@ -199,7 +200,7 @@ async function arrow_to(page, words) {
   throw new Error(`the arrow keys do not come to ${words}`);
 }
 
-/// A link that the outline lists goes by the board's tools.
+/// Removes a link of the outline by the board's tools.
 async function delete_link_by_keyboard(page, title) {
   await page.keyboard.press('b');
   await tab_to(page, '.outline-choice');
@@ -210,7 +211,7 @@ async function delete_link_by_keyboard(page, title) {
   await changes(page, () => page.keyboard.press('Enter'));
 }
 
-/// The link above the chosen component, by its menu.
+/// Chooses the link above the chosen component, by its menu.
 async function choose_link_by_keyboard(page) {
   await tab_to(page, '.board-tools [aria-haspopup=menu]', 'Shift+Tab');
   await page.keyboard.press('Enter');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser,
-// MERISTEM_CHROMIUM_SHELL the same one without windows; MERISTEM_PAGE a folder with another page than the program's own.
-// MERISTEM_SLOWNESS multiplies all times of waiting, as for a program with sanitizers.
+// A running studio and a browser that shows it. MERISTEM names the program, MERISTEM_CHROMIUM the browser, and
+// MERISTEM_CHROMIUM_SHELL this browser without windows. MERISTEM_PAGE is a folder with another page than the program's
+// own. MERISTEM_SLOWNESS multiplies all times of waiting, as for a program with sanitizers.
 import { execFile, spawn } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -20,16 +20,18 @@ export const validator = require('gltf-validator');
 
 export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/release/bin/meristem');
 const kSlowness = Number(process.env.MERISTEM_SLOWNESS ?? 1);
-/// A time of waiting, for the machine and program at hand.
+/// Returns a waiting time for this machine and program.
 export const patient = (ms) => ms * kSlowness;
 const kLongest = patient(20_000); // ms until the text must have changed
 const kOften = 20; // ms between looks at whether what is waited for has come
 const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
-// The same browser without its windows, where there is one: without forms to fill in, profiles and the like.
+// The browser without windows, if there is one: without forms, profiles and the like.
 const kShell = process.env.MERISTEM_CHROMIUM_SHELL || kBrowser;
-// Where a processor draws in place of a graphics card, panels are painted without it: that is three times as fast.
+// A processor draws instead of a graphics card, so panels are painted without GPU rasterization, which is three times
+// as fast.
 const kArguments = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-gpu-rasterization'];
-// A page that is put in place of the program's own comes from no address, which browsers do not let speak to this machine.
+// A page that replaces the program's own page has no address. By default, browsers do not let such a page connect to
+// this machine.
 if (process.env.MERISTEM_PAGE) kArguments.push('--disable-features=LocalNetworkAccessChecks');
 
 export async function temporary_folder() {
@@ -37,7 +39,7 @@ export async function temporary_folder() {
   return { folder, remove: () => rm(folder, { recursive: true, force: true }) };
 }
 
-/// Runs the program and gives its output; `code` where it fails.
+/// Runs the program and returns its output, with its exit `code`.
 export async function meristem(...words) {
   try {
     return { code: 0, ...(await promisify(execFile)(kProgram, words, { maxBuffer: 1e8 })) };
@@ -46,8 +48,8 @@ export async function meristem(...words) {
   }
 }
 
-/// A server on a free port, with the address that it prints. `stop` gives the code that it ends with, `ended`
-/// waits for that, `log` is what it has written to standard error.
+/// Starts a server on a free port and returns it with its printed address. `stop` returns its exit code, `ended` waits
+/// for the end, and `log` returns its output on standard error.
 export async function start_server(folder, ...words) {
   const child = spawn(kProgram, ['studio', ...words, '--root', folder, '--no-browser'], { cwd: folder });
   let said = '';
@@ -67,9 +69,9 @@ export async function start_server(folder, ...words) {
   return { address, stop, ended, pid: child.pid, log: () => said };
 }
 
-/// A browser that puts its pages together without the graphics card as well, and shows them on half as many pixels each
-/// way as they have, which costs tests less; `as_users_do`: as where the page's speed is measured, or all that the browser
-/// says counts. Contexts that are looked at ask for a `deviceScaleFactor` of 1.
+/// Starts a browser that also composes its pages without the graphics card, with half of the pixels along each side,
+/// which makes tests faster. `as_users_do` starts it as users do, for measurements of speed and for tests of all
+/// messages of the browser. Contexts for pictures need a `deviceScaleFactor` of 1.
 export async function start_browser({ as_users_do = false } = {}) {
   if (as_users_do) return chromium.launch({ executablePath: kBrowser, args: kArguments });
   const browser = await chromium.launch({ executablePath: kShell, args: [...kArguments, '--disable-gpu-compositing'] });
@@ -78,11 +80,11 @@ export async function start_browser({ as_users_do = false } = {}) {
   return browser;
 }
 
-/// A page of the studio, with what it complained about.
+/// Opens a page of the studio and records its errors.
 export async function open_page(context, address) {
   const page = await context.newPage();
   page.setDefaultTimeout(patient(30_000));
-  // Asked now and then, since each look at a picture's time has the browser make the next picture.
+  // Polls at intervals, because polling at each frame makes the browser draw the next frame.
   const wait = page.waitForFunction.bind(page);
   page.waitForFunction = (wanted, fact, wishes) => wait(wanted, fact, { polling: kOften, ...wishes });
   page.faults = [];
@@ -100,20 +102,20 @@ export async function visit(page, address) {
   await ready(page);
 }
 
-/// Puts a built page in the place of the one that is in the program, as while it is being worked on.
+/// Replaces the program's page by a built page, for work on the page.
 async function serve_folder(page, address, folder) {
   for (const file of await readdir(folder)) {
     await page.route(file === 'index.html' ? address : address + file, (route) => route.fulfill({ path: path.join(folder, file) }));
   }
 }
 
-/// When the document is open and its plant is shown.
+/// Waits until the document is open and its plant is shown.
 export async function ready(page) {
   await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: patient(60_000) });
   await settled(page);
 }
 
-/// When the server knows the text, and what is shown is what the text says, at rest.
+/// Waits until the server knows the text, and the plant of the text is shown at rest.
 export async function settled(page) {
   const state = () => page.evaluate(() => JSON.stringify([window.studio.document.state.get().hash, window.studio.growth.get(), window.studio.server.get().link]));
   await page.waitForFunction(
@@ -130,8 +132,8 @@ export async function settled(page) {
   });
 }
 
-/// Does something, and waits until the text is another one than before and the page has had the time to show it. The limit
-/// of time begins when the act has ended: a slow machine may take long for the moves of a drag.
+/// Runs `act`, and waits until the text has changed and the page has had the time to show it. The time limit begins
+/// when `act` has ended, because a slow machine may take long for the moves of a drag.
 export async function changes(page, act) {
   await page.evaluate(() => {
     const { state } = window.studio.document;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document over time by hand: keys of rows, the timeline, clocks as blocks, scrubbing and playing, frames.
+// The document over time: keys of rows, the timeline, clocks as blocks, moving through time and playing, frames.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -11,7 +11,7 @@ import { meristem, open_page, settled, start_browser, start_server, temporary_fo
 
 const kFilm = `{
   "meristem": 1,
-  // How it opens.
+  // The state after opening.
   "animation": {"length": 4, "fps": 10, "keys": {
     "stem.length": [[0, 0.2], [4, 1, "smooth"]] // it grows
   }},
@@ -109,7 +109,7 @@ test('a row is keyed where the time stands; its number is that of the keys, and 
   assert.ok((await text_of(page)).includes('// How it opens.') && (await text_of(page)).includes('// it grows'));
   await one_step(() => button.click());
   assert.equal((await keys('stem.length')).length, 2);
-  // A row without keys gets its first, also a colour and a handle.
+  // A row without keys gets its first key; so do a colour and a handle.
   const radius = row(page, 'components.stem.radius');
   await radius.hover();
   await one_step(() => radius.getByRole('button', { name: 'Key of radius' }).click());

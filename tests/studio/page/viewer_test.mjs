@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages that the Python module writes of plants, in a real browser, alone and as frames of a notebook. MERISTEM_PYTHON
-// is an interpreter that finds the module.
+// The pages of plants that the Python module writes, in a real browser, alone and as frames of a notebook.
+// MERISTEM_PYTHON is an interpreter that finds the module.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
@@ -12,7 +12,7 @@ import { promisify } from 'node:util';
 
 import { start_browser, temporary_folder } from './support.mjs';
 
-/// Writes the pages, and prints what is to be seen in them.
+/// Writes the pages, and prints their expected contents.
 const kProgram = `
 import json, sys
 import meristem
@@ -42,7 +42,7 @@ after(async () => {
   await place?.remove();
 });
 
-/// Opens a file, without a network, and gives its page with all that it complained about or asked for.
+/// Opens a file, without a network, and returns its page with all errors and requests.
 async function open(name, where = context) {
   const page = await where.newPage();
   page.faults = [];
@@ -53,7 +53,7 @@ async function open(name, where = context) {
   return page;
 }
 
-/// When a picture was drawn after all textures have come.
+/// Waits until a picture was drawn after all textures were loaded.
 async function drawn(frame) {
   await frame.waitForFunction(() => window.viewer?.frames_drawn > 1 || document.getElementById('note').textContent !== 'Opening…', null, { timeout: 60000 });
   assert.notEqual(await frame.evaluate(() => window.viewer), undefined, await frame.locator('#note').innerText());
@@ -67,7 +67,7 @@ async function drawn(frame) {
 
 const camera = (frame) => frame.evaluate(() => window.viewer.orbit.state);
 
-/// The share of a screenshot's pixels that are not those of an empty sky at that height.
+/// Returns the share of a screenshot's pixels that differ from an empty sky at their height.
 async function covered(page, frame) {
   await frame.evaluate(() => window.viewer.ask());
   const png = (await page.screenshot({ timeout: 60000 })).toString('base64');

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# `cmake --install`: public headers, static libraries, what find_package(meristem) and pkg-config read, and the program.
-# Components: development, program, licence, and python, which is installed only if it is named.
+# `cmake --install`: public headers, static libraries, the files for find_package(meristem) and pkg-config, and the
+# program. Components: development, program, licence, and python, which is installed only if it is named.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/meristem)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
@@ -18,13 +18,13 @@ install(EXPORT meristem-targets NAMESPACE meristem:: DESTINATION ${package_dir})
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/meristem-config.cmake.in
                               ${PROJECT_BINARY_DIR}/meristem-config.cmake INSTALL_DESTINATION ${package_dir})
-# Before 1.0 a minor version may break what a program relies on.
+# Before 1.0 a minor version may break programs that use the library.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/meristem-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/meristem-config.cmake ${PROJECT_BINARY_DIR}/meristem-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/MeristemDependencies.cmake
         DESTINATION ${package_dir})
 
-# A static library comes before those that it uses, so the rooms are listed from the last to the first.
+# A static library must come before the libraries that it uses, so the rooms are listed from the last to the first.
 get_property(rooms GLOBAL PROPERTY MERISTEM_ROOM_LIST)
 list(REVERSE rooms)
 list(TRANSFORM rooms REPLACE "meristem::" "-lmeristem_")
@@ -42,7 +42,7 @@ if(TARGET meristem_cli)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/meristem
           FILES_MATCHING PATTERN "*.json" PATTERN "*.obj" PATTERN "*.csv")
 
-  # The man page and what shells complete by, as the program prints them.
+  # The man page and the completion scripts of shells, printed by the program.
   set(printed ${PROJECT_BINARY_DIR}/printed)
   function(install_printed name destination)
     add_custom_command(OUTPUT ${printed}/${name}

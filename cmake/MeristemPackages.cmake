@@ -15,7 +15,7 @@ set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-# Rights of folders must not depend on the umask of whoever packs.
+# Rights of folders must not depend on the umask of the user.
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
     WORLD_EXECUTE)
 
@@ -29,7 +29,7 @@ growth models, and writes 3D models, pictures, measures, laser scans and data
 sets of it. The package has the command line, the studio in the browser, and
 documents of plants and gardens.")
 
-# The libraries are static, so a program that links them links theirs as well.
+# The libraries are static, so a program that links them also links the libraries that they use.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmeristem-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light on the organs of a plant that comes in blocks (expand_in_blocks, plant_variant.h).
+// Measures the light on the organs of a plant that arrives in blocks (expand_in_blocks, plant_variant.h).
 #pragma once
 
 #include <memory>

@@ -24,7 +24,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kPointsPerHullBlock = 8192;
-constexpr double kFlat = 1e-5;  // of the longest edge of the box around the points: thinner hulls count as flat
+constexpr double kFlat = 1e-5;  // share of the longest edge of the box around the points: thinner hulls count as flat
 
 /// A qhull computation and its memory, without output.
 class Qhull {
@@ -48,7 +48,7 @@ class Qhull {
                         nullptr, silent_.get());
   }
 
-  /// The corners of every facet as indices of points, counter-clockwise from outside.
+  /// Returns the corners of each facet as indices of points, counter-clockwise as seen from outside.
   std::vector<std::array<std::uint32_t, 3>> triangles() {
     std::vector<std::array<std::uint32_t, 3>> found;
     for (facetT* facet = state_.facet_list; facet != nullptr && facet->next != nullptr; facet = facet->next) {
@@ -65,13 +65,13 @@ class Qhull {
     return static_cast<std::uint32_t>(qh_pointid(&state_, SETelemt_(corners, which, vertexT)->point));
   }
 
-  static constexpr std::size_t kMessageBytes = 1 << 16;  // what is longer is lost
+  static constexpr std::size_t kMessageBytes = 1 << 16;  // longer messages are cut
 
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> silent_;
   qhT state_{};
 };
 
-/// Only the points that triangles use, in their order.
+/// Returns a mesh with only those points that triangles use, in the order of the points.
 Mesh compact_mesh(std::span<const Vec3> points, std::vector<std::array<std::uint32_t, 3>> triangles) {
   std::vector<std::uint32_t> used;
   for (const auto& triangle : triangles) used.insert(used.end(), triangle.begin(), triangle.end());
@@ -92,7 +92,7 @@ Mesh hull_by_qhull(std::span<const Vec3> points) {
   Box box;
   for (const Vec3 point : points) box.add(point);
   if (points.size() < 4) return {};
-  // About the middle, so that a tree far from the origin loses no digits.
+  // Coordinates count from the middle, so that a tree far from the origin loses no digits.
   const DVec3 middle(box.centre());
   std::vector<double> coordinates;
   coordinates.reserve(3 * points.size());
@@ -100,7 +100,7 @@ Mesh hull_by_qhull(std::span<const Vec3> points) {
     for (int k = 0; k < 3; ++k) coordinates.push_back(double{point[k]} - middle[k]);
   }
   Mesh mesh;
-  // Triangulated facets, else joggled points: rounding can defeat the first.
+  // Try triangulated facets first. Rounding can make them fail, so then try joggled points.
   for (const char* const options : {"qhull Qt", "qhull QJ"}) {
     Qhull qhull;
     const int code = qhull.run(coordinates, options);
@@ -117,7 +117,7 @@ Mesh hull_by_qhull(std::span<const Vec3> points) {
   return mesh;
 }
 
-/// The points that are on the hull of their block, in their order; all of a flat block.
+/// Returns the points that lie on the hull of their block, in their order. Keeps all points of a flat block.
 std::vector<Vec3> thinned(std::span<const Vec3> points, const Progress* progress) {
   std::vector<std::vector<Vec3>> blocks((points.size() + kPointsPerHullBlock - 1) / kPointsPerHullBlock);
   parallel_for(points.size(), kPointsPerHullBlock, [&](std::size_t begin, std::size_t end) {
@@ -144,7 +144,7 @@ double cross(Vec2 origin, Vec2 a, Vec2 b) {
 
 Mesh convex_hull(std::span<const Vec3> points, const Progress* progress) {
   std::vector<Vec3> fewer;
-  // Until thinning takes no longer half of them away.
+  // Repeat until thinning removes less than half of the points.
   while (points.size() > 2 * kPointsPerHullBlock) {
     std::vector<Vec3> next = thinned(points, progress);
     const bool is_worthwhile = next.size() <= points.size() / 2;
@@ -161,7 +161,7 @@ std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Vec2> outline;
-  // Along the lower side to the right, then along the upper one back.
+  // Walk along the lower side to the right, then along the upper side back.
   const auto walk = [&](auto begin, auto end) {
     const std::size_t start = outline.size();
     for (auto point = begin; point != end; ++point) {
@@ -206,7 +206,8 @@ OutlineSize measure_outline(std::span<const Vec2> outline) {
   }
   if (count == 2) size.diameter = size.perimeter / 2;
   if (count < 3) return size;
-  // The point farthest from each edge moves on as the edge does; the farthest pair is among the ends of these.
+  // The point farthest from an edge advances as the edge does. The ends of the edges and their farthest points contain
+  // the farthest pair.
   const auto distance = [&](std::size_t a, std::size_t b) {
     return glm::distance(glm::dvec2(outline[a]), glm::dvec2(outline[b]));
   };

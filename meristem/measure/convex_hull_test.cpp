@@ -11,7 +11,7 @@
 
 namespace meristem::convex_hull_test {
 
-/// The corners, edge points and inner points of a grid in a box.
+/// Returns the corners, edge points and inner points of a grid in a box.
 std::vector<Vec3> box_grid(Vec3 size, Vec3 corner, int steps) {
   std::vector<Vec3> points;
   for (int i = 0; i <= steps; ++i) {
@@ -74,7 +74,7 @@ TEST(ConvexHull, SphereIsApproachedFromInside) {
 }
 
 TEST(ConvexHull, LargeCloudsAreThinnedFirst) {
-  // A ball in which only eight corners stand out.
+  // A ball and eight corners that lie outside it.
   std::vector<Vec3> points;
   for (std::uint64_t k = 0; k < 50'000; ++k) points.push_back(on_sphere(k));
   for (int k = 0; k < 8; ++k) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Counts what a plant consists of after it has grown. Placed plants are counted once and multiplied by the number of
+// their places. The height comes from the box around all meshes.
 #include "meristem/measure/counts.h"
 
 #include <algorithm>

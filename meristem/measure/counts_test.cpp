@@ -34,7 +34,7 @@ TEST(Counts, AddUpStemsAndOrgans) {
   EXPECT_EQ(counts.organs, 3U);
   EXPECT_EQ(counts.instances, 2U + 3U);
   EXPECT_EQ(counts.triangles, scene.triangle_count());
-  // From the lowest fruit to the end of the rounded tip.
+  // The height reaches from the lowest fruit to the end of the rounded tip.
   EXPECT_NEAR(counts.height, 0.5 + 2 + 0.1, 1e-6);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // In:  a crown's convex hull, the sun's positions, obstacles. Out: the share of the hull that each position lights.
 //
-// A convex body shades itself exactly where it faces away, so the area that faces the sun is a sum over triangles. Only
-// the obstacles' shadow on it is sampled, with rays from positions that are spread evenly over it: one after another by
-// area along the triangles, across them by steps of the golden ratio.
+// A convex body shades itself exactly where it faces away, so the area that faces the sun is a sum over triangles. Rays
+// sample only the shadow of the obstacles. They start at positions that are spread evenly over the hull: by area along
+// the triangles, and by steps of the golden ratio across them.
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
-// 2020, equation 5.5, which counts random positions on the whole hull and tests them against it as well.
+// 2020, equation 5.5. The source counts random positions on the whole hull and also tests them against the hull.
 #include "meristem/measure/crown_light.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::size_t kCrownRaysPerBlock = 2048;
 
-/// The share of some positions' area that a directional light reaches. Each position of the sun has its own `turn`, so
-/// that those with few rays do not use the same positions.
+/// Returns the share of the positions' area that a directional light reaches. Each position of the sun has its own
+/// `turn`, so that suns with few rays use different positions.
 double unshaded_share(const SurfacePoints& places, Vec3 toward, const Obstacles& obstacles, std::uint64_t rays,
                       std::size_t turn, const Progress* progress) {
   const double first = fraction(0.5 + static_cast<double>(turn) * kSquareSteps[0]);

@@ -22,7 +22,7 @@ Mesh box_hull() {
   return convex_hull(corners);
 }
 
-/// The hull of points on a sphere, each with its opposite.
+/// Returns the hull of points on a sphere. For each point, the opposite point is also a point of the hull.
 Mesh ball_hull() {
   std::vector<Vec3> points;
   for (std::uint64_t k = 0; k < 500; ++k) {
@@ -51,7 +51,7 @@ Scene street() {
                     {box_obstacle({-3, 0, 3}, {3, 8, 6}), box_obstacle({4, 0, -5}, {6, 3, 5})});
 }
 
-/// As the source counts it: random positions on the whole hull, tested against hull and obstacles alike.
+/// Counts as the source does: random positions on the whole hull, tested against both the hull and the obstacles.
 double lit_share_by_counting(const Mesh& hull, Vec3 toward, const Scene& scene, std::uint64_t rays) {
   Obstacle self;
   for (const Vec3 position : hull.positions) self.mesh.positions.emplace_back(position);
@@ -86,7 +86,7 @@ TEST(CrownLight, ALowSunLightsTheSidesThatItSees) {
 }
 
 TEST(CrownLight, AWallShadesHalfOfTheSideBehindIt) {
-  // Level light from the south meets the south side alone; the wall stands before its western half.
+  // Level light from the south meets only the south side. The wall stands before the western half of this side.
   const Scene scene = scene_with({{.toward = {0, 0, 1}}}, {box_obstacle({-9, -1, 5}, {1, 3, 5.5})});
   EXPECT_NEAR(measure_crown_light(box_hull(), scene).lit_share, 0.5 * 2 / 10, 1e-4);
 }
@@ -131,7 +131,8 @@ TEST(CrownLight, AgreesWithPlainCounting) {
   constexpr std::uint64_t kCounted = 4000;
   const CrownLight light = measure_crown_light(ball, scene);
   for (std::size_t k = 2; k < light.lit_shares.size(); k += 4) {
-    // Five standard errors of a half: one in two million would fail by chance, and the positions are always the same.
+    // Five standard errors of a share of one half. One run in two million would fail by chance, and the positions are
+    // always equal.
     const double tolerance = 5 * 0.5 / std::sqrt(static_cast<double>(kCounted));
     EXPECT_NEAR(light.lit_shares[k], lit_share_by_counting(ball, scene.light.sun[k].toward, scene, kCounted),
                 tolerance);
@@ -162,8 +163,9 @@ TEST(CrownLight, StopsWhenCancelled) {
 }
 
 TEST(CrownLight, OfTheEvaluationTreeIsWhatIsKnown) {
-  // An independent implementation found 47.7 % over ten clouds. From cloud to cloud it varies by 1.2 points (standard
-  // deviation, measured), so the means of two tens by 0.5; three times that is allowed.
+  // An independent implementation found 47.7 % over ten clouds. The result varies by 1.2 points from cloud to cloud
+  // (standard deviation, measured), so the means of two sets of ten vary by 0.5 points. The test allows three times as
+  // much.
   const Scene scene = scene_with({sun_at(180, 61)});
   double sum = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measures the leaves of a plant: number, areas, and leaf area by height. Organs come in blocks, and each block adds
+// the areas of its blades, without the holes of their textures. For leaf area by height, each triangle is cut at the
+// borders of the layers in closed form.
 #include "meristem/measure/foliage.h"
 
 #include <algorithm>
@@ -21,7 +24,8 @@ namespace {
 constexpr std::size_t kOrgansPerBlock = 1024;
 constexpr double kMostLayers = 100'000;
 
-/// The share of a triangle's area that lies below a height; its corners' heights rise.
+/// Returns the share of a triangle's area that lies below a height. The heights of the corners must be in ascending
+/// order.
 double share_below(double height, const std::array<double, 3>& corners) {
   const auto [low, middle, high] = corners;
   if (height <= low) return 0;
@@ -42,7 +46,7 @@ struct Span {
 
 constexpr Span kNoSpan{HUGE_VAL, -HUGE_VAL};
 
-/// From the lowest to the highest vertex of an organ.
+/// Returns the lowest and the highest vertex of an organ.
 Span heights_of(const Organ& organ, const Mesh& mesh) {
   Span span = kNoSpan;
   for (const Vec3 position : mesh.positions) {
@@ -88,7 +92,7 @@ bool is_leaf(const Plant& plant, const Organ& organ) { return is_leaf(plant, pla
 
 namespace {
 
-/// `known` holds the plants that have been looked at.
+/// `known` holds the plants that were already checked.
 bool has_holes(const Plant& plant, std::unordered_set<const Plant*>& known) {
   const bool has_own = std::any_of(plant.materials.begin(), plant.materials.end(), [](const Material& material) {
     return material.texture != nullptr && material.texture->masked && !material.texture->colour.is_empty();
@@ -129,7 +133,7 @@ Foliage measure_foliage(const Plant& plant, const Limits& limits, Progress& prog
 
 namespace {
 
-/// From the lowest to the highest leaf of a block.
+/// Returns the heights of the lowest and the highest leaf of a block.
 Span heights_of_leaves(const Plant& block, Progress& progress) {
   std::vector<Span> spans((block.organs.size() + kOrgansPerBlock - 1) / kOrgansPerBlock, kNoSpan);
   parallel_for(block.organs.size(), kOrgansPerBlock, [&](std::size_t begin, std::size_t end) {
@@ -145,7 +149,7 @@ Span heights_of_leaves(const Plant& block, Progress& progress) {
   return all;
 }
 
-/// The layers between two heights, without area.
+/// Returns the layers between two heights, without area.
 LeafLayers empty_layers(const Span& heights, double layer_height) {
   LeafLayers layers{layer_height, 0, {}};
   if (!(heights.low <= heights.high)) return layers;
@@ -164,7 +168,7 @@ LeafLayers empty_layers(const Span& heights, double layer_height) {
 /// The result therefore depends neither on threads nor on the sizes of blocks.
 class LayerSum {
  public:
-  /// Runs are longer where there are many layers, so that their sums stay small.
+  /// With many layers the runs are longer, so that the memory of their sums stays small.
   explicit LayerSum(const LeafLayers& empty)
       : empty_(empty), sum_(empty), open_(empty), grain_(std::max(kOrgansPerBlock, empty.area.size())) {}
 
@@ -206,7 +210,7 @@ class LayerSum {
 
   const LeafLayers empty_;
   LeafLayers sum_;
-  LeafLayers open_;  // the run that the next block goes on with
+  LeafLayers open_;  // the run that the next block continues
   const std::size_t grain_;
   std::size_t organs_ = 0;
   MaskedSurfaces surfaces_;

@@ -56,12 +56,13 @@ TEST(Foliage, FramesTurnAndScaleAreas) {
   organ.frame.origin = {5, 6, 7};
   plant.organs = {organ};
   EXPECT_NEAR(measured(plant).area, 6, 1e-5);
-  // Mirrored, it has the same area.
+  // The mirrored organ has the same area.
   plant.organs[0].frame.axes[0] *= -1.0F;
   EXPECT_NEAR(measured(plant).area, 6, 1e-5);
 }
 
-/// A picture that is there where x² + y² of its middle is below `radius` squared, in shares of its side.
+/// Returns a picture that is opaque within a disc about its middle. `radius` is the square of the disc's radius, in
+/// shares of the picture's side.
 std::shared_ptr<const Texture> disc(int pixels, double radius) {
   Texture texture;
   texture.colour = {pixels, pixels, std::vector<std::uint8_t>(std::size_t{4} * pixels * pixels, 255)};
@@ -124,7 +125,7 @@ TEST(Foliage, PetiolesAreApart) {
   plant.prototypes[0].mesh = std::make_shared<const Mesh>(make_leaf_blade(blade));
   const Foliage stalked = measured(plant);
   EXPECT_NEAR(stalked.area, plain.area, 1e-9);
-  // Three sides of a prism in a circle of 1 mm, and a little that runs out into the midrib.
+  // Three sides of a prism in a circle of 1 mm, and a little that extends into the midrib.
   const double prism = 3 * std::sqrt(3.0) * 0.001 * 0.08;
   EXPECT_GT(stalked.petiole_area, prism);
   EXPECT_LT(stalked.petiole_area, 1.2 * prism);
@@ -192,7 +193,7 @@ TEST(Foliage, PlacedLeavesAreMeasuredAsTheirCopies) {
   };
   auto variant = std::make_shared<PlantVariant>();
   variant->plant = std::make_shared<const Plant>(leaves(900));
-  Plant plant = leaves(700);  // so that runs of organs begin in one plant and end in the next one
+  Plant plant = leaves(700);  // enough that runs of organs begin in one plant and end in the next plant
   plant.plantings.push_back({"tree", variant, std::vector<Planting::Place>(3)});
   const Plant copies = expanded(plant, {}, Progress());
   EXPECT_EQ(layers_of(plant, 0.1).area, layers_of(copies, 0.1).area);

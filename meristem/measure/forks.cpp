@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measures branching angles, area ratios and pipe exponents at the forks of a skeleton. The exponent n of the pipe
+// model r^n = sum of r_i^n is found by bisection, since the sum falls as n grows.
 #include "meristem/measure/forks.h"
 
 #include <algorithm>
@@ -9,13 +11,13 @@ namespace meristem {
 namespace {
 
 constexpr double kLargestExponent = 100;
-constexpr int kHalvings = 50;  // leaves 1e-13 of an exponent
+constexpr int kHalvings = 50;  // reaches an exponent exactly to 1e-13
 
 DVec3 segment(const Skeleton& skeleton, NodeIndex node) {
   return DVec3(skeleton.position[node]) - DVec3(skeleton.position[skeleton.parent[node]]);
 }
 
-/// None for vectors without length.
+/// Returns nothing for vectors without length.
 std::optional<double> angle_between(DVec3 a, DVec3 b) {
   const double lengths = glm::length(a) * glm::length(b);
   if (!(lengths > 0)) return {};
@@ -60,7 +62,8 @@ ForkSamples sample_forks(const Skeleton& skeleton, const Children& children, dou
       squares += radii.back() * radii.back();
     }
     if (!(radius > 0) || !(*std::min_element(radii.begin(), radii.end()) > 0)) continue;
-    // Radii are 32-bit floats: a diameter that was written as 0.02 m is not to fail by its last bit.
+    // Radii are 32-bit floats. Compare as floats, so that a diameter that was written as 0.02 m does not fail by its
+    // last bit.
     if (static_cast<float>(2 * radius) >= static_cast<float>(fork_diameter)) {
       samples.area_ratios.push_back(squares / (radius * radius));
     }
@@ -79,7 +82,8 @@ std::optional<double> pipe_exponent(double parent_radius, std::span<const double
     for (const double radius : child_radii) sum += math::pow(radius / parent_radius, exponent);
     return sum;
   };
-  // The sum falls with the exponent, from the number of children at 0, if all are thinner than the parent.
+  // The sum falls as the exponent grows if all children are thinner than the parent. At exponent 0 the sum is the
+  // number of children.
   const bool all_thinner =
       std::all_of(child_radii.begin(), child_radii.end(), [&](double radius) { return radius < parent_radius; });
   if (!all_thinner || child_radii.size() < 2 || excess(kLargestExponent) > 0) return {};

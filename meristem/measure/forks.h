@@ -10,27 +10,28 @@
 
 namespace meristem {
 
-/// One number for each fork or lateral that has it, in the order of the nodes.
+/// Measures of forks and laterals. Each list has one number for each fork or lateral that has the measure, in the order
+/// of the nodes.
 struct ForkSamples {
-  /// Radians between the parent's segment that ends at the fork and the lateral's first one. Laterals on a root, and
-  /// those with a segment of no length, have none.
+  /// Angles in radians between the parent's segment that ends at the fork and the first segment of the lateral.
+  /// Laterals on a root and laterals with a segment of no length have no angle.
   std::vector<double> branching_angles;
-  /// The children's cross-sections over the parent's.
+  /// Sum of the children's cross-sections divided by the parent's cross-section.
   std::vector<double> area_ratios;
-  /// See `pipe_exponent`.
+  /// Exponents from `pipe_exponent`.
   std::vector<double> pipe_exponents;
   std::uint64_t pipe_unsolved = 0;  ///< forks without a pipe exponent
 
-  /// Adds another skeleton's.
+  /// Appends the samples of another skeleton.
   void append(const ForkSamples& other);
 };
 
-/// `fork_diameter` (metres): area ratios count from parents at least that thick. Forks with a radius of 0 count
-/// nowhere.
+/// Measures the forks and laterals of a skeleton. `fork_diameter` (metres): only forks whose parent is at least this
+/// thick have an area ratio. Forks with a radius of 0 are left out.
 ForkSamples sample_forks(const Skeleton& skeleton, const Children& children, double fork_diameter);
 
-/// The n with r^n = sum of r_i^n, by bisection; none where a child is as thick as its parent (then no n fits, or the
-/// others have radius 0), or where it is above 100. Radii are above 0.
+/// Returns the exponent n with r^n = sum of r_i^n, found by bisection. Returns nothing if a child is as thick as its
+/// parent, because then no n exists, or if n is above 100. Radii must be above 0.
 std::optional<double> pipe_exponent(double parent_radius, std::span<const double> child_radii);
 
 }  // namespace meristem

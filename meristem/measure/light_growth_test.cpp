@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The published evaluation of trees that answer to light, and what response B gains over it: trends over ten clouds,
-// with the tolerances that the specification of space colonization lists.
+// Compares trees that respond to light with the published evaluation, and light response B with trees that do not use
+// it. The tests check trends over ten clouds, with the tolerances in the specification of space colonization.
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, chapter 5.
@@ -14,17 +14,17 @@
 
 namespace meristem::light_growth_test {
 
-/// How far an azimuth is from another, degrees.
+/// Returns the difference of two azimuths, degrees.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 360)); }
 
-/// Shifts of 0, `step`, ... metres, 11 in all.
+/// Returns the evaluations of 11 shifts: 0, `step`, 2 `step`, ... metres.
 std::vector<Evaluation> shifted(const Scene& scene) {
   std::vector<Evaluation> means;
   for (int k = 0; k <= 10; ++k) means.push_back(evaluate(scene, {.shift = 0.001 * k}));
   return means;
 }
 
-/// The slope of a straight line through values at equal distances.
+/// Returns the share of the variance that a straight line explains, for values at equal distances.
 double explained_by_a_line(const std::vector<Evaluation>& means, double Evaluation::*value) {
   const auto count = static_cast<double>(means.size());
   double x_mean = (count - 1) / 2;
@@ -70,7 +70,7 @@ TEST(LightGrowth, ShiftedCloudsFleeABuildingUntilTheyRiseAboveItsShade) {
   const std::vector<Evaluation> means = shifted(evaluation_scene_b());
   for (std::size_t k = 2; k <= 6; ++k) EXPECT_LT(apart(means[k].azimuth, 0), 30) << k;
   for (std::size_t k = 9; k <= 10; ++k) EXPECT_LT(apart(means[k].azimuth, 180), 20) << k;
-  // Lowest among small shifts and highest where north and south are in balance.
+  // The lowest altitude is among small shifts, and the highest where north and south are in balance.
   const auto lower = [](const Evaluation& a, const Evaluation& b) { return a.altitude < b.altitude; };
   const auto lowest = std::min_element(means.begin() + 1, means.begin() + 7, lower) - means.begin();
   EXPECT_GE(lowest, 3);

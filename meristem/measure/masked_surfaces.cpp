@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the share of each triangle that is no hole, once per triangle of a prototype. The triangle is divided into
+// Finds the share of each triangle that is not a hole, once per triangle of a prototype. The triangle is divided into
 // equal small triangles about a pixel wide, and the mask is read at their middles. A picture that fills half of its
 // rectangle therefore counts half.
 #include "meristem/measure/masked_surfaces.h"
@@ -15,10 +15,10 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kOrgansPerTask = 1024;
-constexpr int kLeastCuts = 4;  // of a triangle's sides, to ask a mask
+constexpr int kLeastCuts = 4;  // least number of parts into which each side is cut to sample the mask
 constexpr int kMostCuts = 128;
 
-/// Returns the share of a triangle in uv that is no hole of the mask.
+/// Returns the share of a triangle in uv that is not a hole of the mask.
 double covered_share(const AlphaMask& mask, const Image& picture, const std::array<Vec2, 3>& uv) {
   const Vec2 pixels(picture.width, picture.height);
   const auto side = [&](int a, int b) { return glm::length((uv[a] - uv[b]) * pixels); };

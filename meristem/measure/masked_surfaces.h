@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces that the organs of a prototype share, without the holes of their textures.
+// Surfaces that the organs of a prototype share, without the holes of their textures.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ class AreaInFrame {
 struct MaskedSurface {
   const Mesh* mesh = nullptr;
   std::vector<DVec3> vectors;   ///< twice the area vector of each triangle, in its own frame
-  std::vector<double> covered;  ///< share of each triangle that is no hole
+  std::vector<double> covered;  ///< share of each triangle that is not a hole
 };
 
 /// The surfaces of the prototypes of a plant, or of a plant that comes in blocks (plant_variant.h).
@@ -51,12 +51,12 @@ class MaskedSurfaces {
   std::vector<OrganArea> areas(const Plant& block, Progress& progress) const;
 
  private:
-  using Key = std::pair<const Texture*, std::array<float, 6>>;  // of a triangle on a texture
+  using Key = std::pair<const Texture*, std::array<float, 6>>;  // a triangle on a texture
 
   std::vector<double> covered(const Mesh& mesh, const Texture* texture);
 
   std::map<const Texture*, AlphaMask> masks_;
-  std::map<Key, double> shares_;  // which meshes with the same uvs have in common
+  std::map<Key, double> shares_;  // results that meshes with equal uvs share
   std::vector<MaskedSurface> surfaces_;
 };
 

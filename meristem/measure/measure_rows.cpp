@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The table of all measures as users see them: name, unit, sentence, and a function that reads the value. Angles are
+// shown in degrees. Text, JSON, Python and the manual use this table.
 #include <algorithm>
 #include <array>
 
@@ -20,20 +22,20 @@ MeasureValue shown(const std::vector<T>& values) {
 MeasureValue shown(std::uint64_t value) { return value; }
 MeasureValue shown(double value) { return value; }
 
-/// A member as it stands.
+/// Returns a member unchanged.
 template <auto Member>
 MeasureValue member(const Measures& measures) {
   return shown(measures.*Member);
 }
 
-/// An angle, in degrees.
+/// Returns an angle in degrees.
 template <std::optional<double> Measures::*Angle>
 MeasureValue angle(const Measures& measures) {
   const std::optional<double>& radians = measures.*Angle;
   return radians ? MeasureValue(degrees(*radians)) : MeasureValue();
 }
 
-/// One figure of a distribution, nothing where it is one of no numbers.
+/// Returns one figure of a distribution, or no value if the distribution has no numbers.
 template <Distribution Measures::*Samples, double Distribution::*Figure>
 MeasureValue figure(const Measures& measures) {
   const Distribution& samples = measures.*Samples;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measures stands and plants. Each tree is recorded alone (stand_sum.h), then sums and samples are combined for the
+// stand. Plants arrive in blocks, so placed plants are never copied as a whole.
 #include "meristem/measure/measures.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@
 namespace meristem {
 namespace {
 
-/// Adds the individual of each tree of a plant: of each root of each stem.
+/// Appends the individual of each tree of a plant. Each root of each stem is a tree.
 void append_individuals_of_trees(const Plant& plant, std::vector<std::uint32_t>& individuals) {
   for (const Stem& stem : plant.stems) {
     const auto& parents = stem.skeleton.parent;
@@ -28,7 +30,7 @@ void append_individuals_of_trees(const Plant& plant, std::vector<std::uint32_t>&
   }
 }
 
-/// The tree of each of `count` individuals, which is kNoTree where it has none or several.
+/// Returns the tree of each of `count` individuals, or kNoTree if an individual has no tree or several trees.
 std::vector<std::uint32_t> trees_of_individuals(std::size_t count, const std::vector<std::uint32_t>& of_trees) {
   std::vector<std::uint32_t> tree(count, kNoTree);
   std::vector<std::uint32_t> trees(count, 0);
@@ -43,12 +45,12 @@ std::vector<std::uint32_t> trees_of_individuals(std::size_t count, const std::ve
   return tree;
 }
 
-/// The number of individuals that organs may belong to: a plant without a list of them is one.
+/// Returns the number of individuals that organs can belong to. A plant without a list of individuals counts as one.
 std::size_t individual_count(const std::vector<Individual>& individuals) {
   return std::max<std::size_t>(individuals.size(), 1);
 }
 
-/// Leaves, and the light on them if it is known.
+/// The leaves, and the light on them if it is known.
 struct Leaves {
   Foliage foliage;
   MeanLight light;
@@ -108,7 +110,7 @@ class TreeList {
 /// Measures the stems and organs of a plant that comes in blocks.
 class PlantMeasurer {
  public:
-  /// `meshes` are null if no light is measured. All must outlive this.
+  /// `meshes` is null if light is not measured. The arguments must outlive this object.
   PlantMeasurer(const Scene& scene, const MeasureOptions& options, const MeshScene* meshes, Progress& progress)
       : scene_(scene), options_(options), meshes_(meshes), progress_(progress) {}
 
@@ -119,7 +121,7 @@ class PlantMeasurer {
     add_thickening(block, thickening_);
   }
 
-  /// To be called once, with all individuals of the plant.
+  /// Must be called once, with all individuals of the plant.
   StandMeasures finish(const std::vector<Individual>& individuals) {
     for (std::size_t k = 0; k < trees_.origins().size(); ++k) {
       const std::uint32_t individual = individual_of_tree_[k];
@@ -175,7 +177,7 @@ class PlantMeasurer {
     are_apart_ = are_apart_ && leaf.individual != kNoIndividual;
   }
 
-  /// Sets the leaf measures of the stand. Sets those of each tree only if no leaf belongs to several trees.
+  /// Sets the leaf measures of the stand. Sets the leaf measures of each tree only if no leaf belongs to several trees.
   void tell_leaves(std::size_t individuals, StandMeasures& stand) {
     leaves_.tell(stand.whole);
     if (!are_apart_) return;
@@ -198,10 +200,10 @@ class PlantMeasurer {
   const MeshScene* meshes_;
   Progress& progress_;
   TreeList trees_;
-  std::size_t stems_ = 0;  // of earlier blocks
+  std::size_t stems_ = 0;  // number of stems of earlier blocks
   std::vector<std::uint32_t> individual_of_tree_;
   MaskedSurfaces surfaces_;
-  std::optional<BlockLight> light_;  // made once the limits are known to hold
+  std::optional<BlockLight> light_;  // created after the limits were checked
   std::vector<LitOrgan> lit_;
   Leaves leaves_;
   std::vector<Leaves> of_individual_;

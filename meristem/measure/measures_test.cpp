@@ -39,7 +39,7 @@ StandMeasures measure(const std::vector<Skeleton>& skeletons) {
   return measure_skeletons(pointers, nullptr, {}, progress);
 }
 
-/// A slanted chain.
+/// Returns a slanted chain of segments.
 Skeleton chain(Vec3 root, Vec3 step, int segments) {
   Skeleton skeleton;
   NodeIndex last = skeleton.add_node(kNoNode, root, 0);
@@ -55,7 +55,7 @@ std::vector<MeasureValue> all_values(const Measures& measures) {
 }
 
 TEST(Measures, InclinationAndCentroidOfASlantedStem) {
-  // To the east at 45°, from a root elsewhere.
+  // A chain to the east at 45°, whose root is not at the origin.
   const Measures east = measure({chain({5, 1, -3}, {1, 1, 0}, 4)}).whole;
   EXPECT_NEAR(degrees(*east.inclination_azimuth), 90, 1e-9);
   EXPECT_NEAR(degrees(*east.inclination_altitude), 45, 1e-9);
@@ -116,7 +116,7 @@ TEST(Measures, StemsOfAStandAddUpAndTheTallestTellsTheDiameter) {
 TEST(Measures, RootsOfOneSkeletonAreTrees) {
   const Skeleton left = random_tree(3, {0, 0, 0}, 50);
   const Skeleton right = random_tree(4, {3, 0, 0}, 70);
-  // Both in one skeleton, the second one after the first.
+  // Puts both trees into one skeleton, the second after the first.
   Skeleton both = left;
   const AxisIndex axes = *std::max_element(left.axis.begin(), left.axis.end()) + 1;
   for (NodeIndex node = 0; node < right.node_count(); ++node) {
@@ -143,7 +143,7 @@ TEST(Measures, ATurnedTreeHasTheSameForm) {
   EXPECT_NEAR(after.crown_mean_width, before.crown_mean_width, 1e-6);
   EXPECT_NEAR(after.branching_angle.mean, before.branching_angle.mean, 1e-9);
   EXPECT_EQ(after.strahler_streams, before.strahler_streams);
-  // (x, z) to (-z, x) is a quarter turn from north to east: clockwise from above.
+  // The turn from (x, z) to (-z, x) is a quarter turn from north to east: clockwise from above.
   const double turn = degrees(*after.inclination_azimuth - *before.inclination_azimuth);
   EXPECT_NEAR(turn < 0 ? turn + 360 : turn, 90, 1e-6);
 }
@@ -197,7 +197,7 @@ TEST(Measures, TheLitShareOfAStandIsThatOfAllItsHulls) {
   const Skeleton large = random_tree(2, {40, 0, 0}, 300);
   const std::vector<const Skeleton*> both{&small, &large};
   Scene scene;
-  // A roof over the small one.
+  // Puts a roof over the small tree.
   scene.obstacles = Obstacles({{.mesh = box_mesh({-15, 90, -15}, {15, 91, 15})}});
   Progress progress;
   const StandMeasures stand = measure_skeletons(both, &scene, {}, progress);
@@ -239,14 +239,14 @@ TEST(Measures, LightOnOrgansIsMeasuredIfAskedFor) {
   const StandMeasures with = measure_plant(plant, {}, meshes, {}, {.organ_light = true, .organ_list = true}, progress);
   ASSERT_EQ(with.organs.size(), 2U);
   EXPECT_EQ(with.organs[1].exposure, 1);
-  // The upper one shades the lower.
+  // The upper leaf shades the lower leaf.
   EXPECT_DOUBLE_EQ(*with.whole.leaf_exposure, 0.5);
   EXPECT_NEAR(*with.whole.leaf_irradiance, 0.5, 1e-6);
   const auto& all = measure_rows();
   EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const MeasureRow& row) { return row.needs_light; }), 2);
 }
 
-/// Two stems that fork, each with as many leaves of half a square metre as given.
+/// Returns two stems that fork. Each stem has the given number of leaves, each of half a square metre.
 Plant leafy_trees(std::size_t first, std::size_t second) {
   Plant plant;
   plant.materials.resize(1);
@@ -289,7 +289,7 @@ TEST(Measures, EachTreeHasItsRowAndItsLeaves) {
   EXPECT_EQ(trees_of_organs(leafy_trees(3, 1), {}, Progress()), (std::vector<std::uint32_t>{0, 0, 0, 1}));
 }
 
-/// Leafy trees that stand in several places, also within each other.
+/// Returns leafy trees that stand in several places, some of them within each other.
 Plant placed_trees() {
   const auto variant_of = [](Plant plant) {
     auto variant = std::make_shared<PlantVariant>();
@@ -357,7 +357,7 @@ TEST(Measures, SkeletonsNeedNoRoomForMeshes) {
 
 TEST(Measures, LeavesOfATreeAreUnknownWhereTreesShareThem) {
   Plant shared = leafy_trees(3, 1);
-  shared.organs[0].individual = kNoIndividual;  // in a crown about both
+  shared.organs[0].individual = kNoIndividual;  // in a crown around both
   StandMeasures stand = measured(shared);
   EXPECT_EQ(stand.whole.leaf_count, 4U);
   for (const Measures& tree : stand.trees) EXPECT_FALSE(tree.leaf_count);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A digitised walnut (the data of OpenAlea's MTG package; coordinates in cm, diameters in mm) and its published
-// figures. Where a reader can differ:
-// - Height: the trunk's base stands with the axis, 1.49 m below the end of the first segment. We begin at the base, so
-//   the tree is 7.95 m high; 6.47 m are those above the first segment's end, which is its first fork.
-// - Forks from 2 cm: five are exactly 2 cm thick and count here. Without them the ratios are 0.80 to 1.35.
-// - Angles: laterals do not count where either segment has no length; so 1711 of 1874 do.
+// figures. Readers can interpret the data differently:
+// - Height: the trunk's base has the coordinates of the axis, 1.49 m below the end of the first segment. We begin at
+//   the base, so the tree is 7.95 m high. From the end of the first segment, which is the first fork, the height is
+//   6.47 m.
+// - Forks from 2 cm: five forks are exactly 2 cm thick and count here. Without them the ratios are 0.80 to 1.35.
+// - Angles: laterals do not count if either segment has no length, so 1711 of 1874 laterals count.
 // - Line 2727 has no values: that segment stands at its parent's node.
 #include <gtest/gtest.h>
 

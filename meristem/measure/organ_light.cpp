@@ -2,9 +2,9 @@
 // In:  a plant with its meshes, and the scene around it. Out: for each organ the share of the scene's light that
 // arrives.
 //
-// From evenly spread points on an organ's surface a ray goes toward every light. It starts just off the surface, on the
-// side that faces the light, and is stopped by whatever a picture would show in its way. What leaves let through or
-// throw back is not followed.
+// From evenly spread points on an organ's surface, a ray goes toward every light. The ray starts just off the surface,
+// on the side that faces the light. Everything that is visible in a picture stops it. Light that leaves transmit or
+// reflect is not followed.
 #include "meristem/measure/organ_light.h"
 
 #include <algorithm>
@@ -24,15 +24,15 @@
 namespace meristem {
 namespace {
 
-constexpr double kAreaOfPlace = 0.001;  // square metres
+constexpr double kAreaOfPlace = 0.001;  // area per sample, square metres
 constexpr int kLeastPlaces = 4;
 constexpr int kMostPlaces = 64;
-constexpr int kTrials = 16;  // for a position that is not in a hole
+constexpr int kTrials = 16;  // most attempts to find a position that is not in a hole
 constexpr std::size_t kRaysPerBlock = 4096;
 
 using Point = SurfacePoints::Point;
 
-/// The surface that the organs of a prototype share.
+/// The surface that all organs of a prototype share.
 class OrganSurface {
  public:
   OrganSurface(const Mesh& mesh, const AlphaMask* mask)
@@ -40,7 +40,7 @@ class OrganSurface {
 
   bool is_empty() const { return !(places_.area() > 0); }
 
-  /// The position at `along` and `across`, or one after it that is not in a hole.
+  /// Returns the position at `along` and `across`, or a later position that is not in a hole.
   Point solid_place(double along, double across) const {
     Point place = places_.at(along, across);
     for (int trial = 1; trial < kTrials && is_hole(place); ++trial) {
@@ -51,7 +51,8 @@ class OrganSurface {
 
   Vec3 position(const Point& place) const { return places_.position(place); }
 
-  /// The normal of a position's triangle under a frame; (0, 0, 0) where it is flattened to a line.
+  /// Returns the normal of the triangle at a position under a frame, or (0, 0, 0) if the frame flattens the triangle to
+  /// a line.
   Vec3 face_normal(const Point& place, const Frame& frame) const {
     const auto [a, b, c] = mesh_.triangles[place.triangle];
     const Vec3 to_b = frame.vector(mesh_.positions[b] - mesh_.positions[a]);
@@ -69,7 +70,7 @@ class OrganSurface {
 
   const Mesh& mesh_;
   SurfacePoints places_;
-  const AlphaMask* mask_;  // null: no holes
+  const AlphaMask* mask_;  // null if the surface has no holes
 };
 
 /// The surfaces of all prototypes, with the masks of their textures.
@@ -92,14 +93,14 @@ class OrganSurfaces {
   std::vector<OrganSurface> surfaces_;
 };
 
-/// Strengths of the rays that go to some positions.
+/// Sums of the strengths of the rays from some positions.
 struct LightSum {
   double sent = 0;
   double arrived = 0;
   double taken_up = 0;
 };
 
-/// Everything that stands between lights and organs.
+/// All surfaces that can stop rays between lights and organs.
 class Shade {
  public:
   Shade(const MeshScene& meshes, const Scene& scene, Progress& progress) : scene_(scene), plant_(meshes, progress) {}
@@ -132,7 +133,7 @@ int place_count(double area) {
   return static_cast<int>(std::clamp(wanted, double{kLeastPlaces}, double{kMostPlaces}));
 }
 
-/// The light on organ number `index`. Organs of one prototype are asked at different positions.
+/// Returns the light on organ number `index`. Organs of one prototype are sampled at different positions.
 LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, std::size_t index, const Shade& shade,
                   const Progress& progress) {
   LightSum sum;
@@ -158,8 +159,8 @@ struct BlockLight::Parts {
 
   Shade shade;
   OrganSurfaces surfaces;
-  std::size_t grain = 1;   // organs of a task
-  std::size_t organs = 0;  // of earlier blocks
+  std::size_t grain = 1;   // organs of one task
+  std::size_t organs = 0;  // organs of earlier blocks
 };
 
 BlockLight::BlockLight(const MeshScene& meshes, const Scene& scene, Progress& progress)
@@ -195,7 +196,7 @@ std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limi
   progress.begin("measuring light", organs);
   std::vector<LitOrgan> lit;
   if (organs == 0) return lit;
-  std::optional<BlockLight> light;  // made once the limits are known to hold
+  std::optional<BlockLight> light;  // created after the limits were checked
   MaskedSurfaces surfaces;
   expand_in_blocks(plant, limits, progress, [&](const Plant& block) {
     if (!light) light.emplace(meshes, scene, progress);

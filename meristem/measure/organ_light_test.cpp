@@ -16,7 +16,7 @@
 
 namespace meristem::organ_light_test {
 
-/// A level square of one metre about the origin; u rises along x.
+/// Returns a level square of one metre about the origin. u grows along x.
 std::shared_ptr<const Mesh> square() {
   Mesh mesh;
   mesh.positions = {{-0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, -0.5F}};
@@ -72,7 +72,7 @@ TEST(OrganLight, ALeafShadesWhatIsBelowIt) {
   Plant plant = plant_of({square()});
   add_organ(plant, 0, {0, 2, 0});
   add_organ(plant, 0, {0, 1, 0});
-  add_organ(plant, 0, {0.75F, 1.5F, 0});  // a quarter below the first
+  add_organ(plant, 0, {0.75F, 1.5F, 0});  // a quarter lies below the first
   const std::vector<LitOrgan> lit = measured(plant);
   EXPECT_EQ(lit[0].exposure, 1);
   EXPECT_EQ(lit[1].exposure, 0);
@@ -90,9 +90,9 @@ TEST(OrganLight, HolesLetLightThrough) {
 TEST(OrganLight, HolesThemselvesGetNone) {
   Plant plant = plant_of({square(), square()});
   add_organ(plant, 1, {0, 1, 0});
-  add_organ(plant, 0, {-0.51F, 2, 0});  // over the half that is holes
+  add_organ(plant, 0, {-0.51F, 2, 0});  // above the half that is holes
   EXPECT_EQ(measured(plant)[0].exposure, 1);
-  plant.organs[1].frame.origin.x = 0.49F;  // over the other one
+  plant.organs[1].frame.origin.x = 0.49F;  // above the opaque half
   EXPECT_EQ(measured(plant)[0].exposure, 0);
 }
 
@@ -101,7 +101,7 @@ TEST(OrganLight, ABallShadesItsOwnHalf) {
   add_organ(plant, 2, {3, 1, 4});
   const std::vector<LitOrgan> lit = measured(plant);
   EXPECT_NEAR(lit[0].exposure, 0.5, 0.04);
-  // The disc that a ball shows to the light is a quarter of its surface.
+  // A ball shows a disc to the light, and the disc has a quarter of the area of the ball's surface.
   EXPECT_NEAR(lit[0].irradiance, 0.25, 0.02);
 }
 
@@ -128,7 +128,7 @@ TEST(OrganLight, LightsCountByTheirStrength) {
   Plant plant = plant_of({square()});
   add_organ(plant, 0, {0, 0, 0});
   Scene scene;
-  // Three quarters from the east at 30°, which a wall stops; a quarter from the zenith.
+  // Three quarters of the light come from the east at 30°, where a wall stops it. A quarter comes from the zenith.
   scene.light.sun = {{.toward = {std::sqrt(0.75F), 0.5F, 0}, .strength = 0.75}};
   scene.light.sky = {{.toward = kUp, .strength = 0.25}};
   EXPECT_NEAR(measured(plant, scene)[0].exposure, 1, 1e-9);
@@ -146,7 +146,7 @@ TEST(OrganLight, WhatIsBeyondALampShadesNothing) {
   scene.light.lamps = {{.position = {0, 2, 0}, .strength = 5}};
   scene.obstacles = Obstacles({{.mesh = box_mesh({-9, 4, -9}, {9, 5, 9})}});
   for (const LitOrgan& lit : measured(plant, scene)) EXPECT_EQ(lit.exposure, 1);
-  // From below the upper one, it shades the lower.
+  // The lamp shines from below, so the lower square shades the upper one.
   scene.light.lamps[0].position.y = 3.5F;
   const std::vector<LitOrgan> lit = measured(plant, scene);
   EXPECT_EQ(lit[0].exposure, 0);
@@ -170,7 +170,7 @@ TEST(OrganLight, FlattenedOrgansAndPlantsWithoutAnyGetNothing) {
   EXPECT_EQ(measured(plant)[0].exposure, 0);
 }
 
-/// Leaves turned every way in a ball.
+/// Returns leaves in a ball, turned in all directions.
 Plant foliage(std::uint64_t leaves) {
   Plant plant = plant_of({square()});
   const RandomKey key(4);
@@ -216,7 +216,7 @@ TEST(OrganLight, AgreesWithRaysThatAreTestedOtherwise) {
     arrived += arrived_here / sent_here;
     sent += 1;
   }
-  // Both ask some 20,000 positions; shares of 0 or 1 would have errors of 0.0035 each.
+  // Both use some 20,000 samples. Shares that are all 0 or 1 would have errors of 0.0035 in each mean.
   const LitOrgan mean = mean_leaf_light(plant, measured(plant, scene));
   EXPECT_NEAR(mean.exposure, arrived / sent, 0.02);
   EXPECT_GT(mean.exposure, 0.1);
@@ -228,7 +228,7 @@ TEST(OrganLight, WhatLeavesTakeUpIsMissingOnTheGround) {
   Scene scene;
   scene.light.sun = {{.toward = glm::normalize(Vec3(0.4F, 1, 0.2F))}};
   const LitOrgan leaves = mean_leaf_light(plant, measured(plant, scene));
-  // The plant's shadow on a plane that faces the light, by a grid of rays against it.
+  // Samples the plant's shadow on a plane that faces the light, with a grid of rays.
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
   const RayScene rays(meshes, progress);

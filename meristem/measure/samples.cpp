@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Describes a list of numbers by mean, standard deviation and quantiles. A quantile is interpolated between the two
+// nearest ranks of the sorted list.
 #include "meristem/measure/samples.h"
 
 #include <algorithm>

@@ -6,20 +6,21 @@
 
 namespace meristem {
 
-/// Statistics of many numbers; all are 0 if there are no numbers.
+/// Statistics of a list of numbers. All fields are 0 if the list is empty.
 struct Distribution {
   std::size_t count = 0;  ///< how many numbers
   double mean = 0;        ///< arithmetic mean
-  double spread = 0;      ///< standard deviation of these numbers, not of a population they stand for
+  double spread = 0;      ///< standard deviation of these numbers, not of a population that they represent
   double low = 0;         ///< 5 % of the numbers are below
   double median = 0;      ///< half of the numbers are below
   double high = 0;        ///< 5 % are above
 };
 
-/// Numbers between two neighbours in rank are interpolated. Costs a sort.
+/// Computes the statistics of `samples`. Quantiles are interpolated between neighbours in rank. The cost is one sort.
 Distribution distribution(std::vector<double> samples);
 
-/// The value below which the `share` (0 to 1) of ascending numbers lies, linear between neighbours; 0 for none.
+/// Returns the value below which a share (0 to 1) of `ascending` lies, linear between neighbours. Returns 0 for an
+/// empty list.
 double quantile(std::span<const double> ascending, double share);
 
 }  // namespace meristem

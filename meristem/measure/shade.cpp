@@ -2,9 +2,9 @@
 // In:  points on a surface, the sun's positions, plants and obstacles. Out: the share in shade, by position and by
 // point.
 //
-// Each point asks the obstacles first, and the plants only where those let the light through: so the share without
-// plants costs nothing more. Points and positions are cut into blocks that depend on their numbers alone, and what is
-// added up are whole numbers or sums in the blocks' order.
+// A ray from each point is tested against the obstacles first, and against the plants only if the obstacles let the
+// light pass. The share without plants therefore costs nothing more. Points and positions are cut into blocks whose
+// sizes depend only on the numbers of points and positions. The blocks' sums are added in order.
 #include "meristem/measure/shade.h"
 
 #include <algorithm>
@@ -26,13 +26,13 @@ constexpr std::size_t kPointsPerBlock = 1024;
 constexpr std::size_t kMomentsPerBlock = 64;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Twice the area of a triangle, along its front.
+/// Returns twice the area vector of a triangle, along its front.
 DVec3 double_area(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const DVec3 corner = mesh.positions[triangle[0]];
   return glm::cross(mesh.positions[triangle[1]] - corner, mesh.positions[triangle[2]] - corner);
 }
 
-/// A mesh may be turned inside out, which has the same inside.
+/// Returns true if the triangles of a closed mesh face inward. Such a mesh encloses the same space.
 bool faces_inward(const TriangleMesh& mesh) {
   double volume = 0;
   for (const auto& triangle : mesh.triangles)
@@ -67,7 +67,7 @@ bool belongs(DVec3 normal, FacadeSide side, std::optional<double> azimuth) {
   return false;
 }
 
-/// The faces of a body that belong to a side, turned outward.
+/// Returns the faces of a body that belong to a side, turned outward.
 Mesh facade_faces(const TriangleMesh& body, FacadeSide side, std::optional<double> azimuth) {
   const bool is_turned = faces_inward(body);
   Mesh faces;
@@ -81,13 +81,13 @@ Mesh facade_faces(const TriangleMesh& body, FacadeSide side, std::optional<doubl
 
 int cells(double length, double spacing) { return std::max(1, static_cast<int>(std::lround(length / spacing))); }
 
-/// What blocks of positions and points add up.
+/// The sums of blocks of positions and points.
 struct BlockSums {
-  std::vector<std::uint32_t> shaded;          // of each position in the block: points
-  std::vector<std::uint32_t> shaded_without;  // without plants
+  std::vector<std::uint32_t> shaded;          // for each position in the block: number of points in shade
+  std::vector<std::uint32_t> shaded_without;  // like `shaded`, without plants
   std::vector<double> cosine;
   std::vector<double> direct;
-  std::vector<std::uint32_t> point_shaded;  // of each point in the block: positions
+  std::vector<std::uint32_t> point_shaded;  // for each point in the block: number of positions with shade
   std::vector<std::uint32_t> point_shaded_without;
 };
 
@@ -164,7 +164,7 @@ ShadeSurface joined(const std::vector<ShadeSurface>& surfaces) {
 
 ShadeSurface panel_surface(const PanelField& panels, double spacing) {
   const DVec3 front(unit_vector({panels.azimuth, 0}));
-  const DVec3 right = glm::cross(DVec3(kUp), front);  // as seen from in front
+  const DVec3 right = glm::cross(DVec3(kUp), front);  // as seen from the front
   const DVec3 normal = math::cos(panels.tilt) * DVec3(kUp) + math::sin(panels.tilt) * front;
   const DVec3 up = glm::cross(normal, right);
   ShadeSurface surface{.area = panels.width * panels.length,
@@ -189,7 +189,7 @@ ShadeSurface ground_surface(Vec2 from, Vec2 to, double height, const Obstacles& 
   const double cell = (high.x - low.x) / surface.columns * ((high.y - low.y) / surface.rows);
   for (int row = 0; row < surface.rows; ++row) {
     for (int column = 0; column < surface.columns; ++column) {
-      // z grows to the south, rows to the north.
+      // z grows to the south, but rows count to the north.
       const Vec3 position(low.x + (high.x - low.x) * (column + 0.5) / surface.columns, height,
                           high.y - (high.y - low.y) * (row + 0.5) / surface.rows);
       const bool is_free = !obstacles.contain(position + RayScene::clearance(position) * kUp);
@@ -205,7 +205,7 @@ ShadeSurface ground_surface(Vec2 from, Vec2 to, double height, const Obstacles& 
 
 ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyDirection>& sun, const MeshScene& plants,
                              const Obstacles& obstacles, Progress& progress) {
-  // The positions above the horizon.
+  // The directions of the sun above the horizon.
   std::vector<Vec3> toward;
   std::vector<std::size_t> moment_of;
   for (std::size_t k = 0; k < sun.size(); ++k) {
@@ -221,7 +221,7 @@ ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyD
   if (points == 0 || moments == 0) return result;
   if (points > kMostShadeRays / moments) throw std::invalid_argument("too many rays for the shade of a surface");
 
-  // Ask in blocks of points by positions.
+  // Trace rays in blocks of points by positions.
   const std::size_t point_blocks = (points + kPointsPerBlock - 1) / kPointsPerBlock;
   const std::size_t moment_blocks = (moments + kMomentsPerBlock - 1) / kMomentsPerBlock;
   const ShadeRays rays(surface, plants, obstacles, progress);
@@ -249,7 +249,7 @@ ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyD
     }
   });
 
-  // Add the blocks up in their order.
+  // Add the blocks in their order.
   std::vector<std::uint64_t> of_point(points, 0);
   std::vector<std::uint64_t> of_point_without(points, 0);
   for (ShadeMoment& moment : result.moments) moment = {0, 0, 0, 0};

@@ -20,7 +20,7 @@ Obstacles boxes(const std::vector<std::pair<DVec3, DVec3>>& corners) {
   return Obstacles(std::move(bodies));
 }
 
-/// The meshes of a plant with one organ.
+/// Returns the meshes of a plant with one organ.
 MeshScene scene_of(const Mesh& mesh, Vec3 origin, const Material& material = {}) {
   Plant plant;
   plant.materials = {material};
@@ -36,10 +36,10 @@ ShadeOfSurface measured(const ShadeSurface& surface, const std::vector<SkyDirect
   return measure_shade(surface, sun, plants, obstacles, progress);
 }
 
-/// Toward the south at an altitude in degrees.
+/// The sun in the south at an altitude in degrees.
 SkyDirection south(double altitude) { return {kPi, radians(altitude)}; }
 
-/// A level square of 2 m, whose u rises with x.
+/// Returns a level square of 2 m. u grows with x.
 Mesh level_square() {
   Mesh mesh;
   mesh.positions = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}};
@@ -79,7 +79,7 @@ TEST(Shade, AFacadeBehindABigBoxLiesInFullShade) {
   const ShadeOfSurface shade = measured(facade, {south(30), south(85)}, {}, houses);
   EXPECT_EQ(shade.moments[0].shade_without_plants, 1);
   EXPECT_EQ(shade.moments[0].direct, 0);
-  EXPECT_EQ(shade.moments[1].shade_without_plants, 0);  // over the box
+  EXPECT_EQ(shade.moments[1].shade_without_plants, 0);  // above the box
   EXPECT_NEAR(shade.moments[1].direct, std::cos(radians(85)), 1e-6);
 }
 
@@ -91,7 +91,8 @@ TEST(Shade, WhatLooksAwayFromTheSunLiesInShade) {
   EXPECT_EQ(share(FacadeSide::south, south(30)), 0);
   EXPECT_EQ(share(FacadeSide::north, south(30)), 1);
   EXPECT_EQ(share(FacadeSide::roof, south(30)), 0);
-  EXPECT_NEAR(share(FacadeSide::walls, {kPi * 3 / 4, radians(30)}), 0.5, 0.01);  // south and east see it
+  EXPECT_NEAR(share(FacadeSide::walls, {kPi * 3 / 4, radians(30)}), 0.5, 0.01);  // the south and east walls face the
+                                                                                 // sun
 }
 
 TEST(Shade, APlantTakesLightOnlyWhereObstaclesLeaveSome) {
@@ -102,7 +103,7 @@ TEST(Shade, APlantTakesLightOnlyWhereObstaclesLeaveSome) {
   const ShadeOfSurface without = measured(ground, {south(45)}, {}, wall);
   EXPECT_EQ(both.moments[0].shade_without_plants, without.moments[0].shade);
   EXPECT_EQ(both.of_point_without_plants, without.of_point);
-  // The ball's shadow falls past the wall's, which reaches 2 m.
+  // The ball's shadow falls beyond the wall's shadow, which is 2 m long.
   EXPECT_NEAR((both.moments[0].shade - without.moments[0].shade) * ground.area, kPi / 4 / std::sin(radians(45)), 0.05);
 }
 
@@ -124,10 +125,11 @@ TEST(Shade, PanelsLookWhereTheyAreTurned) {
   EXPECT_EQ(panels.rows, 4);
   EXPECT_EQ(panels.positions.size(), 32U);
   EXPECT_DOUBLE_EQ(panels.area, 8);
-  const SkyDirection facing{radians(135), radians(60)};  // at right angles to them
+  const SkyDirection facing{radians(135), radians(60)};  // at right angles to the panels
   EXPECT_NEAR(measured(panels, {facing}).moments[0].cosine, 1, 1e-6);
   EXPECT_EQ(measured(panels, {{radians(315), radians(25)}}).moments[0].shade, 1);  // from behind
-  // The first row is the lowest, the first column at the left as seen from the southeast: the southwest end.
+  // The first row is the lowest. The first column is at the left as seen from the southeast, which is the southwest
+  // end.
   EXPECT_LT(panels.positions.front().y, panels.positions.back().y);
   EXPECT_LT(panels.positions[0].x, panels.positions[7].x);
   EXPECT_GT(panels.positions[0].z, panels.positions[7].z);
@@ -181,7 +183,7 @@ TEST(Shade, AnAzimuthChoosesTheWallsOfATurnedHouse) {
   for (const Vec3 normal : wall.normals) EXPECT_NEAR(glm::dot(normal, expected), 1, 1e-5);
 }
 
-// Turning everything, sun and plants, about the vertical changes nothing.
+// The result does not change if everything, sun and plants, turns about the vertical.
 TEST(Shade, TurningTheWorldChangesNothing) {
   const MeshScene ball = scene_of(make_sphere(1, 64), {1, 2, 0});
   const PanelField field{.position = {0, 1, 0}, .width = 3, .length = 3, .tilt = radians(20), .azimuth = kPi};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measures trees one by one and combines them into the measures of a stand. Counts, lengths and areas are added. Sizes
+// come from the tallest tree, and angles, ratios and exponents are pooled over all trees.
 #include "meristem/measure/stand_sum.h"
 
 #include <algorithm>

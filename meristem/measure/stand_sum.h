@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures of the trees of a stand, one tree after another.
+// Adds up the measures of the trees of a stand, tree by tree.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace meristem {
 
-/// The measurements of one tree.
+/// The measures of one tree.
 struct TreeRecord {
-  TreeForm form;  ///< without the crown's hull
+  TreeForm form;  ///< the crown's hull is dropped
   ForkSamples forks;
   std::vector<std::uint64_t> streams;
   std::optional<double> lit_share;
-  Vec3 position{0};  ///< of the root, metres
+  Vec3 position{0};  ///< position of the root, metres
 };
 
 /// Measures each tree of a skeleton, in the order of the roots. Throws Cancelled.
@@ -37,11 +37,11 @@ class StandSum {
 
  private:
   Measures sums_;
-  std::optional<TreeForm> tallest_;  // the first of several
+  std::optional<TreeForm> tallest_;  // ties go to the first tree
   ForkSamples forks_;
   DVec3 segment_sum_{0};
   DVec3 node_sum_{0};
-  double hull_area_ = 0;  // of the trees whose lit share is known
+  double hull_area_ = 0;  // hull area of the trees whose lit share is known
   double lit_area_ = 0;
 };
 

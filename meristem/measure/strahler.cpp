@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes Strahler numbers and counts streams. Nodes are visited from the tips to the root, so that the children of a
+// node have their numbers before the node.
+//
 // Based on: A. N. Strahler, Quantitative analysis of watershed geomorphology, 1957, as botanists use it for branches.
 #include "meristem/measure/strahler.h"
 

@@ -9,17 +9,20 @@
 
 namespace meristem {
 
-/// The Strahler number of every node: 1 at tips; before a fork the largest of its children's, one more if two or more
-/// share it.
+/// Returns the Strahler number of every node. Tips have 1. A node before a fork has the largest number of its children,
+/// plus one if two or more children share this number.
 std::vector<std::uint8_t> strahler_numbers(const Skeleton& skeleton, const Children& children);
 
-/// How many streams there are of each Strahler number from 1: runs of nodes of one number, counted where they begin.
+/// Returns the number of streams of each Strahler number, from 1. A stream is a run of nodes with one number and is
+/// counted where it begins.
 std::vector<std::uint64_t> strahler_streams(const Skeleton& skeleton, std::span<const std::uint8_t> numbers);
 
-/// Streams of each number over those of the next: one entry less than `streams`.
+/// Returns the streams of each number divided by the streams of the next number. The result has one entry less than
+/// `streams`.
 std::vector<double> bifurcation_ratios(std::span<const std::uint64_t> streams);
 
-/// The geometric mean of all bifurcation ratios, which is the root of first over last. `streams` has at least two.
+/// Returns the geometric mean of all bifurcation ratios, which is a root of the first count divided by the last.
+/// `streams` must have at least two entries.
 double mean_bifurcation_ratio(std::span<const std::uint64_t> streams);
 
 }  // namespace meristem

@@ -7,8 +7,8 @@
 
 namespace meristem::strahler_test {
 
-/// A tree in which every node but the last ones has `arity` children, `levels` forks deep, with `run` segments between
-/// forks.
+/// Returns a tree in which every inner node forks into `arity` children, `levels` times in a row, with `run` segments
+/// between forks.
 Skeleton even_tree(int arity, int levels, int run) {
   Skeleton skeleton;
   std::vector<NodeIndex> ends{skeleton.add_node(kNoNode, {0, 0, 0}, 0)};
@@ -41,7 +41,7 @@ TEST(Strahler, EvenTreesHaveTheirArityAsRatio) {
 }
 
 TEST(Strahler, SideTwigsDoNotRaiseAStem) {
-  // A stem of six segments with a twig at each node is of number 2 below the last twig and 1 above.
+  // A stem of six segments with a twig at each node has number 2 below the last twig and 1 above.
   Skeleton skeleton;
   NodeIndex last = skeleton.add_node(kNoNode, {0, 0, 0}, 0);
   for (int k = 1; k <= 6; ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of each plant are found once, with numbers of its own: of the plant itself, and of each variant that stands in
-// several places. A place then adds what comes before it in the order in which the plant would be copied out
-// (plant_variant.h), so that nothing is copied.
+// Labels positions on surfaces with tree, component, instance and shoot. The facts of each plant are found once, in the
+// plant's own numbering, also for each variant that stands in several places. For each place, the numbers of everything
+// before it are added, in the order in which the plant would be copied out (plant_variant.h). No plant is copied.
 #include "meristem/measure/surface_labels.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t kOrgansPerSearch = 512;
 
-/// A shoot in the numbers of its plant.
+/// A shoot in the numbering of its plant.
 struct ShootFacts {
   std::uint32_t tree = 0;
   std::uint32_t instance = 0;
@@ -40,18 +40,20 @@ struct OrganFacts {
   std::uint32_t shoot = kNoShoot;
 };
 
-/// What is known of one plant without its plantings.
+/// The facts of one plant, without the plants placed in it.
 struct PlantFacts {
-  std::vector<std::uint32_t> first_shoot{};  // of each stem, and the end
+  std::vector<std::uint32_t> first_shoot{};  // for each stem its first shoot, and last the number of shoots
   std::vector<ShootFacts> shoots{};
   std::uint32_t trees = 0;
-  std::vector<std::string> components{};                // ids of its stems' parts and prototypes
-  std::vector<std::uint32_t> prototype_component{};     // of each prototype
-  std::vector<std::vector<OrganFacts>> of_prototype{};  // its organs
-  std::vector<std::uint32_t> stem_instances{};          // of each component: one more than the highest number
-  std::vector<std::uint32_t> organ_instances{};         // of each component
-  std::optional<SegmentTree> segments{};                // once organs are known, only for bodies, whose axes it finds
-  std::vector<std::string> labels{};                    // of each shoot
+  std::vector<std::string> components{};                // ids of the stems' parts and of the prototypes
+  std::vector<std::uint32_t> prototype_component{};     // component of each prototype
+  std::vector<std::vector<OrganFacts>> of_prototype{};  // organs of each prototype
+  std::vector<std::uint32_t> stem_instances{};          // for each component: the highest number of an instance plus
+                                                        // one
+  std::vector<std::uint32_t> organ_instances{};         // for each component
+  std::optional<SegmentTree> segments{};                // finds the axes of bodies; set after the organs are known, and
+                                                        // only if there are bodies
+  std::vector<std::string> labels{};                    // label of each shoot
 
   std::uint32_t number_of(const std::string& component) {
     const auto found = std::find(components.begin(), components.end(), component);
@@ -136,20 +138,20 @@ PlantFacts facts_of(const Plant& plant, Progress& progress) {
   return facts;
 }
 
-/// Appends a plant and all plants placed in it, each of them once.
+/// Appends a plant and all plants placed in it. Each plant is appended once.
 void gather(const Plant& plant, std::unordered_set<const Plant*>& known, std::vector<const Plant*>& plants) {
   if (!known.insert(&plant).second) return;
   plants.push_back(&plant);
   for (const Planting& planting : plant.plantings) gather(*planting.variant->plant, known, plants);
 }
 
-/// What stands on one site, by what comes before it.
+/// A plant on one place, and the counts of everything before this place.
 struct PlaceFacts {
-  const PlantFacts* facts = nullptr;  // of the plant that stands there
+  const PlantFacts* facts = nullptr;  // facts of the plant on this place
   std::uint32_t shoots = 0;
   std::uint32_t trees = 0;
-  std::vector<std::uint32_t> stem_instances{};   // of each component of the variant
-  std::vector<std::uint32_t> organ_instances{};  // of each component of the variant
+  std::vector<std::uint32_t> stem_instances{};   // for each component of the variant
+  std::vector<std::uint32_t> organ_instances{};  // for each component of the variant
   std::vector<std::vector<PlaceFacts>> inner{};  // places of each planting of the variant
 };
 
@@ -163,11 +165,11 @@ struct LabelFacts {
   std::vector<std::string> components;
   std::vector<std::uint32_t> component_of_part;
 
-  /// From this shoot on, the shoots are those of one plant on one of its places.
+  /// The plant, on one of its places, to which the shoots from `first` on belong.
   struct Owner {
     std::uint32_t first = 0;
     const PlantFacts* facts = nullptr;
-    std::shared_ptr<const std::string> prefix;  // of the ids of its components
+    std::shared_ptr<const std::string> prefix;  // prefix of the component ids
   };
   std::vector<Owner> owners;
 
@@ -177,7 +179,7 @@ struct LabelFacts {
     return *(after - 1);
   }
 
-  /// Counts what has been copied out so far.
+  /// Counts of everything that comes before the current place.
   struct Counts {
     std::uint32_t shoots = 0;
     std::uint32_t trees = 0;
@@ -195,7 +197,7 @@ struct LabelFacts {
     for (const Plant* own : plants) of_plant.emplace(own, facts_of(*own, progress));
   }
 
-  /// The depth of plantings in plantings is bounded where documents are read.
+  /// Recursion is safe: the readers of documents limit the depth of plantings.
   PlaceFacts place(const Plant& own, const std::shared_ptr<const std::string>& prefix, Counts& counts,
                    const Progress& progress) {
     progress.check();
@@ -237,7 +239,7 @@ struct LabelFacts {
 PlantLabels::PlantLabels(const Plant& plant, const Limits& limits, Progress& progress)
     : facts_(std::make_unique<LabelFacts>()) {
   std::optional<Plant> copied;
-  // The meshes are made of this plant as well.
+  // The meshes are made from this copy as well.
   if (has_deformed_plantings(plant)) copied = with_deformed_copies(plant, limits, progress);
   const Plant& labelled = copied ? *copied : plant;
   facts_->find(labelled, progress);
@@ -267,7 +269,7 @@ SurfaceLabel SurfaceLabels::of(std::uint32_t part, std::uint32_t instance, std::
   const MeshOrigin* origin = mesh.origin.get();
   if (origin == nullptr) return label;
 
-  // Go down to the plant that has the mesh, and to its place.
+  // Descend to the place, and to the plant that has the mesh.
   const auto frames = static_cast<std::uint32_t>(mesh.frames.size());
   const std::uint32_t frame = instance % frames;
   std::size_t place_number = instance / frames;

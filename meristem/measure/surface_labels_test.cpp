@@ -11,7 +11,7 @@
 
 namespace meristem::surface_labels_test {
 
-/// The two stems, with three leaves: on the fork's branch, on the vine, and on the fork's trunk.
+/// Returns the two stems with three leaves: on the fork's branch, on the vine, and on the fork's trunk.
 Plant leafy_stems() {
   Plant plant = two_stems();
   plant.materials.emplace_back();
@@ -83,7 +83,7 @@ TEST(SurfaceLabels, TrianglesOfBodiesAreThoseOfTheNearestAxis) {
   }
 }
 
-/// Plants within plants, in several places: all numbers are those of the plant with all of its copies.
+/// Plants within plants, in several places: the numbers equal those of the plant after all copies were made.
 TEST(SurfaceLabels, PlacedPlantsAreNumberedAsTheirCopies) {
   const auto tree = std::make_shared<PlantVariant>();
   tree->plant = std::make_shared<const Plant>(leafy_stems());
@@ -105,7 +105,7 @@ TEST(SurfaceLabels, PlacedPlantsAreNumberedAsTheirCopies) {
   ASSERT_EQ(labels.shoot_count(), wanted.shoot_count());
   EXPECT_EQ(labels.shoot_count(), 3U * 7);
 
-  // Each triangle of the copies, by where it lies.
+  // Each triangle of the copies, found by its position.
   struct Known {
     Vec3 middle;
     SurfaceLabel label;

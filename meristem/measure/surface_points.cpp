@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Maps the unit square to positions on triangles, so that equal areas of the square cover equal areas of the surface. A
+// binary search over summed areas finds the triangle. The square root of the remaining share places the position
+// between a corner and the opposite edge.
 #include "meristem/measure/surface_points.h"
 
 #include <algorithm>
@@ -7,7 +10,7 @@
 namespace meristem {
 namespace {
 
-/// Twice the area of a triangle, along its face's normal.
+/// Returns twice the area vector of a triangle, along its face's normal.
 DVec3 double_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const DVec3 corner(mesh.positions[triangle[0]]);
   return glm::cross(DVec3(mesh.positions[triangle[1]]) - corner, DVec3(mesh.positions[triangle[2]]) - corner);
@@ -39,7 +42,7 @@ SurfacePoints::Point SurfacePoints::at(double along, double across) const {
   const auto found = std::upper_bound(area_before_.begin(), area_before_.end() - 1, reached);
   const auto index = static_cast<std::size_t>(found - area_before_.begin());
   const double before = index == 0 ? 0 : area_before_[index - 1];
-  // From the first corner toward the opposite edge, the area passed grows with the square of the way.
+  // From the first corner toward the opposite edge, the covered area grows with the square of the distance.
   const double share = std::clamp((reached - before) / (area_before_[index] - before), 0.0, 1.0);
   const double way = std::sqrt(share);
   return {triangles_[index], Vec3(1 - way, way * (1 - across), way * across)};

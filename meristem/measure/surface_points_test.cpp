@@ -25,7 +25,8 @@ TEST(SurfacePoints, TrianglesGetPlacesInProportionToTheirArea) {
 }
 
 TEST(SurfacePoints, AreEvenWithinATriangle) {
-  // The mean of even positions is the centroid, and their second moments are the triangle's: 1/6 for a weight's square.
+  // The mean of even positions is the centroid. Their second moments equal those of the triangle: 1/6 for the square of
+  // a weight.
   Mesh triangle;
   triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.triangles = {{0, 1, 2}};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measures the form of one tree: counts, height, stems at breast height, and the crown. The crown begins at the first
+// fork. Its widths and areas come from convex hulls of its nodes.
 #include "meristem/measure/tree_form.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace meristem {
 namespace {
 
-/// Sums and counts that one pass over the nodes gives.
+/// Sums and counts that need one pass over the nodes.
 void count_nodes(const Skeleton& skeleton, const Children& children, TreeForm& form) {
   const DVec3 root(skeleton.position[0]);
   form.nodes = skeleton.node_count();
@@ -48,12 +50,12 @@ std::uint64_t count_metamers(const Skeleton& skeleton) {
   return count;
 }
 
-/// The diameters of all that rises past breast height: where a way from the root does so first. What comes down again
-/// from above, as in a weeping crown, is no stem.
+/// Returns the diameters of all shoots where a path from the root first rises past breast height. Shoots that come down
+/// again from above, as in a weeping crown, do not count.
 std::vector<double> diameters_at_breast_height(const Skeleton& skeleton) {
   const double level = double{skeleton.position[0].y} + kBreastHeight;
   std::vector<double> diameters;
-  std::vector<bool> is_below(skeleton.node_count(), false);  // with all of the way from the root
+  std::vector<bool> is_below(skeleton.node_count(), false);  // true if the whole path from the root stays below
   is_below[0] = true;
   for (NodeIndex node = 1; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
@@ -62,7 +64,7 @@ std::vector<double> diameters_at_breast_height(const Skeleton& skeleton) {
       is_below[node] = true;
       continue;
     }
-    // A lateral begins as thick as its own first node, within its parent.
+    // A lateral has the thickness of its own first node from its beginning within the parent.
     const bool goes_on = skeleton.axis[node] == skeleton.axis[parent];
     const double below = skeleton.position[parent].y;
     const double share = goes_on ? (level - below) / (skeleton.position[node].y - below) : 1;
@@ -84,7 +86,7 @@ void measure_stems(const Skeleton& skeleton, TreeForm& form) {
   }
 }
 
-/// The first fork, and whether each node belongs to the crown past it.
+/// Finds the first fork. Returns for each node whether it belongs to the crown beyond this fork.
 std::vector<bool> find_crown(const Skeleton& skeleton, const Children& children, TreeForm& form) {
   std::vector<bool> in_crown(skeleton.node_count(), true);
   NodeIndex node = 0;
@@ -112,7 +114,7 @@ void measure_crown(const Skeleton& skeleton, const Children& children, const Pro
   }
   const OutlineSize outline = measure_outline(convex_outline(std::move(seen_from_above)));
   form.crown_width = outline.diameter;
-  // Cauchy: a convex outline's extent, averaged over all directions, is its perimeter over pi.
+  // Cauchy: the extent of a convex outline, averaged over all directions, is its perimeter divided by pi.
   form.crown_mean_width = outline.perimeter / kPi;
   form.crown_ground_area = outline.area;
   form.crown_hull = convex_hull(crown, progress);

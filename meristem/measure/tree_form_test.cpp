@@ -11,7 +11,7 @@ namespace meristem::tree_form_test {
 
 TreeForm form_of(const Skeleton& skeleton) { return measure_form(skeleton, Children(skeleton)); }
 
-/// A lateral of one segment.
+/// Adds a lateral of one segment.
 void add_lateral(Skeleton& skeleton, NodeIndex parent, Vec3 end, AxisIndex axis) {
   const NodeIndex node = skeleton.add_node(parent, end, 0);
   skeleton.axis[node] = axis;
@@ -19,8 +19,8 @@ void add_lateral(Skeleton& skeleton, NodeIndex parent, Vec3 end, AxisIndex axis)
   skeleton.radius[node] = 0.01F;
 }
 
-/// A stem from (1, 10, 1) that is 2 m high, tapers from 0.2 to 0.1 m radius, and bears four horizontal laterals of 1 m
-/// toward the four winds at its top, and above that a tip at 3 m.
+/// A stem from (1, 10, 1) that is 2 m high and tapers from 0.2 to 0.1 m radius. At its top, it has four horizontal
+/// laterals of 1 m toward the four winds, and above them a tip at 3 m.
 Skeleton candelabra() {
   Skeleton skeleton;
   const Vec3 root(1, 10, 1);
@@ -49,14 +49,14 @@ TEST(TreeForm, SizesOfACandelabra) {
   EXPECT_DOUBLE_EQ(form.height, 3);
   EXPECT_EQ(form.fork, NodeIndex{1});
   EXPECT_DOUBLE_EQ(form.crown_height, 1);
-  // Seen from above the crown is a square with diagonals of 2 m.
+  // From above, the crown is a square with diagonals of 2 m.
   EXPECT_DOUBLE_EQ(form.crown_width, 2);
   EXPECT_NEAR(form.crown_mean_width, 4 * std::sqrt(2.0) / kPi, 1e-6);
   EXPECT_NEAR(form.crown_ground_area, 2, 1e-6);
-  // Its hull is a pyramid 1 m high on that square.
+  // The hull is a pyramid 1 m high on that square.
   EXPECT_NEAR(form.crown_hull_volume, 2.0 / 3, 1e-6);
   EXPECT_NEAR(form.crown_hull_area, 2 + 4 * std::sqrt(3.0) / 2, 1e-6);
-  // 1.3 m are 0.65 of the way from 0.2 to 0.1 m radius.
+  // 1.3 m is 0.65 of the length from 0.2 to 0.1 m radius.
   EXPECT_NEAR(*form.diameter, 2 * (0.2 - 0.65 * 0.1), 1e-6);
 }
 
@@ -78,7 +78,7 @@ TEST(TreeForm, AStemWithoutAForkHasNoCrown) {
   EXPECT_EQ(form_of({}).nodes, 0U);
 }
 
-/// A line of two segments to a height, of one radius; of its own axis where it leaves another one.
+/// Adds a line of two segments up to a height, with one radius. The line gets its own axis if it leaves another line.
 void add_stem(Skeleton& skeleton, NodeIndex parent, Vec3 base, Vec3 end, float radius) {
   const AxisIndex axis = skeleton.node_count() == 0 ? 0 : skeleton.axis.back() + 1;
   for (const Vec3 position : {base, end}) {
@@ -96,7 +96,7 @@ TEST(TreeForm, TheThickestStemCountsAndNotTheFirstAxis) {
   const TreeForm form = form_of(bush);
   EXPECT_NEAR(*form.diameter, 0.08, 1e-7);
   EXPECT_EQ(form.stems, 2U) << "the twig is thinner than a third of the thickest";
-  EXPECT_NEAR(std::sqrt(form.diameter_squares), 0.1, 1e-7);  // 8 and 6 cm together are as one of 10
+  EXPECT_NEAR(std::sqrt(form.diameter_squares), 0.1, 1e-7);  // 8 and 6 cm together equal one of 10 cm
   EXPECT_NEAR(form.base_diameter, 0.004, 1e-7);
 }
 
@@ -145,7 +145,8 @@ TEST(TreeForm, MetamersAreThoseThatAreNumberedOnEachAxis) {
   for (NodeIndex node = 0; node < 7; ++node) skeleton.add_node(node == 0 ? kNoNode : node - 1, Vec3(0, node, 0), 0);
   skeleton.axis = {0, 0, 0, 0, 1, 1, 1};
   skeleton.order = {0, 0, 0, 0, 1, 1, 1};
-  // The stem's second metamer has two nodes, the branch's first as well; the last node is of none.
+  // The stem's second metamer has two nodes. The first metamer of the branch also has two. The last node belongs to no
+  // metamer.
   skeleton.extra["metamer"] = {0, 1, 2, 2, 1, 1, -1};
   EXPECT_EQ(form_of(skeleton).metamers, 3U);
 }

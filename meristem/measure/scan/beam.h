@@ -7,10 +7,11 @@
 
 namespace meristem {
 
-/// Where the rays that stand for a Gaussian beam lie in its cross-section, in its radii at 1/e². Each stands for an
-/// equal share of the beam's strength: one per ring of that share, at the ring's mean square distance from the axis and
-/// turned by the golden angle. So with two rays or more, the mean square distance is exactly the beam's, a half. One
-/// ray is the axis.
+/// Returns where the rays that represent a Gaussian beam lie in its cross-section, in units of its radius at 1/e². Each
+/// ray represents an equal share of the beam's strength. The beam is cut into rings of equal strength with one ray
+/// each. The ray lies at the ring's mean square distance from the axis, and is turned by the golden angle from the ray
+/// before. With two rays or more, the mean square distance is therefore exactly that of the beam, 1/2. A single ray
+/// lies on the axis.
 std::vector<Vec2> beam_offsets(int rays);
 
 }  // namespace meristem

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+// Published figures of one well-known scanner per class. instrument.h names the sources. The terrestrial scanner has
+// the default values of Instrument, and the other classes change what differs.
 #include "meristem/measure/scan/instrument.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr double kWholeRange = 1000;  // metres: all that lies in the beam is mixed
+constexpr double kWholeRange = 1000;  // resolution in metres that mixes all surfaces in the beam into one return
 
 }  // namespace
 

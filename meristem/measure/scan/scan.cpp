@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// In:  meshes with labels, an instrument, where it stands. Out: points, in the order of the pulses.
+// In:  meshes with labels, an instrument, its stations. Out: points, in the order of the pulses.
 //
 // Each pulse is a bundle of rays that stand for equal shares of a Gaussian beam (beam.h) and spread from the exit
-// aperture. What the rays meet is sorted by distance and cut into returns: a return holds all surfaces within the
-// instrument's resolution of its first one, and its range is their mean by intensity. So a beam on an edge gives one
-// point between two surfaces that are near each other, and two points where they are far apart. Waveforms, the
-// reflectance of materials and what multiple scattering adds are left out.
+// aperture. The hits of the rays are sorted by distance and cut into returns. A return holds all surfaces within the
+// instrument's resolution of its first surface, and its range is their mean by intensity. A beam on an edge therefore
+// gives one point between two surfaces that are near each other, and two points if they are far apart. Waveforms, the
+// reflectance of materials and multiple scattering are left out.
 //
-// Based on: S. Bechtold, B. Höfle, HELIOS: a multi-purpose LiDAR simulation framework, 2016 (the beam as a bundle of
-// rays; here each stands for an equal share of it, so that its width is exact with any number of rays).
+// Based on: S. Bechtold, B. Höfle, HELIOS: a multi-purpose LiDAR simulation framework, 2016. The source represents the
+// beam as a bundle of rays. Here each ray stands for an equal share of the beam, so that the beam width is exact with
+// any number of rays.
 #include "meristem/measure/scan/scan.h"
 
 #include <algorithm>
@@ -34,16 +35,16 @@ namespace {
 
 constexpr std::size_t kPulsesPerBlock = 1024;
 constexpr std::size_t kBlocksAtOnce = 128;
-constexpr std::size_t kMostReturns = 15;  // what formats can count
+constexpr std::size_t kMostReturns = 15;  // maximum number of returns that file formats can count
 
-/// What a ray of a pulse meets.
+/// The hit of one ray of a pulse.
 struct Echo {
   float distance = 0;
   float strength = 0;  // share of the beam times the cosine of the incidence
   SurfaceLabel label;
 };
 
-/// Echoes that the instrument cannot tell apart, as one return.
+/// A return: echoes that the instrument cannot separate.
 struct Return {
   double range = 0;
   double true_range = 0;
@@ -51,7 +52,7 @@ struct Return {
   SurfaceLabel label;
 };
 
-/// The box around what is of the plant; around all where nothing is known to be.
+/// Returns the box around all surfaces of plants, or `whole` if no surface is known to belong to a plant.
 Box bounds_of_plants(const MeshScene& meshes, const Box& whole) {
   const auto is_known = [](const MeshInstances& part) { return part.origin != nullptr; };
   if (std::ranges::all_of(meshes.meshes, is_known)) return whole;
@@ -65,9 +66,9 @@ Box bounds_of_plants(const MeshScene& meshes, const Box& whole) {
   return plants.is_empty() ? whole : plants;
 }
 
-/// Where the pulses go.
+/// The positions of the stations and the paths of the pulses.
 struct Layout {
-  Box box;  // around all meshes
+  Box box;  // box around all meshes
   ScanPattern pattern;
 };
 
@@ -93,7 +94,8 @@ Layout layout_of(const MeshScene& meshes, const ScanOptions& options) {
   return {box, std::move(pattern)};
 }
 
-/// Mean distance, and the label with most of the strength. The echoes are sorted.
+/// Merges sorted echoes into one return with the mean distance. The label is that of the surface with most of the
+/// strength.
 Return merged(std::span<const Echo> echoes) {
   Return made;
   double sum = 0;
@@ -127,14 +129,14 @@ struct Scanner::Parts {
   Box box;
   ScanPattern pattern;
   SurfaceLabels labels;
-  std::optional<RayScene> rays;  // set once all else is ready
+  std::optional<RayScene> rays;  // created after everything else is ready
   bool has_meshes;
   std::vector<Vec2> offsets;
   RandomKey turn_key;
   RandomKey noise_key;
-  double spread = 0;    // metres per metre: of a ray one radius off the axis
-  double reach = 0;     // of the outermost ray, in radii
-  double aperture = 0;  // metres: radius of the beam where it leaves
+  double spread = 0;    // spread of a ray that lies one beam radius off the axis, metres per metre
+  double reach = 0;     // distance of the outermost ray from the axis, in beam radii
+  double aperture = 0;  // radius of the beam at the aperture, metres
 
   Parts(PlantLabels&& plant, const MeshScene& meshes, const ScanOptions& given, Layout layout)
       : options(given),
@@ -150,7 +152,7 @@ struct Scanner::Parts {
     for (const Vec2 offset : offsets) reach = std::max(reach, double{glm::length(offset)});
   }
 
-  /// Whether any ray of a pulse can meet the scene's box or the ground.
+  /// Returns false only if no ray of a pulse can meet the scene's box or the ground.
   bool may_meet(const Pulse& pulse) const {
     if (options.ground && pulse.direction.y < reach * spread) return true;
     if (!has_meshes) return false;
@@ -174,7 +176,7 @@ struct Scanner::Parts {
     return enter <= leave;
   }
 
-  /// What one ray meets, within the instrument's range.
+  /// Finds the nearest hit of a ray within the instrument's range. Returns false if there is no hit.
   bool trace(const Ray& ray, Echo& echo) const {
     std::optional<RayHit> hit;
     if (has_meshes) hit = rays->first_hit(ray);
@@ -200,10 +202,10 @@ struct Scanner::Parts {
     return true;
   }
 
-  /// Echoes of all rays of a pulse, sorted by distance; equal ones keep the order of their rays.
+  /// Collects the echoes of all rays of a pulse, sorted by distance. Equal distances keep the order of the rays.
   void gather(const Pulse& pulse, std::uint64_t number, std::vector<Echo>& echoes) const {
     echoes.clear();
-    // Any two ways at right angles to the axis, turned by chance, so that the pattern of rays leaves no trace.
+    // Choose two directions at right angles to the axis, turned at random, so that the pattern of rays leaves no trace.
     const DVec3 axis = pulse.direction;
     const DVec3 helper = std::abs(axis.y) < 0.9 ? DVec3(kUp) : DVec3(1, 0, 0);
     const DVec3 first = glm::normalize(glm::cross(axis, helper));
@@ -218,7 +220,7 @@ struct Scanner::Parts {
       Echo echo;
       if (trace(ray, echo)) echoes.push_back(echo);
     }
-    // They are few, and std::stable_sort would take memory for each pulse.
+    // Insertion sort: there are few echoes, and std::stable_sort would allocate memory for each pulse.
     for (std::size_t k = 1; k < echoes.size(); ++k) {
       const auto is_nearer = [](const Echo& a, const Echo& b) { return a.distance < b.distance; };
       const auto place =
@@ -233,7 +235,8 @@ struct Scanner::Parts {
     if (!may_meet(pulse)) return;
     gather(pulse, number, echoes);
 
-    // Cut the echoes where the instrument can, and keep what is strong enough.
+    // Cut the echoes where they are farther apart than the instrument's resolution, and keep returns that are strong
+    // enough.
     const Instrument& instrument = options.instrument;
     std::array<Return, kMostReturns> returns;
     std::size_t count = 0;
@@ -264,7 +267,7 @@ struct Scanner::Parts {
 
 Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
                  Progress& progress) {
-  Layout layout = layout_of(meshes, options);  // what is wrong comes before any work
+  Layout layout = layout_of(meshes, options);  // checks the options before any work
   auto parts = std::make_unique<Parts>(PlantLabels(plant, limits, progress), meshes, options, std::move(layout));
   parts->rays.emplace(meshes, progress);
   parts_ = std::move(parts);

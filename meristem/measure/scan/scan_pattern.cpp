@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Lists the pulses of a scan: origin and direction by number. Terrestrial scanners sweep up and down at each azimuth,
+// drones fly parallel lines, and depth cameras look through a grid of pixels. Cosines and sines are computed once per
+// row and column of pulses.
 #include "meristem/measure/scan/scan_pattern.h"
 
 #include <algorithm>
@@ -10,11 +13,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kTripod = 1.6;        // metres
-constexpr double kCloseTo = 2;         // metres that scanners keep at least from a small plant
-constexpr double kShareOfRange = 0.8;  // of a camera's range that its stations use at most
+constexpr double kTripod = 1.6;        // height of a tripod, metres
+constexpr double kCloseTo = 2;         // minimum distance from a small plant, metres
+constexpr double kShareOfRange = 0.8;  // maximum share of a camera's range at which its stations stand
 
-/// A whole number of steps, whatever the last bit of a product says.
+/// Returns the number of whole steps in a length, independent of rounding in the last bit of a product.
 std::uint64_t steps_in(double length, double step) {
   return static_cast<std::uint64_t>(std::max(0.0, std::floor(length / step + 1e-6)));
 }
@@ -106,7 +109,7 @@ void ScanPattern::plan_pixels(const Instrument& instrument, Vec3 target) {
     DVec3 right = glm::cross(forward, DVec3(kUp));
     right = glm::length(right) > 1e-9 ? glm::normalize(right) : DVec3(1, 0, 0);
     const DVec3 down = glm::cross(forward, right);
-    // The upper left corner of the picture, and the ways from one pixel to the next.
+    // The upper left corner of the picture, and the vectors from one pixel to the next.
     const DVec3 corner = forward - 0.5 * pixel * instrument.columns * right - 0.5 * pixel * instrument.rows * down;
     views_.emplace_back(pixel * right, pixel * down, corner);
   }

@@ -26,7 +26,7 @@ void add_organ(Plant& plant, const std::string& component, Mesh mesh, Vec3 posit
   plant.organs.push_back({.frame = {.origin = position}, .prototype = prototype});
 }
 
-/// A camera without noise and with beams of no width.
+/// Returns a camera without noise whose beams have no width.
 Instrument plain_camera(double field_deg, int columns, int rows) {
   Instrument camera = instrument_of(ScannerClass::depth_camera);
   camera.field = radians(field_deg);
@@ -45,7 +45,7 @@ Scan scan_of(const Plant& plant, const ScanOptions& options) {
   return scan(plant, {}, meshes, options, progress);
 }
 
-/// The distance along a ray to a sphere, a standing cylinder and a standing cone, infinite where it misses.
+/// Returns the distance along a ray to a sphere, a standing cylinder or a standing cone, or infinity if the ray misses.
 double to_sphere(DVec3 from, DVec3 way, DVec3 centre, double radius) {
   const DVec3 offset = from - centre;
   const double b = glm::dot(offset, way);
@@ -81,7 +81,8 @@ TEST(Scan, MeetsBallsCylindersAndConesWhereTheyAre) {
     const double distances[3] = {to_sphere(station, way, {-0.4, 1, 0}, 0.12),
                                  to_cone(station, way, {0, 0.8, 0}, 0.1, 0.1, 0.4),
                                  to_cone(station, way, {0.4, 0.8, 0}, 0.1, 0, 0.4)};
-    // A ray at a small angle to the surface meets the polygon's sides later; those at the rim meet the caps.
+    // The bodies are polygons. A ray at a small angle to a surface meets the flat sides later than the round body, and
+    // rays at the rim meet the caps.
     const double distance = distances[point.label.component];
     if (!std::isfinite(distance) || point.intensity < 0.6F) continue;
     ++seen[point.label.component];
@@ -100,8 +101,8 @@ TEST(Scan, RaysOfABeamHaveItsMeanSquareDistance) {
   }
 }
 
-/// A beam is led across the edge of a plate 10 m away: its profile is what the plate gives back more from place to
-/// place.
+/// Moves a beam across the edge of a plate 10 m away. The beam's profile is the change of the plate's reflection from
+/// position to position.
 TEST(Scan, FootprintsAreAsWideAsTheBeam) {
   Plant plant;
   add_organ(plant, "plate", make_box({1, 4, 0.1F}), {-0.5F, -2, -0.05F});
@@ -127,7 +128,7 @@ TEST(Scan, FootprintsAreAsWideAsTheBeam) {
   EXPECT_NEAR(scanner.footprint(10), 0.0105, 1e-9);
 }
 
-/// A plate, and 3 m behind it a wall, seen across the plate's edge.
+/// Returns a plate and, 3 m behind it, a wall. The scanner sees both across the plate's edge.
 Plant plate_before_wall() {
   Plant plant;
   add_organ(plant, "plate", make_box({1, 4, 0.1F}), {-0.5F, -2, -0.05F});
@@ -188,7 +189,7 @@ TEST(Scan, NoiseHasTheDeviationOfTheInstrument) {
   EXPECT_NEAR(square / 3600, 1, 4 * std::sqrt(2.0 / 3600));
 }
 
-/// The first triangle that a ray meets, by asking all of all instances.
+/// Returns the first triangle that a ray meets, by testing all triangles of all instances.
 SurfaceLabel label_by_all(const MeshScene& scene, const SurfaceLabels& labels, DVec3 from, DVec3 way) {
   double best = INFINITY;
   SurfaceLabel label;

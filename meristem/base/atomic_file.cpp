@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes files atomically: bytes go to a temporary file with a lock in the target's folder, and a rename puts the file
+// in place. A set delays the renames of all files of a thread until all files are complete.
 #include "meristem/base/atomic_file.h"
 
 #include <algorithm>
@@ -24,10 +26,10 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
-constexpr int kMostLinks = 40;  // as the kernel's own bound
+constexpr int kMostLinks = 40;  // the limit of the Linux kernel
 
-/// The path that `path` leads to if its last part is a symbolic link, which may dangle. Empty, with `errno` set, for a
-/// loop of links or an empty path.
+/// Returns the path to which `path` leads if its last part is a symbolic link. The result need not exist. Returns an
+/// empty path and sets `errno` for a loop of links or an empty path.
 std::string without_links(std::string path) {
   if (path.empty()) errno = ENOENT;
   std::error_code error;
@@ -43,10 +45,10 @@ std::string without_links(std::string path) {
   return path;
 }
 
-/// A hidden name in the target's directory that nobody else uses; `.oak.glb.4711-0.part`.
+/// Returns a hidden name in the target's directory that nobody else uses: `.oak.glb.4711-0.part`.
 std::string temporary_beside(const std::string& target) {
   static std::atomic<unsigned> count{0};
-  const std::size_t name_at = target.rfind('/') + 1;  // 0 where there is no slash
+  const std::size_t name_at = target.rfind('/') + 1;  // 0 if there is no slash
   return target.substr(0, name_at) + temporary_name(std::string_view(target).substr(name_at), count++);
 }
 
@@ -58,7 +60,7 @@ constexpr std::size_t kMostLocksOfSet = 200;
   throw MachineError(fmt::format("cannot write {}: {}", where, std::generic_category().message(reason)));
 }
 
-// The innermost set of this thread's.
+// The innermost set of this thread.
 thread_local FileSet* current_set = nullptr;
 
 }  // namespace
@@ -77,13 +79,14 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     errno = EISDIR;
     fail();
   }
-  // A device or pipe cannot be replaced. Not tried again when interrupted: a pipe without a reader waits for ever.
+  // A device or pipe cannot be replaced, so write it directly. Do not retry after an interrupt: a pipe without a reader
+  // blocks forever.
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail();
     return;
   }
-  // Renaming would replace a read-only file too.
+  // A rename would also replace a read-only file, so check the permission here.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail();
   open_temporary();
   if (exists && ::fchmod(descriptor_, status.st_mode & 0777) != 0) {
@@ -154,7 +157,7 @@ void AtomicFile::commit() {
 
 void AtomicFile::open_temporary() {
   remove_left_over_files_once(target_.substr(0, target_.rfind('/') + 1));
-  // A name is taken only if a process of the same number was killed here, on another machine or by another user.
+  // A name is in use only if a process with this number was killed, on another machine or under another user.
   constexpr int kTries = 100;
   for (int k = 0; k < kTries && descriptor_ < 0; ++k) {
     temporary_ = temporary_beside(target_);
@@ -170,7 +173,7 @@ void AtomicFile::flush() {
   buffer_.clear();
 }
 
-/// Network file systems tell of a full disk only when closing.
+/// Network file systems report a full disk only at close.
 void AtomicFile::close() {
   if (const int descriptor = std::exchange(descriptor_, -1); descriptor != STDOUT_FILENO && ::close(descriptor) != 0) {
     fail();
@@ -207,7 +210,7 @@ void AtomicFile::close_lock() {
   lock_ = -1;
 }
 
-/// Throws for the reason in `errno`, and takes no more bytes.
+/// Throws MachineError with the reason in `errno`. Later writes are refused.
 void AtomicFile::fail() {
   const int reason = errno;
   close_descriptor();
@@ -237,7 +240,7 @@ void FileSet::commit() {
     waiting_.clear();
     return;
   }
-  // The destructor removes what a refused rename leaves.
+  // The destructor removes the remaining files if a rename is refused.
   while (!waiting_.empty()) {
     if (std::rename(waiting_.front().temporary.c_str(), waiting_.front().target.c_str()) != 0) {
       throw_cannot_write(waiting_.front().path, errno);

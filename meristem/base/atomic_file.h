@@ -10,13 +10,13 @@
 
 namespace meristem {
 
-/// A file that appears whole or not at all: bytes stream into a temporary file beside the target, and `commit()`
-/// renames it into place. A killed process leaves its temporary file; the next program that writes into the folder
-/// removes it. Destroyed without commit (an exception, a cancel), the temporary file is removed and a file
-/// that stood there before is untouched. A target that is a symbolic link keeps the link; one that exists keeps its
-/// permissions. Path "-" (or "/dev/stdout") streams to standard output instead, and a device or pipe is written
-/// straight through; there nothing can be taken back. Every failure (refused path, full disk) throws MachineError with
-/// the path and the reason.
+/// A file that appears complete or not at all. Bytes go into a temporary file beside the target, and `commit()` renames
+/// it to the target. If the object is destroyed without commit (an exception, a cancel), the temporary file is removed,
+/// and an earlier file at the target is unchanged. A killed process leaves its temporary file, and the next program
+/// that writes into the folder removes it. A target that is a symbolic link stays a link, and an existing target keeps
+/// its permissions. Path "-" (or "/dev/stdout") streams to standard output. Devices and pipes are written directly. In
+/// both cases nothing can be undone. Every failure (refused path, full disk) throws MachineError with the path and the
+/// reason.
 class AtomicFile {
  public:
   /// Opens the temporary file beside `path`, or standard output for "-". Throws MachineError.
@@ -33,16 +33,17 @@ class AtomicFile {
   void write(std::span<const T> values) {
     write(values.data(), values.size_bytes());
   }
-  std::size_t size() const { return size_; }  ///< bytes written so far
-  /// Writes over bytes that have been written already, such as a count at the beginning that is known at the end. Not
-  /// for streams, nor beyond size(): std::invalid_argument.
+  std::size_t size() const { return size_; }  ///< number of bytes written so far
+  /// Overwrites bytes that were written before, such as a count at the beginning that is known only at the end. Throws
+  /// std::invalid_argument for streams and beyond size().
   void overwrite(std::size_t offset, std::string_view bytes);
-  /// Reads back what has been written so far. Returns true if it is `bytes`. Not for streams: std::invalid_argument.
+  /// Reads back everything that was written so far. Returns true if it equals `bytes`. Throws std::invalid_argument for
+  /// streams.
   bool holds(std::string_view bytes);
-  /// True where bytes go straight through and nothing can be taken back.
+  /// Returns true if bytes are written directly, so that nothing can be undone.
   bool is_stream() const { return temporary_.empty(); }
-  /// Puts the file in place, or hands it to this thread's FileSet; closes it first if it is open. Later calls throw
-  /// std::invalid_argument, also after a failure.
+  /// Puts the file in place, or adds it to the FileSet of this thread. Closes the file first if it is open. Later calls
+  /// throw std::invalid_argument, also after a failure.
   void commit();
 
  private:
@@ -57,18 +58,18 @@ class AtomicFile {
 
   std::string path_;       // as the user wrote it
   std::string target_;     // path_ with links followed
-  std::string temporary_;  // empty where bytes go straight through, and once renamed
+  std::string temporary_;  // empty if bytes are written directly, and after the rename
   int descriptor_ = -1;
-  int lock_ = -1;  // keeps the lock on the temporary file between closing and renaming
+  int lock_ = -1;  // keeps the lock on the temporary file between close and rename
   std::size_t size_ = 0;
   std::vector<std::byte> buffer_;
 };
 
-/// Files that appear together or not at all: while it lives, each file that this thread commits waits whole beside its
-/// target, and `commit()` renames them all. Destroyed without commit (an exception, a cancel), it removes what waits,
-/// and the files that stood there before are untouched. Only a rename that the system refuses, or a power cut between
-/// two, can leave some new and some old. Sets nest: an inner one hands its files to the outer one. Sets of one thread
-/// end in the reverse order of their making.
+/// Files that appear together or not at all. While the set exists, each file that this thread commits stays complete in
+/// a temporary file beside its target. `commit()` renames all of them. If the set is destroyed without commit (an
+/// exception, a cancel), it removes these files, and earlier files at the targets are unchanged. Only a refused rename,
+/// or a power failure between two renames, can leave some new and some old files. Sets nest: an inner set passes its
+/// files to the outer set. The sets of one thread must end in the reverse order of their construction.
 class FileSet {
  public:
   /// Begins a set for the files of this thread.
@@ -77,7 +78,7 @@ class FileSet {
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
 
-  /// Renames the files in the order in which they were committed. Throws MachineError for the first that is refused.
+  /// Renames the files in the order in which they were committed. Throws MachineError for the first refused rename.
   void commit();
 
  private:

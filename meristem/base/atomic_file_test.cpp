@@ -27,14 +27,14 @@ std::string content_of(const fs::path& path) {
 
 void put(AtomicFile& file, std::string_view text) { file.write(text.data(), text.size()); }
 
-/// A file of this text, in place.
+/// Writes a file with this text.
 void write_file(const fs::path& path, std::string_view text) {
   AtomicFile file(path.string());
   put(file, text);
   file.commit();
 }
 
-/// What opening `path`, writing `size` bytes and committing has to complain about.
+/// Returns the error message of opening `path`, writing `size` bytes and committing.
 std::string complaint(const std::string& path, std::size_t size = 1) {
   try {
     AtomicFile file(path);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Keeps results between runs. Each entry stores the number of the run that used it last. The end of a run removes
+// entries with an older number. An interrupted run is not ended, so its entries and those of the last complete run both
+// stay for the next run.
 #include "meristem/base/cache.h"
 
 namespace meristem {
@@ -34,7 +37,7 @@ CacheRun::CacheRun(Cache* cache, std::initializer_list<std::type_index> types) :
   for (const std::type_index type : types_) {
     Cache::Shelf& shelf = cache_->shelves_[type];
     if (cache_->is_in_series_ && std::exchange(shelf.series, cache_->series_) == cache_->series_) {
-      shelf.reuse = {};  // it goes on with the run before
+      shelf.reuse = {};  // this run continues the run before
       continue;
     }
     const std::uint64_t last = shelf.run;

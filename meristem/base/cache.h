@@ -15,28 +15,28 @@
 
 namespace meristem {
 
-/// Number of results that were made anew, and number that the cache had.
+/// The number of computed results, and the number of results found in the cache.
 struct Reuse {
-  std::uint64_t made = 0;    ///< results that had to be made
-  std::uint64_t reused = 0;  ///< results that the cache had
+  std::uint64_t made = 0;    ///< results that had to be computed
+  std::uint64_t reused = 0;  ///< results found in the cache
 };
 
-/// Fingerprint of everything that a result depends on; nullopt if the dependencies are not known or the result will not
-/// be needed again.
+/// Fingerprint of everything that a result depends on. nullopt if the dependencies are unknown, or if the result will
+/// not be needed again.
 using CacheKey = std::optional<std::uint64_t>;
 
-/// Results of any types with a function `bytes()` for their heap memory. The cache holds the results that the last run
-/// of each type has used. The results of an interrupted run stay, beside those of the run before, until the next run
-/// has begun. One run at a time may use the cache.
+/// Results of any types that have a function `bytes()` for their heap memory. The cache keeps the results that the last
+/// run of each type has used. The results of an interrupted run stay until the next run has begun, together with the
+/// results of the run before. Only one run at a time may use the cache.
 class Cache {
  public:
-  /// How many results the last run of a type has found and made so far.
+  /// Returns the number of results of a type that the last run has found and computed so far.
   template <class Result>
   Reuse reuse() const {
     const auto shelf = shelves_.find(typeid(Result));
     return shelf == shelves_.end() ? Reuse() : shelf->second.reuse;
   }
-  /// Heap memory of all results.
+  /// Returns the heap memory of all results in bytes.
   std::uint64_t bytes() const;
   /// Removes all results.
   void clear() { shelves_.clear(); }
@@ -48,41 +48,41 @@ class Cache {
   struct Entry {
     std::shared_ptr<const void> result;
     std::uint64_t (*bytes)(const void* result) = nullptr;
-    std::uint64_t run = 0;    // the last that used it
-    bool is_settled = false;  // used by the last run that came to its end
+    std::uint64_t run = 0;    // number of the last run that used the result
+    bool is_settled = false;  // true if a completed run has used the result
   };
   /// All results of one type.
   struct Shelf {
     std::unordered_map<std::uint64_t, Entry> entries;
     std::uint64_t run = 0;
-    std::uint64_t series = 0;  // that the last run was of
+    std::uint64_t series = 0;  // series of the last run
     Reuse reuse;
   };
 
   static void end_run(Shelf& shelf);
 
   std::unordered_map<std::type_index, Shelf> shelves_;
-  std::uint64_t series_ = 0;  // the last that has begun
+  std::uint64_t series_ = 0;  // the last series that has begun
   bool is_in_series_ = false;
 };
 
-/// One run that finds results of some types in a cache, and stores them there. Without a cache it finds none, and
-/// stores none.
+/// One run that finds results of some types in a cache and stores results there. Without a cache, the run finds and
+/// stores nothing.
 class CacheRun {
  public:
   /// Begins a run of these types; `cache` (null: no cache) must outlive the run.
   CacheRun(Cache* cache, std::initializer_list<std::type_index> types);
 
-  /// Ends the run and removes the results that it has not used. Not called if the run fails.
+  /// Ends the run and removes the results that it has not used. Must not be called if the run fails.
   void end();
 
-  /// The key that `make()` returns. Without a cache, `make` is not called and the key is nullopt.
+  /// Returns the key that `make()` returns. Without a cache, `make` is not called and the key is nullopt.
   template <class Make>
   CacheKey key(const Make& make) const {
     return cache_ == nullptr ? std::nullopt : CacheKey(make());
   }
 
-  /// The result with this key, or null; always null without a key.
+  /// Returns the result with this key. Returns null if there is no such result or no key.
   template <class Result>
   std::shared_ptr<Result> find(CacheKey key) {
     Cache::Entry* const entry = find_entry(typeid(Result), key);
@@ -90,14 +90,14 @@ class CacheRun {
     return std::static_pointer_cast<Result>(std::const_pointer_cast<void>(entry->result));
   }
 
-  /// Stores a result, in place of an earlier one with this key. Does nothing without a key.
+  /// Stores a result and replaces an earlier result with this key. Does nothing without a key.
   template <class Result>
   void store(CacheKey key, std::shared_ptr<Result> result) {
     store_entry(typeid(Result), key, std::move(result),
                 [](const void* stored) -> std::uint64_t { return static_cast<const Result*>(stored)->bytes(); });
   }
 
-  /// Adds to the counts of results of a type that were found, or had to be made.
+  /// Adds to the numbers of results of a type that were found or computed.
   template <class Result>
   void count(bool is_reused, std::uint64_t many = 1) {
     count(typeid(Result), is_reused, many);
@@ -113,9 +113,9 @@ class CacheRun {
   std::vector<std::type_index> types_;
 };
 
-/// Runs that count as one, such as those of one computation with several values of a parameter: from its beginning to
-/// end() the cache keeps what any of its runs has used, so that the next series finds the results for every value.
-/// `cache` must outlive it; one series at a time.
+/// A series of runs that count as one, such as one computation with several values of a parameter. Until end(), the
+/// cache keeps every result that any run of the series has used. The next series therefore finds the results for every
+/// value. `cache` must outlive the series. Only one series at a time may use the cache.
 class CacheSeries {
  public:
   /// Begins a series in `cache`.
@@ -124,8 +124,8 @@ class CacheSeries {
   CacheSeries(const CacheSeries&) = delete;
   CacheSeries& operator=(const CacheSeries&) = delete;
 
-  /// Ends the series and removes the results that none of its runs has used. Not called if the series fails; what its
-  /// runs have made stays until the next run or series has begun.
+  /// Ends the series and removes the results that no run of the series has used. Must not be called if the series
+  /// fails. The results of a failed series stay until the next run or series has begun.
   void end();
 
  private:

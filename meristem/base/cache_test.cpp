@@ -16,7 +16,7 @@ struct Numbers {
 
 CacheRun run_on(Cache& cache) { return CacheRun(&cache, {typeid(Words), typeid(Numbers)}); }
 
-/// A run that comes to its end and uses one result, which it makes if it has to.
+/// Makes a complete run that uses one result, which it computes if necessary.
 std::shared_ptr<const Words> use(Cache& cache, std::uint64_t key) {
   CacheRun run = run_on(cache);
   std::shared_ptr<const Words> words = run.find<const Words>(key);

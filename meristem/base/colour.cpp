@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts colours between sRGB and linear light.
+//
 // Based on: IEC 61966-2-1:1999, the sRGB transfer function.
 #include "meristem/base/colour.h"
 

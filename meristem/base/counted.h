@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-/// "1 point", "12 points": for nouns that have their plural by an s.
+/// Returns a number with its noun: "1 point", "12 points". The plural of the noun must end in s.
 inline std::string counted(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

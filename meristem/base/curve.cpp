@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Evaluates a function through points, as straight lines or as the natural cubic spline. The second derivatives at the
+// points are found once (curve_values.h), and each value then needs a binary search and one cubic.
 #include "meristem/base/curve.h"
 
 #include <algorithm>
@@ -49,7 +51,7 @@ double Curve::slope(double x) const {
   return straight + ((3 * b * b - 1) * second_[k + 1] - (3 * a * a - 1) * second_[k]) * (width / 6);
 }
 
-/// The index of the piece that holds x; the first or last one for an x outside.
+/// Returns the index of the piece that contains x. Returns the first or the last piece for an x outside.
 std::size_t Curve::piece(double x) const {
   const auto after = std::upper_bound(points_.begin() + 1, points_.end() - 1, x,
                                       [](double value, Vec2 point) { return value < point.x; });

@@ -11,21 +11,24 @@ namespace meristem {
 /// How the points of a curve are joined.
 enum class CurveKind { spline, linear };
 
-/// A function y(x) through given points: joined by straight lines, or by the natural cubic spline (second derivative
-/// continuous, and zero at both ends). Outside the points it keeps its end values. Evaluation is O(log n).
+/// A function y(x) through given points, joined by straight lines or by the natural cubic spline (continuous second
+/// derivative that is zero at both ends). Beyond the points, the function is constant with the value of the nearest
+/// end. Evaluation takes O(log n).
 class Curve {
  public:
   /// The constant 0.
   Curve() : Curve({{0, 0}}) {}
-  /// Points (x, y) with finite coordinates and strictly rising x, at least one. Throws std::invalid_argument otherwise.
+  /// Creates a curve through points (x, y) with finite coordinates and strictly ascending x, at least one. Throws
+  /// std::invalid_argument otherwise.
   explicit Curve(std::vector<Vec2> points, CurveKind kind = CurveKind::spline);
 
   /// Returns y at `x`.
   double operator()(double x) const;
-  /// dy/dx; 0 outside the points, for linear curves the slope of the piece to the right.
+  /// Returns dy/dx. Returns 0 outside the points. At a point of a linear curve, returns the slope of the piece to the
+  /// right.
   double slope(double x) const;
 
-  const std::vector<Vec2>& points() const { return points_; }  ///< (x, y), by rising x
+  const std::vector<Vec2>& points() const { return points_; }  ///< (x, y), ascending by x
   CurveKind kind() const { return kind_; }                     ///< how the points are joined
   bool operator==(const Curve& other) const { return points_ == other.points_ && kind_ == other.kind_; }
 

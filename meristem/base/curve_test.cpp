@@ -18,7 +18,7 @@ Curve uneven(CurveKind kind = CurveKind::spline) {
   return Curve({{-1, 2}, {-0.5F, 0.25F}, {0.75F, 1}, {1, -3}, {4, 0.5F}}, kind);
 }
 
-/// One arch of the sine, which has no second derivative at its ends, by `pieces` pieces.
+/// Returns one arch of the sine in `pieces` pieces. The second derivative of the arch is zero at both ends.
 Curve sine_arch(int pieces) {
   std::vector<Vec2> points;
   for (int k = 0; k <= pieces; ++k) {
@@ -85,7 +85,7 @@ TEST(Curve, LinearJoinsPointsByStraightLines) {
   EXPECT_DOUBLE_EQ(curve(2), 1.5);
   EXPECT_DOUBLE_EQ(curve.slope(0), 2);
   EXPECT_DOUBLE_EQ(curve.slope(0.5), 2);
-  EXPECT_DOUBLE_EQ(curve.slope(1), -0.5);  // the piece to the right
+  EXPECT_DOUBLE_EQ(curve.slope(1), -0.5);  // slope of the piece to the right
   EXPECT_DOUBLE_EQ(curve.slope(3), 0);
 }
 

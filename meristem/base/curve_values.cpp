@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// By elimination without pivoting (Thomas), which is stable here because the diagonal dominates.
+/// Solves by elimination without pivoting (Thomas), which is stable here because the diagonal dominates.
 std::vector<double> natural_moments(std::span<const Vec2> points) {
   const std::size_t count = points.size();
   std::vector<double> second(count, 0.0);
@@ -16,7 +16,7 @@ std::vector<double> natural_moments(std::span<const Vec2> points) {
   const auto width = [&](std::size_t k) { return double{points[k + 1].x} - double{points[k].x}; };
   const auto slope = [&](std::size_t k) { return (double{points[k + 1].y} - double{points[k].y}) / width(k); };
 
-  // Eliminate downwards: row k then reads second[k] + ratio[k] * second[k + 1] = second[k] as stored.
+  // Eliminate downwards. Row k then means second[k] + ratio[k] * second[k + 1] = the stored second[k].
   std::vector<double> ratio(count, 0.0);
   for (std::size_t k = 1; k + 1 < count; ++k) {
     const double diagonal = 2 * (width(k - 1) + width(k)) - width(k - 1) * ratio[k - 1];

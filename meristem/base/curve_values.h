@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves, for those that need many values at once.
+// Curves for callers that need many values at once.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,27 @@
 
 namespace meristem {
 
-/// Second derivatives at the points of the natural cubic spline through them.
+/// Returns the second derivatives, at the points, of the natural cubic spline through the points.
 std::vector<double> natural_moments(std::span<const Vec2> points);
 
-/// Rising positions along curves that share their points' x: found once, without a search for each, for all of them.
+/// Ascending positions on curves whose points have equal x. The positions are located once for all curves, without a
+/// search for each position.
 class CurvePositions {
  public:
-  /// Cost is linear in points and positions.
+  /// Locates the positions. The cost is linear in points and positions.
   CurvePositions(std::span<const Vec2> points, std::span<const double> rising);
 
-  /// The values of Curve(points, kind) at the positions; `points` have the x of the others.
+  /// Returns the values of Curve(points, kind) at the positions. `points` must have the x of the points in the
+  /// constructor.
   std::vector<double> values(std::span<const Vec2> points, CurveKind kind) const;
 
  private:
-  std::size_t count_;                // of positions
-  std::vector<std::size_t> first_;   // by piece, of the positions in it; and those beyond the last
-  std::unique_ptr<double[]> parts_;  // what follows, in one piece of memory, and only of the positions on pieces
-  // By position, how much of the piece's ends its value has, and how much of the second derivatives there, in squares
-  // of widths.
+  std::size_t count_;                // number of positions
+  std::vector<std::size_t> first_;   // for each piece, its first position; and last, the first position beyond all
+                                     // pieces
+  std::unique_ptr<double[]> parts_;  // memory of the four arrays below, only for positions on pieces
+  // For each position, the weights of the values at the ends of its piece, and the weights of the second derivatives
+  // there, in squares of widths.
   double *left_, *right_, *left_bend_, *right_bend_;
 };
 

@@ -19,7 +19,7 @@ TEST(CurveValues, AreThoseOfTheCurveToTheLastBit) {
       x += static_cast<float>(key.child(run).uniform(2 * k, 0.01, 1));
       points.emplace_back(x, static_cast<float>(key.child(run).uniform(2 * k + 1, -1, 1)));
     }
-    // Positions before, on, between and behind the points, some of them twice.
+    // Positions before, on, between and behind the points. Some positions occur twice.
     std::vector<double> rising;
     for (double position = -1.5; position < x + 0.5; position += 0.0625) rising.insert(rising.end(), 2, position);
     for (const Vec2 point : points) rising.push_back(point.x);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sine, cosine and tangent of angles in degrees, without first turning them into radians: a whole number of half turns
-// is subtracted exactly, so sin_deg(180 k) is 0, cos_deg(90 + 180 k) is 0, and sin_deg(30) is 0.5 to the last bit.
-// Only operations that IEEE 754 rounds exactly, so every machine gets the same bits; the parts a loop needs are free
-// of branches and calls, so that compilers run several lanes at once.
+// Sine, cosine and tangent of angles in degrees, without a conversion to radians first. A whole number of half turns is
+// subtracted exactly, so sin_deg(180 k) is 0, cos_deg(90 + 180 k) is 0, and sin_deg(30) is 0.5 to the last bit. All
+// operations are rounded exactly by IEEE 754, so every machine gets equal bits. The functions for loops have no
+// branches or calls, so that compilers can run several lanes at once.
 //
 // Errors stay below 3 units in the last place. Coefficients: minimax on [0, 90°] by Remez' exchange, relative error
-// 2.8e-19, see the test for the check against higher precision.
+// 2.8e-19. The test compares them with higher precision.
 #pragma once
 
 #include <bit>
@@ -14,18 +14,18 @@
 
 namespace meristem::math {
 
-/// Up to here `near_sin_deg` and `near_cos_deg` are right; larger angles go through `std::fmod(x, 360)`, which is
-/// exact.
+/// Largest angle for which `near_sin_deg` and `near_cos_deg` are exact enough. Larger angles first go through
+/// `std::fmod(x, 360)`, which is exact.
 constexpr double kNearDegrees = 0x1p40;
 
 namespace degrees_detail {
 
-/// Adding it leaves the nearest whole number in the low bits of a double.
+/// Adding this number leaves the nearest whole number in the low bits of a double.
 constexpr double kRounder = 0x1.8p52;
 
-/// sin of an angle in [-90, 90] degrees.
+/// Returns the sine of an angle in [-90, 90] degrees.
 inline double quarter_sin_deg(double x) {
-  // pi/180 in two parts; the first has few enough bits that products with everyday angles are exact.
+  // pi/180 in two parts. The first part has so few bits that products with everyday angles are exact.
   const double high = x * 0x1.1df46a2p-6;
   const double low = x * 0x1.4a74e4570763p-36;
   const double s = high + low;
@@ -43,9 +43,9 @@ inline double quarter_sin_deg(double x) {
 
 }  // namespace degrees_detail
 
-/// sin of an angle of at most kNearDegrees.
+/// Returns the sine of an angle of at most kNearDegrees.
 inline double near_sin_deg(double x) {
-  // Subtract half turns; an odd number of them turns the sign.
+  // Subtract half turns. An odd number of half turns changes the sign.
   const double shifted = x * (1.0 / 180) + degrees_detail::kRounder;
   const double sine = degrees_detail::quarter_sin_deg(x - 180 * (shifted - degrees_detail::kRounder));
   const std::uint64_t sign = std::bit_cast<std::uint64_t>(shifted) << 63;
@@ -53,20 +53,20 @@ inline double near_sin_deg(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine) ^ sign) + 0.0;
 }
 
-/// cos of an angle of at most kNearDegrees.
+/// Returns the cosine of an angle of at most kNearDegrees.
 inline double near_cos_deg(double x) {
   const double turns = (x * (1.0 / 360) + degrees_detail::kRounder) - degrees_detail::kRounder;
   return degrees_detail::quarter_sin_deg(90 - std::abs(x - 360 * turns));
 }
 
-/// The angle less whole turns where it is too large for the functions above; NaN for an infinity.
+/// Removes whole turns if an angle is too large for the functions above. Returns NaN for an infinity.
 inline double near_degrees(double x) { return std::abs(x) <= kNearDegrees ? x : std::fmod(x, 360.0); }
 
-/// Sine of an angle in degrees; NaN for an infinity.
+/// Returns the sine of an angle in degrees, or NaN for an infinity.
 inline double sin_deg(double degrees) { return near_sin_deg(near_degrees(degrees)); }
-/// Cosine of an angle in degrees; NaN for an infinity.
+/// Returns the cosine of an angle in degrees, or NaN for an infinity.
 inline double cos_deg(double degrees) { return near_cos_deg(near_degrees(degrees)); }
-/// An infinity at odd multiples of 90.
+/// Returns the tangent of an angle in degrees. Returns an infinity at odd multiples of 90.
 inline double tan_deg(double degrees) { return sin_deg(degrees) / cos_deg(degrees); }
 
 }  // namespace meristem::math

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Formats diagnostics and finds the nearest valid name. The nearest name minimises the edit distance (optimal string
+// alignment). The search stops early where the distance already exceeds the best one so far.
 #include "meristem/base/diagnostic.h"
 
 #include <algorithm>
@@ -45,8 +47,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
       if (is_swap) row[j] = std::min(row[j], before[j - 2] + 1);
       least = std::min(least, row[j]);
     }
-    row[last + 1] = limit;  // which the next row reads
-    // A swap reaches back two rows.
+    row[last + 1] = limit;  // the next row reads this cell
+    // A swap reads the row two above, so both rows must reach the limit.
     if (least >= limit && least_above >= limit) return limit;
     least_above = least;
   }
@@ -90,9 +92,9 @@ InputError::InputError(std::vector<Diagnostic> diagnostics)
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   if (name.size() > kLongestName) return {};
   const std::string* nearest = nullptr;
-  std::size_t allowed = name.size() / 3 + 1;  // one too many, so that a distance below it counts
+  std::size_t allowed = name.size() / 3 + 1;  // one more than allowed, so that any smaller distance counts
   for (const std::string& candidate : candidates) {
-    if (allowed == 0) break;  // none is nearer than an equal name
+    if (allowed == 0) break;  // no candidate is nearer than an equal name
     if (candidate.size() > kLongestName || candidate.size() + allowed <= name.size()) continue;
     if (name.size() + allowed <= candidate.size()) continue;
     const std::size_t distance = edit_distance(name, candidate, allowed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user can cause becomes a Diagnostic: where, what is wrong, what was expected, the nearest valid name.
-// Checking collects all of them; loading throws one InputError that carries them.
+// An error that a user can cause becomes a Diagnostic: its place, the problem, what was expected, and the nearest valid
+// name. Checks collect all diagnostics. Loading throws one InputError that carries them.
 #pragma once
 
 #include <span>
@@ -11,51 +11,52 @@
 
 namespace meristem {
 
-/// Whether a diagnostic stops the input from being used.
+/// Whether a diagnostic makes the input unusable.
 enum class Severity { warning, error };
 
-/// Diagnostic::text_offset of a fault in a member's name and not in its value.
+/// Value of Diagnostic::text_offset if the error is in the name of a member, not in its value.
 inline constexpr int kAtName = -2;
 
-/// One thing that is wrong, or odd, with an input, and its place.
+/// One error or warning about an input, and its place.
 struct Diagnostic {
-  Severity severity = Severity::error;  ///< an error, or a warning beside which the input can be used
-  std::string message;                  ///< what is wrong, without a full stop: "'lenght' is not a parameter of a leaf"
+  Severity severity = Severity::error;  ///< error, or warning with which the input is still usable
+  std::string message;                  ///< the problem, without a full stop: "'lenght' is not a parameter of a leaf"
   std::string expected;                 ///< what was expected, or empty: "a number of metres in 0 to 10"
   std::string nearest;                  ///< the nearest valid name, or empty
   std::string path;                     ///< document path, or empty: "components.stem.angle", "links[1].density"
-  std::string file;                     ///< as the user wrote it, "<standard input>", or empty where not known yet
-  int line = 0;                         ///< from 1; 0 where not known
-  int column = 0;                       ///< in characters (not bytes) from 1; 0 where not known
-  int text_offset = -1;  ///< the byte in the text at `path` (an expression's fault), or -1 for the whole value
+  std::string file;                     ///< file name as the user wrote it, "<standard input>", or empty if not yet
+                                        ///< known
+  int line = 0;                         ///< line from 1; 0 if unknown
+  int column = 0;                       ///< column in characters (not bytes) from 1; 0 if unknown
+  int text_offset = -1;  ///< byte of the error in the text at `path` (for expressions), or -1 for the whole value
 
-  /// One line: `file:line:column: path: message; expected ...; did you mean 'nearest'?`, leaving out what is not known.
+  /// Returns one line: `file:line:column: path: message; expected ...; did you mean 'nearest'?`. Unknown parts are left
+  /// out.
   std::string text() const;
 };
 
-/// Everything that is wrong with an input. `what()` has one line a diagnostic, and `warning: ` before those that are
-/// none of the faults.
+/// All errors and warnings of an input. `what()` has one line per diagnostic, and warnings begin with `warning: `.
 class InputError : public std::runtime_error {
  public:
-  /// Carries these diagnostics, at least one.
+  /// `diagnostics` must have at least one entry.
   explicit InputError(std::vector<Diagnostic> diagnostics);
   explicit InputError(Diagnostic diagnostic) : InputError(std::vector{std::move(diagnostic)}) {}
-  /// All faults and warnings, in the order of the input.
+  /// Returns all errors and warnings, in the order of the input.
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
  private:
   std::vector<Diagnostic> diagnostics_;
 };
 
-/// The machine's failure and not the input's: disk full, path refused. Carries the path and the system's reason.
+/// A failure of the machine and not of the input: full disk, refused path. Carries the path and the system's reason.
 class MachineError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The candidate nearest to `name` by edits (insert, delete, replace, swap neighbours; capitals count as equal), or
-/// empty where none is within a third of the name's length. Ties go to the earlier candidate. Names and candidates over
-/// 100 bytes do not count.
+/// Returns the candidate that needs the fewest edits to become `name` (insert, delete, replace, swap neighbours;
+/// capital and small letters are equal). Returns an empty text if the edits exceed a third of the name's length. Ties
+/// go to the earlier candidate. Names and candidates over 100 bytes are ignored.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace meristem

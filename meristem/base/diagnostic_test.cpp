@@ -68,10 +68,10 @@ TEST(NearestName, FindsEachKindOfEdit) {
   const std::array<std::string, 3> names = {"length", "width", "divergence"};
   EXPECT_EQ(nearest_name("lenght", names), "length");          // neighbours swapped
   EXPECT_EQ(nearest_name("lengt", names), "length");           // a letter left out
-  EXPECT_EQ(nearest_name("lengthh", names), "length");         // one too many
-  EXPECT_EQ(nearest_name("langth", names), "length");          // another one
+  EXPECT_EQ(nearest_name("lengthh", names), "length");         // one letter too many
+  EXPECT_EQ(nearest_name("langth", names), "length");          // one letter replaced
   EXPECT_EQ(nearest_name("Width", names), "width");            // a capital
-  EXPECT_EQ(nearest_name("divregance", names), "divergence");  // two of them
+  EXPECT_EQ(nearest_name("divregance", names), "divergence");  // two edits
   EXPECT_EQ(nearest_name("width", names), "width");
 }
 
@@ -99,7 +99,7 @@ TEST(NearestName, GivesUpOnNamesOverAHundredBytes) {
   EXPECT_EQ(nearest_name(std::string(16'000'000, 'a'), names), "");
 }
 
-/// Optimal string alignment by the whole table; capitals count as equal.
+/// Returns the optimal string alignment from the full table. Capital and small letters are equal.
 std::size_t plain_distance(const std::string& a, const std::string& b) {
   const auto equal = [](char x, char y) { return std::tolower(x) == std::tolower(y); };
   std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));

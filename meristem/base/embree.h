@@ -21,8 +21,8 @@ inline constexpr const char* kEmbreeDevice = "threads=1,user_threads=1";
 inline constexpr const char* kEmbreeDevice = nullptr;
 #endif
 
-/// Bytes that Embree's monitor of memory counts for an instance beside its part of the tree. Only Embree 4 tells the
-/// monitor of the object of each instance.
+/// Bytes that Embree's memory monitor counts per instance, in addition to the instance's part of the tree. Only Embree
+/// 4 reports the object of each instance to the monitor.
 inline constexpr std::size_t kCountedInstanceBytes = MERISTEM_EMBREE >= 4 ? 240 : 0;
 
 #if MERISTEM_EMBREE >= 4

@@ -11,8 +11,8 @@
 
 namespace meristem {
 
-/// Hash of a sequence of numbers, texts and arrays, made of everything that a result depends on, so that a cache finds
-/// the result by it. Sequences of different lengths have different hashes.
+/// Hash of a sequence of numbers, texts and arrays. A cache finds a result by the fingerprint of everything that the
+/// result depends on. Sequences of different lengths have different hashes.
 class Fingerprint {
  public:
   /// Appends a number or a value of an enumeration, by the bytes of its type.
@@ -27,14 +27,14 @@ class Fingerprint {
     bytes_.append(text);
     return *this;
   }
-  /// An array of elements without gaps in their bytes.
+  /// Appends an array. Its elements must have no gaps between their bytes.
   template <class Element>
   Fingerprint& add_array(const std::vector<Element>& elements) {
     const std::size_t bytes = elements.size() * sizeof(Element);
     return add(elements.size()).add(hash64(std::string_view(reinterpret_cast<const char*>(elements.data()), bytes)));
   }
 
-  /// Hash of everything that was added.
+  /// Returns the hash of everything that was added.
   std::uint64_t hash() const { return hash64(bytes_); }
 
  private:

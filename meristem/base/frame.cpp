@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All in doubles, rounded once at the end: a product of many frames then drifts only by the rounding of its factors.
+// Computes rotations and frames in doubles, rounded once at the end. A product of many frames therefore drifts only by
+// the rounding of its factors.
 #include "meristem/base/frame.h"
 
 #include <cmath>
@@ -12,29 +13,30 @@ namespace meristem {
 
 namespace {
 
-/// `vector` with length 1, or `fallback` where it has no direction.
+/// Returns `vector` with length 1, or `fallback` if it has no direction.
 DVec3 unit_or(DVec3 vector, DVec3 fallback) {
   const double length = std::sqrt(glm::dot(vector, vector));
   return length >= 1e-20 && std::isfinite(length) ? vector / length : fallback;
 }
 
-/// Based on: J. R. Frisvad: Building an orthonormal basis from a 3D unit vector without normalization (2012), turned so
-/// that the one direction at which the choice jumps is straight down.
+/// Returns a unit vector at right angles to `n`. The choice jumps at one direction, which is straight down here.
+///
+/// Based on: J. R. Frisvad: Building an orthonormal basis from a 3D unit vector without normalization (2012).
 DVec3 perpendicular(DVec3 n) {
   const double level = n.x * n.x + n.z * n.z;
   if (n.y < 0 && level < 1e-24) return {1, 0, 0};
-  // 1 + y without cancellation near y = -1.
+  // Computes 1 + y without cancellation near y = -1.
   const double one_plus_y = n.y < 0 ? level / (1 - n.y) : 1 + n.y;
   return unit_or({1 - n.x * n.x / one_plus_y, -n.x, -n.x * n.z / one_plus_y}, {1, 0, 0});
 }
 
-/// The half turn about a unit axis.
+/// Returns the half turn about a unit axis.
 DMat3 half_turn(DVec3 axis) { return 2.0 * glm::outerProduct(axis, axis) - DMat3(1); }
 
 }  // namespace
 
 Vec3 Frame::normal(Vec3 local) const {
-  // The cofactor matrix turns normals right for any axes, singular ones too; a mirror flips its sign.
+  // The cofactor matrix turns normals correctly for any axes, also singular ones. A mirror changes its sign.
   const DMat3 m(axes);
   const DMat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   const double side = glm::dot(m[0], cofactors[0]) < 0 ? -1 : 1;
@@ -56,7 +58,7 @@ Mat3 rotation_between(Vec3 from, Vec3 to) {
   const DVec3 end = unit_or(DVec3(to), DVec3(kUp));
   const DVec3 middle = start + end;
   if (glm::dot(middle, middle) < 1e-18) return Mat3(half_turn(perpendicular(start)));
-  // A half turn about the start and one about the middle make twice the turn from start to middle.
+  // A half turn about the start, then one about the middle, make twice the turn from start to middle.
   return Mat3(half_turn(glm::normalize(middle)) * half_turn(start));
 }
 

@@ -21,7 +21,7 @@ testing::AssertionResult are_near(Vec3 got, Vec3 want, float tolerance = kTolera
                                      << ", " << want.y << ", " << want.z << ")";
 }
 
-/// Success if the columns are unit, orthogonal and right-handed.
+/// Succeeds if the columns are unit, orthogonal and right-handed.
 testing::AssertionResult is_rotation(const Mat3& m) {
   const Mat3 product = glm::transpose(m) * m;
   for (int k = 0; k < 3; ++k) {
@@ -59,7 +59,7 @@ TEST(RotationBetween, TakesOneToTheOtherByTheSmallestTurn) {
     const Mat3 m = rotation_between(from, to);
     ASSERT_TRUE(is_rotation(m));
     EXPECT_TRUE(are_near(m * from, to));
-    // The smallest turn leaves what stands at right angles to both where it is.
+    // The smallest turn does not move a vector at right angles to both.
     const Vec3 axis = normalized_or(glm::cross(from, to), kUp);
     EXPECT_TRUE(are_near(m * axis, axis));
   }

@@ -11,11 +11,11 @@ namespace meristem {
 template <class Signature>
 class FunctionRef;
 
-/// A callable borrowed for the length of a call: no allocation, one indirect call. Never store one.
+/// A reference to a callable for the duration of a call: no allocation, one indirect call. Must not be stored.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
-  /// Refers to `callable`, which must live until the last call.
+  /// Refers to `callable`, which must exist until the last call.
   template <class Callable>
   requires(!std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef>)
       FunctionRef(Callable&& callable)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload)

@@ -9,10 +9,10 @@
 
 namespace meristem {
 
-/// 64-bit XXH3 of the bytes; the same on every machine of one byte order.
+/// Returns the 64-bit XXH3 hash of the bytes. Equal on all machines of one byte order.
 std::uint64_t hash64(std::string_view bytes);
 
-/// 128-bit XXH3 of the bytes as 32 hexadecimal digits: what tests compare and manifests print.
+/// Returns the 128-bit XXH3 hash of the bytes as 32 hexadecimal digits, as tests compare and manifests print it.
 std::string hash128_hex(std::span<const std::byte> bytes);
 
 }  // namespace meristem

@@ -11,10 +11,11 @@ namespace meristem {
 struct Image {
   int width = 0;                   ///< pixels
   int height = 0;                  ///< pixels
-  std::vector<std::uint8_t> rgba;  ///< 4 bytes per pixel; sRGB where they are colours
+  std::vector<std::uint8_t> rgba;  ///< 4 bytes per pixel; colours are in sRGB
 
   bool is_empty() const { return width == 0 || height == 0; }  ///< true for a picture without pixels
-  /// The four bytes of the pixel in column `x` from the left and row `y` from the top, which must be in the picture.
+  /// Returns the four bytes of the pixel in column `x` from the left and row `y` from the top. The pixel must be in the
+  /// picture.
   const std::uint8_t* pixel(int x, int y) const { return rgba.data() + 4 * (std::size_t{1} * y * width + x); }
   std::uint8_t* pixel(int x, int y) { return rgba.data() + 4 * (std::size_t{1} * y * width + x); }
 };

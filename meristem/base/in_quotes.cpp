@@ -12,7 +12,7 @@ namespace meristem {
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   if (text.size() <= kLongest) return fmt::format("'{}'", visible_text(text));
-  // Bytes that go on with a character begin with the bits 10.
+  // Bytes that continue a character begin with the bits 10.
   const auto goes_on = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
   std::size_t length = kLongest;
   while (length > 0 && goes_on(text[length])) --length;

@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// `text` in quotes for a message, as visible_text(), shortened after a whole character (UTF-8) where it is long.
+/// Returns `text` in quotes for a message, as visible_text(). A long text is cut after a whole character (UTF-8).
 std::string in_quotes(std::string_view text);
 
 }  // namespace meristem

@@ -14,10 +14,10 @@ namespace meristem {
 
 void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t kLeast = std::size_t{8} << 20U;  // bytes that are worth a call of the system
+  constexpr std::size_t kLeast = std::size_t{8} << 20U;  // minimum number of bytes that is worth a system call
   constexpr std::uintptr_t kPage = 4096;
   if (bytes < kLeast) return;
-  // Whole small pages, as the call wants them; those at the ends may hold something else.
+  // The system call needs whole pages. Pages at the ends may hold other data, so leave them out.
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + kPage - 1) / kPage * kPage;
   const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / kPage * kPage;
   static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));

@@ -6,17 +6,16 @@
 
 namespace meristem {
 
-/// Asks for large pages for memory that nothing has been written to yet: the system hands out small ones one by one,
-/// each at the cost of writing it several times, a quarter of the time of making a mesh of 10 million triangles. A
-/// request, which systems without large pages leave alone; nothing happens for a few megabytes.
+/// Asks the system for large pages for memory that has not been written yet. Small pages are allocated one by one at
+/// their first write, which takes a quarter of the time to make a mesh of 10 million triangles. Systems without large
+/// pages ignore the request. Does nothing for memory below 8 MiB.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
-/// Gives the system the memory that the program has freed and keeps for itself, where it keeps some. Takes
-/// milliseconds, and memory that is asked for afterwards is slower at its first writing: for the end of large work, not
-/// of each.
+/// Returns memory that the program has freed, but still keeps, to the system. Takes milliseconds, and later allocations
+/// are slower at their first write. Call it after large work, not after each step.
 void give_back_memory();
 
-/// Makes an empty vector that long, in large pages where it is large.
+/// Returns an empty vector with reserved memory for `count` items, in large pages if it is large.
 template <class Item>
 void resize_large(std::vector<Item>& items, std::size_t count) {
   items.reserve(count);

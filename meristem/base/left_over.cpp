@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Removes temporary files and folders whose owners were killed. Names contain the process number, and a lock on the
+// file shows whether the owner lives.
 #include "meristem/base/left_over.h"
 
 #include <algorithm>
@@ -23,11 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kKeptOfName = 200;   // bytes of the target's name, so that a suffix fits into 255
-constexpr std::size_t kRandomLetters = 6;  // of mkdtemp
+constexpr std::size_t kKeptOfName = 200;   // bytes of the target's name that are kept, so that a suffix fits into the
+                                           // limit of 255
+constexpr std::size_t kRandomLetters = 6;  // number of random letters that mkdtemp appends
 constexpr std::string_view kPart = ".part";
 
-/// Removes a number and what follows it from the end of `name`. Returns false if there is none.
+/// Removes `suffix` and the number before it from the end of `name`. Returns false if `name` does not end like this.
 bool take_number_before(std::string_view& name, std::string_view suffix) {
   if (!name.ends_with(suffix)) return false;
   name.remove_suffix(suffix.size());
@@ -83,7 +86,7 @@ std::vector<std::string> entries_of(const std::string& folder,
 
 bool lock_temporary(int descriptor) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
-  // Another process may have removed it between its making and the lock.
+  // Another process may have removed the file between its creation and the lock.
   struct stat status {};
   return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
@@ -93,14 +96,14 @@ bool remove_left_over(const std::string& path, WithoutLocks without_locks) {
   if (::lstat(path.c_str(), &status) != 0) return errno == ENOENT;
   const bool is_folder = S_ISDIR(status.st_mode);
   if ((!is_folder && !S_ISREG(status.st_mode)) || status.st_uid != ::geteuid()) return false;
-  // Network file systems lock only what is open for writing, and folders not at all.
+  // Network file systems lock only files that are open for writing, and do not lock folders at all.
   const int access = is_folder ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_NONBLOCK;
   const int descriptor = ::open(path.c_str(), access | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return errno == ENOENT;
   const bool has_lock = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
   const bool is_free = has_lock || (errno != EWOULDBLOCK && without_locks == WithoutLocks::remove);
   std::error_code error;
-  // The lock is held meanwhile, so an owner that has just made it sees that it goes.
+  // The lock is held meanwhile, so an owner that has just created the file notices the removal.
   if (is_free) fs::remove_all(path, error);
   ::close(descriptor);
   return is_free && !error;
@@ -119,7 +122,7 @@ void remove_left_over_files_once(const std::string& folder) {
   if (!is_first_call(folder)) return;
   const std::vector<std::string> found =
       entries_of(folder, [](const std::string& name) { return is_temporary_name(name); });
-  // A set of many files keeps locks on the first ones only, so one lock protects all files of its process.
+  // A set of many files keeps locks on the first files only, so one lock protects all files of its process.
   std::set<std::string> living;
   for (const std::string& path : found) {
     if (is_locked(path)) living.insert(process_in(fs::path(path).filename()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temporary files and folders that killed programs leave behind. Each living owner holds a lock on what it makes, and
-// the system releases the lock when the process ends in any way. So the next program removes what has no lock.
+// Temporary files and folders that killed programs leave behind. Each living owner holds a lock on its files, and the
+// system releases the lock when the process ends in any way. The next program can therefore remove everything without a
+// lock.
 #pragma once
 
 #include <string>
@@ -13,16 +14,16 @@ namespace meristem {
 /// locks.
 bool lock_temporary(int descriptor);
 
-/// What happens to temporary things on a file system without locks, where nobody can tell whether an owner lives.
+/// The treatment of temporary files on a file system without locks, where programs cannot know whether an owner lives.
 enum class WithoutLocks { keep, remove };
 
-/// Removes a temporary file, or a folder with all that it holds, unless a living process holds its lock or it belongs
-/// to another user. Returns whether it is gone.
+/// Removes a temporary file, or a folder with its content. Keeps it if a living process holds its lock or if it belongs
+/// to another user. Returns true if it is gone.
 bool remove_left_over(const std::string& path, WithoutLocks without_locks = WithoutLocks::keep);
 
-/// The name of a temporary file of this process for a target of this name: ".oak.glb.4711-0.part".
+/// Returns the name of a temporary file of this process for a target of this name: ".oak.glb.4711-0.part".
 std::string temporary_name(std::string_view target, unsigned number);
-/// Returns true for names that temporary_name can give.
+/// Returns true for names that temporary_name can return.
 bool is_temporary_name(std::string_view name);
 
 /// Removes the temporary files of killed programs in a folder (not below it). Reads each folder once per process.

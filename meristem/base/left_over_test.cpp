@@ -17,7 +17,7 @@ namespace meristem::left_over_test {
 
 namespace fs = std::filesystem;
 
-/// Runs `body` in a process of its own, which ends at once after it, as a killed one does: no destructors.
+/// Runs `body` in a separate process that ends right after it without destructors, like a killed process.
 template <class Body>
 void in_a_process_that_is_killed(Body body) {
   const pid_t child = ::fork();
@@ -64,7 +64,7 @@ TEST(LeftOver, FilesOfALivingProcessStay) {
 
 TEST(LeftOver, OneLockProtectsAllFilesOfASet) {
   const TemporaryFolder folder;
-  constexpr std::size_t kFiles = 250;  // more than a set keeps locks of
+  constexpr std::size_t kFiles = 250;  // more than the number of locks that a set keeps
   FileSet set;
   for (std::size_t k = 0; k < kFiles; ++k) write_whole_file(folder / ("leaf" + std::to_string(k)), "whole");
   in_a_process_that_is_killed([&] { remove_left_over_files_once(folder.path().string()); });

@@ -7,7 +7,7 @@ namespace meristem {
 
 Diagnostic limit_diagnostic(std::string_view what, double wanted, std::uint64_t limit, std::string_view limit_name,
                             std::string_view path) {
-  // Above 2^53 a double's digits say nothing anymore.
+  // Above 2^53, the last digits of a double have no meaning.
   const std::string number = wanted < 9e15 ? fmt::format("{:.0f}", wanted) : fmt::format("{:.3g}", wanted);
   Diagnostic diagnostic;
   diagnostic.message = fmt::format("{} {} are too many", number, what);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Escapes text for Markdown. A mark gets a backslash only where it would have a meaning, so that ordinary text stays
+// readable.
+//
 // Based on: the CommonMark specification 0.30, section 2.4 (backslash escapes), and GitHub Flavored Markdown 0.29,
 // section 6.9 (autolinks).
 #include "meristem/base/markdown.h"
@@ -15,8 +18,8 @@ namespace meristem {
 
 namespace {
 
-constexpr std::string_view kMarks = "\\`*[]|~$";  // that have a meaning anywhere in a line
-constexpr std::string_view kFirstMarks = "#+-=";  // that have a meaning at the beginning of a line
+constexpr std::string_view kMarks = "\\`*[]|~$";  // marks with a meaning anywhere in a line
+constexpr std::string_view kFirstMarks = "#+-=";  // marks with a meaning at the beginning of a line
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
@@ -26,13 +29,14 @@ bool is_word(char letter) {
   return is_letter || is_digit(letter) || static_cast<unsigned char>(letter) >= 0x80;
 }
 
-/// Control characters C1, and marks of direction, in UTF-8.
+/// Returns true for C1 control characters and for direction marks.
 bool is_invisible(std::uint32_t letter) {
   return (letter >= 0x7F && letter <= 0x9F) || letter == 0x61C || letter == 0x200E || letter == 0x200F ||
          (letter >= 0x2028 && letter <= 0x202E) || (letter >= 0x2066 && letter <= 0x2069) || letter == 0xFEFF;
 }
 
-/// The letter of UTF-8 that begins at `at`, and its bytes. A byte that begins no letter stands for itself.
+/// Returns the UTF-8 letter that begins at `at`, and its number of bytes. A byte that begins no letter is returned as a
+/// letter of one byte.
 std::pair<std::uint32_t, std::size_t> letter_at(std::string_view text, std::size_t at) {
   const auto first = static_cast<unsigned char>(text[at]);
   const std::size_t bytes = utf8_character_bytes(text.substr(at));
@@ -42,7 +46,7 @@ std::pair<std::uint32_t, std::size_t> letter_at(std::string_view text, std::size
   return {letter, bytes};
 }
 
-/// Returns true if the letter at `at` has a meaning because of what stands around it.
+/// Returns true if the letter at `at` has a meaning because of its neighbours.
 bool has_meaning(std::string_view text, std::size_t at) {
   const char before = at > 0 ? text[at - 1] : ' ';
   const char after = at + 1 < text.size() ? text[at + 1] : ' ';

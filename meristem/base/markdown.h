@@ -6,12 +6,12 @@
 
 namespace meristem {
 
-/// Returns Markdown for a cell of a table: a bar in it does not end the cell. All other marks keep their meaning.
+/// Returns Markdown for the cell of a table: bars in the text do not end the cell. All other marks keep their meaning.
 std::string markdown_cell(std::string_view text);
 
-/// Returns Markdown and HTML that shows `text` as it is, on one line, also in a cell of a table: names, paths and
-/// errors that come from documents. Marks, tags, links and entities lose their meaning. Control characters and marks
-/// that change the direction of text become visible: `\u202E`.
+/// Returns Markdown and HTML that shows `text` literally on one line, also in a cell of a table. For names, paths and
+/// errors from documents. Marks, tags, links and entities lose their meaning. Control characters and marks that change
+/// the direction of text become visible: `\u202E`.
 std::string markdown_text(std::string_view text);
 
 }  // namespace meristem

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each function brings its argument into a short interval by exact or compensated steps, sums a Taylor polynomial there
-// and undoes the reduction. Tails lost to rounding are carried along wherever they would cost more than half a unit.
-// Exponents are read and set in the bits. There are no tables but nine arc tangents, and no fused multiply-add.
+// Elementary functions with exactly rounded operations only. Each function reduces its argument to a short interval by
+// exact or compensated steps, sums a Taylor polynomial there, and undoes the reduction. Rounding errors are carried
+// along if they would cost more than half a unit. Exponents are read and set in the bits. There are no tables except
+// nine arc tangents, and no fused multiply-add.
 //
-// Based on: W. J. Cody, W. Waite: Software Manual for the Elementary Functions (1980), the reductions;
-// T. J. Dekker: A floating-point technique for extending the available precision (1971), pairs of doubles.
+// Based on: W. J. Cody, W. Waite: Software Manual for the Elementary Functions (1980), the reductions; T. J. Dekker: A
+// floating-point technique for extending the available precision (1971), pairs of doubles.
 #include "meristem/base/math.h"
 
 #include <bit>
@@ -20,7 +21,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Constants in parts: the first parts have trailing zeros, so that their products with whole numbers are exact.
+// Constants in parts. The first parts have trailing zeros, so that their products with whole numbers are exact.
 constexpr double kHalfPiPart1 = 0x1.921fb544p+0;
 constexpr double kHalfPiPart2 = 0x1.0b4611a6p-34;
 constexpr double kHalfPiPart3 = 0x1.3198a2e037073p-69;
@@ -32,7 +33,7 @@ constexpr double kLn2Part2 = 0x1.a39ef35793c76p-33;
 
 constexpr double kSqrtHalf = 0.70710678118654752440;
 
-/// The unevaluated sum of two doubles, about 106 bits; |low| is at most half a unit of high.
+/// The unevaluated sum of two doubles, about 106 bits. |low| is at most half a unit of high.
 struct Pair {
   double high = 0;
   double low = 0;
@@ -45,7 +46,7 @@ Pair sum(double a, double b) {
 }
 
 Pair product(double a, double b) {
-  // Halves of 26 bits multiply exactly; a fused multiply-add would do this in one step, but not on every machine.
+  // Halves of 26 bits multiply exactly. A fused multiply-add would do this in one step, but not on every machine.
   constexpr double kSplitter = 0x1p27 + 1;
   const double a_scaled = kSplitter * a;
   const double b_scaled = kSplitter * b;
@@ -74,7 +75,7 @@ Pair operator/(Pair a, Pair b) {
   return sum(quotient, rest / b.high);
 }
 
-/// c[0] + c[1] x + c[2] x² + ...
+/// Returns c[0] + c[1] x + c[2] x² + ...
 template <std::size_t count>
 double polynomial(double x, const double (&coefficients)[count]) {
   double value = coefficients[count - 1];
@@ -82,7 +83,7 @@ double polynomial(double x, const double (&coefficients)[count]) {
   return value;
 }
 
-/// x times 2 to the power `exponent`, for x in 2^-33 to 2^33.
+/// Returns x times 2 to the power `exponent`, for x in 2^-33 to 2^33.
 double scaled(double x, int exponent) {
   if (exponent < -980 || exponent > 980) return std::ldexp(x, exponent);
   return x * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
@@ -93,7 +94,7 @@ struct Scientific {
   int exponent;
 };
 
-/// Takes a positive finite number apart, exactly.
+/// Splits a positive finite number into mantissa and exponent, exactly.
 Scientific scientific(double x) {
   int exponent = 0;
   if (x < std::numeric_limits<double>::min()) {
@@ -115,9 +116,9 @@ struct Angle {
   int quadrant;  // 0 to 3
 };
 
-/// Splits an angle into quarter turns and a rest with its own rounding error.
+/// Splits an angle into quarter turns and a rest. The rest carries its own rounding error.
 Angle reduced(double radians) {
-  // Beyond 2^20 quarter turns the products below were no longer exact.
+  // Beyond 2^20 quarter turns, the products below would not be exact.
   if (!(std::abs(radians) < 1.6e6)) radians = std::fmod(radians, kTwoPi);
   if (!std::isfinite(radians)) return {{kNan, 0}, 0};
   const double turns = std::floor(radians * (2 / kPiHigh) + 0.5);
@@ -150,7 +151,7 @@ double sin_of_angle(Angle angle) {
   return angle.quadrant < 2 ? value : -value;
 }
 
-/// exp(x.high + x.low) for |x| < 1000.
+/// Returns exp(x.high + x.low) for |x| < 1000.
 double exp_of_pair(Pair x) {
   constexpr double kTail[] = {1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,
                               1.0 / 720,     1.0 / 5040,     1.0 / 40320,     1.0 / 362880,
@@ -165,7 +166,7 @@ double exp_of_pair(Pair x) {
 constexpr double kLogTail[] = {2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11, 2.0 / 13,
                                2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21, 2.0 / 23};
 
-/// The natural logarithm of a positive finite number to about 63 bits, which pow needs.
+/// Returns the natural logarithm of a positive finite number to about 63 bits, as pow needs it.
 Pair log_as_pair(double x) {
   constexpr Pair kTwoThirds{0x1.5555555555555p-1, 0x1.5555555555555p-55};
   const auto [mantissa, exponent] = scientific(x);
@@ -177,7 +178,7 @@ Pair log_as_pair(double x) {
   return sum(exponent * kLn2Part1, exponent * kLn2Part2) + of_mantissa;
 }
 
-/// x to a whole power of at most 64 either way, exact where the result has room for it: x² is x*x.
+/// Returns x to a whole power from -64 to 64. The result is exact if it fits into a double: x² is x*x.
 double whole_power(double x, int power) {
   const auto [mantissa, exponent] = scientific(x);
   Pair result{1, 0};
@@ -190,7 +191,7 @@ double whole_power(double x, int power) {
   return scaled(result.high, exponent * power);
 }
 
-/// x to the power y for positive finite x and finite y.
+/// Returns x to the power y for positive finite x and finite y.
 double power_of_positive(double x, double y) {
   if (y == 0.5) return std::sqrt(x);
   if (std::abs(y) <= 64 && std::floor(y) == y) return whole_power(x, static_cast<int>(y));
@@ -202,7 +203,7 @@ double power_of_positive(double x, double y) {
   return exp_of_pair(sum(exact.high, exact.low + y * logarithm.low));
 }
 
-/// atan of a number in [0, 1], from the nearest of atan(0), atan(1/8), ... atan(1).
+/// Returns atan of a number in [0, 1], from the nearest of atan(0), atan(1/8), ... atan(1).
 double atan_of_fraction(double x) {
   constexpr Pair kAtanOfEighths[] = {{0, 0},
                                      {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
@@ -283,7 +284,8 @@ double log(double x) {
   const double s = above_one / (2 + above_one);
   const double square = s * s;
   const double tail = square * (2.0 / 3 + square * polynomial(square, kLogTail));
-  // log(1+f) = f - (f²/2 - s (f²/2 + tail)): the large terms f and f²/2 are nearly exact, the rounded one is small.
+  // log(1+f) = f - (f²/2 - s (f²/2 + tail)). The large terms f and f²/2 are nearly exact, and the rounded term is
+  // small.
   const double half_square = 0.5 * above_one * above_one;
   const double correction = s * (half_square + tail) + exponent * kLn2Part2;
   return exponent * kLn2Part1 - ((half_square - correction) - above_one);

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSamples = 50'000;
 
-/// How many units in the last place of `want` lie between the two.
+/// Returns the difference of the two numbers in units in the last place of `want`.
 double ulps_between(double got, long double want) {
   const auto rounded = static_cast<double>(want);
   if (got == rounded || (std::isnan(got) && std::isnan(rounded))) return 0;
@@ -30,7 +30,8 @@ double ulps_between(double got, long double want) {
   return static_cast<double>(std::abs((got - want) / unit));
 }
 
-/// The worst error of `function` against the long double `reference` over arguments that `argument(key, k)` makes.
+/// Returns the largest error of `function` relative to the long double `reference`, over arguments that `argument(key,
+/// k)` returns.
 template <class Function, class Reference, class Argument>
 double worst_error(Function function, Reference reference, Argument argument) {
   double worst = 0;
@@ -45,7 +46,7 @@ auto between(double low, double high) {
   return [=](RandomKey key, std::uint64_t k) { return key.uniform(k, low, high); };
 }
 
-/// Either sign, with exponents of two evenly between `low` and `high`.
+/// Returns arguments of either sign, with binary exponents evenly between `low` and `high`.
 auto of_every_size(double low, double high) {
   return [=](RandomKey key, std::uint64_t k) {
     const double size = std::exp2(low + (high - low) * key.uniform(k, 1U));
@@ -77,7 +78,7 @@ TEST(Math, SineCosineAndTangentKeepFourUnits) {
 }
 
 TEST(Math, SineKeepsItsDigitsAtMultiplesOfPi) {
-  // The double nearest to n pi misses it by what the sine must show; pi in two parts gives that to 100 bits.
+  // The double nearest to n pi differs from n pi by the exact sine. Pi in two parts gives this difference to 100 bits.
   for (int turns = 1; turns < 300'000; turns += 7) {
     const double angle = turns * kPi;
     const double sine = math::sin(angle);

@@ -12,14 +12,14 @@
 
 namespace meristem {
 
-/// A list of names in which a name is found in constant time.
+/// A list of names that finds a name in constant time.
 class NameTable {
  public:
   NameTable() = default;
-  /// A table of `names`, in their order.
+  /// Builds a table of `names`, in their order.
   explicit NameTable(std::span<const std::string> names) { add(names); }
 
-  /// Appends a name. A name that is already there keeps its first position.
+  /// Appends a name. A name that exists already keeps its first position.
   void add(const std::string& name) {
     positions_.try_emplace(name, names_.size());
     names_.push_back(name);
@@ -28,16 +28,16 @@ class NameTable {
     for (const std::string& name : names) add(name);
   }
 
-  /// All names, in the order in which they were added.
+  /// Returns all names, in the order in which they were added.
   const std::vector<std::string>& names() const { return names_; }
   std::size_t size() const { return names_.size(); }
 
-  /// Returns the first position of a name, or nothing if the name is not there.
+  /// Returns the first position of a name, or nothing if the name does not exist.
   std::optional<std::size_t> find(std::string_view name) const {
     const auto found = positions_.find(name);
     return found == positions_.end() ? std::nullopt : std::optional(found->second);
   }
-  /// Returns true if the name is there.
+  /// Returns true if the name exists.
   bool contains(std::string_view name) const { return positions_.contains(name); }
 
  private:

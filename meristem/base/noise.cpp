@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every point of the integer lattice has a random slope; between the points the linear functions of the corners are
-// blended by a quintic with zero first and second derivative at both ends. Slopes come from a hash of the lattice
-// point, not from a table, so the noise does not repeat.
+// Every point of the integer lattice has a random slope. Between the points, the linear functions of the corners are
+// blended by a quintic with zero first and second derivative at both ends. Slopes come from a hash of the lattice point
+// and not from a table, so the noise does not repeat.
 //
-// Based on: Perlin: Improving noise (SIGGRAPH 2002). Deviations: hashed lattice; 16 directions in the plane; in space
-// the 12 edge directions are chosen with equal weight instead of 16 with four of them twice.
+// Based on: Perlin: Improving noise (SIGGRAPH 2002). Deviations: the lattice is hashed, and the plane has 16
+// directions. In space, the 12 edge directions have equal weight. In the source there are 16 directions, four of them
+// twice.
 #include "meristem/base/noise.h"
 
 #include <array>
@@ -16,7 +17,7 @@ namespace meristem {
 
 namespace {
 
-/// A coordinate as lattice cell, position in the cell, and blend weight there.
+/// A coordinate as lattice cell, position in the cell, and blend weight.
 struct LatticeCell {
   explicit LatticeCell(double x)
       : lattice(static_cast<std::int64_t>(std::floor(x))),
@@ -27,19 +28,20 @@ struct LatticeCell {
   double weight;
 };
 
-/// True where all coordinates are so small that cells can be numbered and have an inside.
+/// Returns true if all coordinates are so small that cells can be numbered and have an inside.
 template <typename... Coordinates>
 bool has_cell(Coordinates... x) {
   return (... && (std::abs(x) < 0x1p52));
 }
 
-/// What to return elsewhere.
+/// Returns the value for coordinates that are too large or not finite.
 template <typename... Coordinates>
 double value_without_cell(Coordinates... x) {
   return (... && std::isfinite(x)) ? 0 : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The finaliser of splitmix64 (Steele, Lea, Flood 2014) over the key and lattice point; the high half is the best.
+/// The finaliser of splitmix64 (Steele, Lea, Flood 2014) over the key and lattice point. The high half of the result is
+/// the best.
 std::uint64_t lattice_hash(RandomKey key, std::int64_t x, std::int64_t y, std::int64_t z) {
   std::uint64_t h = key.bits() + static_cast<std::uint64_t>(x);
   h = h * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(y);
@@ -51,10 +53,10 @@ std::uint64_t lattice_hash(RandomKey key, std::int64_t x, std::int64_t y, std::i
 
 double blend(double from, double to, double weight) { return from + weight * (to - from); }
 
-/// The corner's linear function at distance `x` from it; slopes are uniform in [-1, 1).
+/// Returns the corner's linear function at distance `x` from the corner. Slopes are uniform in [-1, 1).
 double slope_line(std::uint64_t hash, double x) { return (static_cast<double>(hash >> 11) * 0x1p-52 - 1) * x; }
 
-/// A slope in the plane: one of 16 unit slopes.
+/// Returns the linear function of one of 16 unit slopes in the plane.
 double slope_plane(std::uint64_t hash, double x, double y) {
   constexpr double kA = 0.92387953251128674;  // cos 22.5°
   constexpr double kB = 0.70710678118654752;  // cos 45°
@@ -79,7 +81,7 @@ double slope_plane(std::uint64_t hash, double x, double y) {
   return direction[0] * x + direction[1] * y;
 }
 
-/// A slope in space, toward one of the 12 edges of a cube.
+/// Returns the linear function of a slope in space, toward one of the 12 edges of a cube.
 double slope_space(std::uint64_t hash, double x, double y, double z) {
   const std::uint64_t edge = ((hash >> 32) * 12) >> 32;
   const double first = edge < 8 ? x : y;
@@ -94,7 +96,7 @@ double plane_noise(RandomKey key, const LatticeCell& x, const LatticeCell& y) {
   return blend(blend(corner(0, 0), corner(1, 0), x.weight), blend(corner(0, 1), corner(1, 1), x.weight), y.weight);
 }
 
-/// One of the two layers of lattice points above and below a point in space.
+/// Returns the blend in one of the two layers of lattice points, above or below a point in space.
 double space_layer(RandomKey key, const LatticeCell& x, const LatticeCell& y, const LatticeCell& z, int dz) {
   const auto corner = [&](int dx, int dy) {
     return slope_space(lattice_hash(key, x.lattice + dx, y.lattice + dy, z.lattice + dz), x.t - dx, y.t - dy, z.t - dz);
@@ -109,7 +111,7 @@ double gradient_noise(RandomKey key, double x) {
   const LatticeCell cell(x);
   const double below = slope_line(lattice_hash(key, cell.lattice, 0, 0), cell.t);
   const double above = slope_line(lattice_hash(key, cell.lattice + 1, 0, 0), cell.t - 1);
-  // Twice, because two opposite slopes meet at half their height in the middle.
+  // Doubled, because two opposite slopes meet at half their height in the middle.
   return 2 * blend(below, above, cell.weight);
 }
 

@@ -12,7 +12,7 @@ namespace meristem::noise_test {
 
 const RandomKey kKey(7);
 
-/// A walk through the noise of each number of dimensions, along a line that meets no lattice point.
+/// A walk through the noise in each number of dimensions, along a line that meets no lattice point.
 struct Walk {
   const char* name;
   std::function<double(RandomKey, double)> value;
@@ -47,7 +47,8 @@ TEST(Noise, FillsTheRangeWithMeanZero) {
       least = std::min(least, value);
       greatest = std::max(greatest, value);
     }
-    // Some 70,000 unrelated cells of deviation below 0.5: the mean's deviation is below 0.002.
+    // Some 70,000 unrelated cells have a standard deviation below 0.5, so their mean has a standard deviation below
+    // 0.002.
     EXPECT_NEAR(sum / kSamples, 0, 0.01) << walk.name;
     EXPECT_GE(least, -1.1) << walk.name;
     EXPECT_LE(least, -0.7) << walk.name;
@@ -80,7 +81,7 @@ TEST(Noise, KeysGiveUnrelatedFunctions) {
       product += a * walk.value(RandomKey(2), k * 0.73);
       square += a * a;
     }
-    // The correlation of 14,000 unrelated cells has a deviation below 0.01.
+    // The correlation of 14,000 unrelated cells has a standard deviation below 0.01.
     EXPECT_NEAR(product / square, 0, 0.05) << walk.name;
   }
 }

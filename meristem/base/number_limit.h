@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of the numbers that files give. All readers of files check their numbers here, so that no file leads to an
-// infinity or a NaN in a plant.
+// Limits of numbers in files. All readers of files check their numbers with them, so that no file puts an infinity or a
+// NaN into a plant.
 #pragma once
 
 #include <string>
@@ -14,27 +14,28 @@ namespace meristem {
 struct NumberLimit {
   double min = 0;
   double max = 0;
-  std::string_view noun;  ///< what such a number is called in messages, with its unit: "a coordinate"
+  std::string_view noun;  ///< name of such a number in messages, with its article: "a coordinate"
 
-  /// True if the value is in the range. False for NaN and infinities.
+  /// Returns true if the value is in the range. Returns false for NaN and infinities.
   bool holds(double value) const { return value >= min && value <= max; }
-  /// "a coordinate from -1e+12 to 1e+12"
+  /// Returns a text such as "a coordinate from -1e+12 to 1e+12".
   std::string expected() const;
 };
 
-/// Any number: it still fits into a 32-bit float, as which plants keep it.
+/// Any number that fits into a 32-bit float, the type in which plants store it.
 inline constexpr NumberLimit kFileNumber{-3.4e38, 3.4e38, "a number"};
 /// A coordinate in the units of its file: map coordinates (up to 1e7 m) in hundredths of a millimetre.
 inline constexpr NumberLimit kFileCoordinate{-1e12, 1e12, "a coordinate"};
 /// A radius or diameter in the units of its file: kMaxRadius in micrometres.
 inline constexpr NumberLimit kFileRadius{0, 1e9, "a radius or diameter"};
 
-/// Largest coordinate of a plant or obstacle, metres from the origin: floats still tell a decimetre apart there.
+/// Largest coordinate of a plant or obstacle, metres from the origin. Floats still resolve a decimetre at this
+/// distance.
 inline constexpr double kMaxCoordinate = 1e6;
-/// Largest radius of a stem, metres: 50 times that of the thickest tree that is known.
+/// Largest radius of a stem, metres: 50 times the radius of the thickest known tree.
 inline constexpr double kMaxRadius = 1e3;
 
-/// The fault of a number that its limit does not hold, without a place. `what` names the number: "the radius 1e+308".
+/// Returns the error for a number outside its limit, without a place. `what` names the number: "the radius 1e+308".
 Diagnostic number_fault(std::string_view what, const NumberLimit& limit);
 
 }  // namespace meristem

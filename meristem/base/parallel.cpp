@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks are handed to oneTBB, or (under ThreadSanitizer, which misreads TBB's synchronisation) to threads that count
-// through them.
+// Runs the blocks of a loop on several threads. Blocks go to oneTBB. ThreadSanitizer misreads the synchronisation of
+// TBB, so under this sanitizer the blocks go to threads that count through them.
 #include "meristem/base/parallel.h"
 
 #include <algorithm>
@@ -30,13 +30,12 @@ namespace meristem {
 
 namespace {
 
-// The most threads of a loop that this thread begins; 0 for no limit.
+// Maximum number of threads of a loop that this thread begins; 0 for no limit.
 thread_local int thread_limit = 0;
 
-/// How many of `wanted` threads the system starts. As many again must start, since what else the program needs takes
-/// memory from them later. Each takes what threads take, its stack and its share of the allocator, before the next one
-/// is asked for, so that a busy machine finds the count of an idle one. TBB does not survive a thread that cannot be
-/// started.
+/// Returns how many of `wanted` threads the system can start. Twice as many must start, since other parts of the
+/// program later use memory too. Each thread allocates its stack and its share of the allocator before the next thread
+/// starts, so that a busy machine gives the count of an idle one. TBB does not survive a thread that cannot be started.
 int startable_threads(int wanted) {
   std::atomic<bool> all_asked{false};
   std::atomic<int> ready{0};
@@ -54,7 +53,7 @@ int startable_threads(int wanted) {
       for (int count = ready; count < static_cast<int>(started.size()); count = ready) ready.wait(count);
     }
   } catch (const std::system_error&) {
-    // As many as there are.
+    // The system cannot start more threads.
   } catch (const std::bad_alloc&) {
   }
   all_asked = true;
@@ -69,7 +68,7 @@ int core_count() {
   return count;
 }
 
-/// As many of `wanted` threads as can be started; asked once for each higher number.
+/// Returns how many of `wanted` threads can be started. Tests this once for each higher number.
 int available_threads(int wanted) {
   if (wanted <= core_count()) return wanted;
   static std::mutex mutex;
@@ -82,7 +81,7 @@ int available_threads(int wanted) {
   return std::min(wanted, most);
 }
 
-/// Has loops in a block keep to the limit of the loop around them, whichever thread runs the block.
+/// Applies the limit of a loop to the loops inside its blocks, on whichever thread the block runs.
 class InheritedLimit {
  public:
   explicit InheritedLimit(int limit) : previous_(std::exchange(thread_limit, limit)) {}
@@ -94,7 +93,7 @@ class InheritedLimit {
   int previous_;
 };
 
-/// The blocks of one loop, and the exception of the lowest one that threw.
+/// The blocks of one loop, and the exception of the lowest block that threw.
 class Blocks {
  public:
   Blocks(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t)> body)
@@ -102,7 +101,7 @@ class Blocks {
 
   std::size_t size() const { return count_ / grain_ + (count_ % grain_ == 0 ? 0 : 1); }
 
-  /// Runs a block, unless a lower one has thrown. Lower ones still run, so the exception does not depend on timing.
+  /// Runs a block, unless a lower block has thrown. Lower blocks still run, so the exception does not depend on timing.
   void run(std::size_t block) noexcept {
     if (block > lowest_thrown_.load(std::memory_order_relaxed)) return;
     const InheritedLimit inherited(limit_);
@@ -137,7 +136,8 @@ void run_alone(Blocks& blocks) {
 
 #ifdef MERISTEM_THREADS_TBB
 
-/// Has TBB give more threads than there are cores to those who ask; once, for it takes the least of what it is told.
+/// Allows TBB to start more threads than there are cores. Set once, because TBB uses the lowest of all values that are
+/// set.
 void allow_more_than_cores() {
   static const tbb::global_control most(tbb::global_control::max_allowed_parallelism, 1024);
 }
@@ -152,7 +152,7 @@ struct Crew {
   tbb::task_arena arena;
 };
 
-// Kept from loop to loop: a new one for each loop took 0.3 ms instead of 3 us for 64 empty blocks on 3 threads.
+// Kept from loop to loop. A new crew for each loop took 0.3 ms instead of 3 us for 64 empty blocks on 3 threads.
 thread_local std::shared_ptr<Crew> kept_crew;
 
 Crew& crew_of(int threads) {
@@ -164,20 +164,21 @@ std::shared_ptr<void> exchange_crew(const std::shared_ptr<void>& crew) {
   return std::exchange(kept_crew, std::static_pointer_cast<Crew>(crew));
 }
 
-// All threads compute as the caller does. TBB's own context flushes the smallest numbers to zero where Embree was the
-// first to use TBB, and one thread alone does not.
+// All threads use the caller's floating-point settings. TBB's own context flushes the smallest numbers to zero if
+// Embree was the first user of TBB, while a single thread does not.
 using Context = tbb::task_group_context;
 constexpr auto kTraits = Context::default_traits | Context::fp_settings;
 
-/// Whether this thread computes as a program does at its start: to the nearest number, the smallest ones kept.
+/// Returns true if this thread computes like a new program: rounds to the nearest number and keeps the smallest
+/// numbers.
 bool rounds_as_usual() {
   const volatile float smallest_normal = std::numeric_limits<float>::min();
   return std::fegetround() == FE_TONEAREST && smallest_normal / 2 > 0;
 }
 
-/// The context of the loops of all threads that compute as usual; blocks do not throw, so nothing ever cancels it. It
-/// outlives all loops: what Embree builds in a block may outlive its loop, and TBB looks at the context that it was
-/// built in whenever something is cancelled.
+/// Returns the context for the loops of all threads with usual settings. Blocks do not throw, so this context is never
+/// cancelled. It outlives all loops: objects that Embree builds in a block may outlive the loop, and TBB reads the
+/// context of their construction whenever anything is cancelled.
 Context& lasting_context() {
   static Context& context = *new Context(Context::isolated, kTraits);
   return context;
@@ -187,7 +188,8 @@ void run_together(Blocks& blocks, int threads) {
   const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) blocks.run(block);
   };
-  // Isolated: a thread that waits for an inner loop never begins a block of the outer one in the middle of another.
+  // Isolated: a thread that waits for an inner loop never begins a block of the outer loop in the middle of another
+  // block.
   const auto run_in = [&](Context& context) {
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), run_range, tbb::simple_partitioner(),
@@ -208,7 +210,7 @@ void run_together(Blocks& blocks, int threads) {
 
 std::shared_ptr<void> exchange_crew(const std::shared_ptr<void>&) { return nullptr; }
 
-// Loops within a block run alone: their outer loop has the threads already.
+// Loops within a block run on one thread, because the outer loop already uses the threads.
 thread_local bool is_in_block = false;
 
 void run_together(Blocks& blocks, int threads) {
@@ -223,7 +225,7 @@ void run_together(Blocks& blocks, int threads) {
   try {
     while (others.size() + 1 < std::min(static_cast<std::size_t>(threads), blocks.size())) others.emplace_back(pull);
   } catch (const std::system_error&) {
-    // Without more threads the ones there are do all of it.
+    // If no more threads can be started, the existing threads do all the work.
   }
   pull();
 }
@@ -249,7 +251,7 @@ int thread_count() { return thread_limit > 0 ? available_threads(thread_limit) :
 ThreadLimit::ThreadLimit(int threads) : previous_(thread_limit) {
   if (threads < 0) throw std::invalid_argument("a thread limit must be at least 1, or 0 for all cores");
   thread_limit = threads;
-  // Set aside and not dismissed: this thread may be at work for it.
+  // Set the crew aside instead of destroying it, because this thread may be working for it.
   previous_crew_ = exchange_crew(nullptr);
 }
 

@@ -30,7 +30,7 @@ std::vector<Range> blocks_of(std::size_t count, std::size_t grain) {
   return blocks;
 }
 
-/// A sum whose last bits depend on the order of adding: per block, then over blocks.
+/// Returns a sum whose last bits depend on the order of additions: per block, then over blocks.
 double ordered_sum() {
   std::vector<double> sums(101);
   parallel_for(10'050, 100, [&](std::size_t begin, std::size_t end) {
@@ -154,7 +154,7 @@ TEST(ParallelFor, RejectsAGrainOfZero) {
 }
 
 TEST(ThreadLimit, AllowsMoreThreadsThanCores) {
-  // Each block waits until all are there; the deadline only ends a failing test.
+  // Each block waits until all blocks have begun. The deadline only ends a failing test.
   const ThreadLimit limit(8);
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   std::atomic<int> present = 0;
@@ -234,7 +234,7 @@ TEST(ThreadLimit, IsOfOneThreadOnly) {
   });
   while (step != 1) std::this_thread::yield();
   {
-    // Made later and gone earlier than the other thread's.
+    // Created later and destroyed earlier than the limit of the other thread.
     const ThreadLimit limit(5);
     EXPECT_EQ(thread_count(), 5);
   }

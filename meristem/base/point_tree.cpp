@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Builds the point tree. Each level splits the points of its nodes at the median along the longest side of their box,
+// and the nodes of a level run in parallel.
 #include "meristem/base/point_tree.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 namespace meristem {
 namespace {
 
-constexpr std::size_t kPointsPerBlock = 1 << 14;  // fewer are not worth another thread
+constexpr std::size_t kPointsPerBlock = 1 << 14;  // minimum number of points that is worth another thread
 
 Vec3 position_of(Vec3 point) { return point; }
 Vec3 position_of(const NumberedPoint& place) { return place.position; }
@@ -28,7 +30,7 @@ int longest_axis(const Box& box) {
   return size.y >= size.z ? 1 : 2;
 }
 
-/// Puts the median along an axis where it belongs, smaller ones before it and larger ones after it.
+/// Moves the median along an axis to its final position, smaller values before it and larger ones after it.
 template <class Point>
 void halve(Point* begin, Point* middle, Point* end) {
   if (middle == end) return;
@@ -48,7 +50,7 @@ void PointTree::build(std::vector<Point>& points, std::size_t leaf_points, const
     }
   }
   while (point_count_ >> leaf_level_ > leaf_points - 1) ++leaf_level_;
-  // Halve level by level; the nodes of one are independent.
+  // Split level by level. The nodes of one level are independent.
   for (int level = 0; level < leaf_level_; ++level) {
     const std::size_t nodes = std::size_t{1} << level;
     const std::size_t grain = std::max<std::size_t>(1, kPointsPerBlock * nodes / points.size());
@@ -60,7 +62,7 @@ void PointTree::build(std::vector<Point>& points, std::size_t leaf_points, const
       }
     });
   }
-  // Box the leaves, and what contains them from there up.
+  // Compute the boxes of the leaves, then the boxes of the nodes above, level by level.
   boxes_.resize(node_count());
   for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
     boxes_[place(leaf_level_, leaf)] =

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reports progress to an observer, one call at a time and only after each hundredth. Workers count with atomics and
+// never wait for the observer.
 #include "meristem/base/progress.h"
 
 #include <algorithm>
@@ -7,13 +9,13 @@ namespace meristem {
 
 namespace {
 
-/// Done hundredths of a stage, 0 to 100.
+/// Returns the completed hundredths of a stage, 0 to 100.
 std::uint64_t hundredths(std::uint64_t done, std::uint64_t total) {
   if (total == 0) return 0;
   return static_cast<std::uint64_t>(100 * std::min(1.0, static_cast<double>(done) / static_cast<double>(total)));
 }
 
-/// Gives the observer free again, also when it throws.
+/// Releases the observer, also if it throws.
 struct Release {
   std::atomic<bool>& reporting;
   ~Release() { reporting = false; }
@@ -37,8 +39,9 @@ void Progress::advance(std::uint64_t units) {
 }
 
 void Progress::report() {
-  // Whoever finds the observer busy leaves; the one that is there looks again before it goes, so nothing stays unsaid.
-  // Both orders, count then look for busy and free then look at the count, need sequential consistency.
+  // A thread returns if another thread is in the observer. That thread checks the count again before it returns, so no
+  // report is lost. One thread counts and then reads the flag, the other clears the flag and then reads the count. Both
+  // need sequential consistency.
   while (hundredths(done_, total_) + 1 > reported_) {
     if (reporting_.exchange(true)) return;
     const Release release{reporting_};

@@ -9,32 +9,32 @@
 
 namespace meristem {
 
-/// Thrown by a long call that was asked to stop. Whatever it had begun is undone.
+/// Thrown by a long call that was asked to stop. Everything that the call had begun is undone.
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// The one thing that a long call reports to and asks whether to go on.
+/// Progress of a long call, and the way to cancel the call.
 ///
-/// A caller makes one, passes it down, and may call `cancel()` from any thread or from a signal handler. Workers call
-/// `advance()` or `check()` often enough that cancelling answers within 50 ms. Without an observer it costs one
-/// relaxed atomic load a call.
+/// A caller creates the object, passes it down, and may call `cancel()` from any thread or from a signal handler.
+/// Workers call `advance()` or `check()` often enough that a call stops within 50 ms. Without an observer, each call
+/// costs one relaxed atomic load.
 class Progress {
  public:
-  /// Told the stage ("growing") and its done share in [0, 1]; called from worker threads, one at a time, only when the
-  /// share has moved by at least a hundredth or the stage is new.
+  /// Receives the stage ("growing") and its completed share in [0, 1]. Called from worker threads, one at a time, and
+  /// only if the stage is new or the share has grown by at least a hundredth.
   using Observer = std::function<void(std::string_view stage, double fraction)>;
 
   Progress() = default;
   explicit Progress(Observer observer) : observer_(std::move(observer)) {}
-  /// A part of `whole`, which must outlive it: it reports nothing and stops when the whole does. For calls with stages
-  /// of their own that run on many threads within one stage of the whole.
+  /// Progress of a part of `whole`, which must outlive this object. It reports nothing and is cancelled together with
+  /// the whole. For calls with their own stages that run on many threads within one stage of the whole.
   explicit Progress(const Progress* whole) : whole_(whole) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Begins a stage of `total` units of work; the one before it is over. `stage` must outlive the stage (a literal).
+  /// Begins a stage of `total` units of work and ends the stage before. `stage` must outlive the stage (a literal).
   void begin(std::string_view stage, std::uint64_t total);
   /// Counts `units` as done. Throws Cancelled if asked to stop.
   void advance(std::uint64_t units = 1);
@@ -43,9 +43,9 @@ class Progress {
     if (is_cancelled()) throw Cancelled();
   }
 
-  /// Asks the call to stop, which then throws Cancelled. Any thread and a signal handler may call it.
+  /// Asks the call to stop, which then throws Cancelled. May be called from any thread and from a signal handler.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-  /// True after cancel(), of this progress or of the whole that it is a part of.
+  /// Returns true after cancel() of this progress or of its whole.
   bool is_cancelled() const noexcept {
     return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->is_cancelled());
   }
@@ -55,7 +55,7 @@ class Progress {
 
   std::atomic<bool> cancelled_{false};
   std::atomic<std::uint64_t> done_{0};
-  std::atomic<std::uint64_t> reported_{0};  // hundredths, plus one once the stage was announced
+  std::atomic<std::uint64_t> reported_{0};  // reported hundredths plus one; 0 if the stage has not been announced
   std::atomic<bool> reporting_{false};
   std::uint64_t total_ = 0;
   std::string_view stage_;

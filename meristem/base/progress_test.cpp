@@ -19,7 +19,7 @@ struct Report {
   double fraction;
 };
 
-/// Collects what an observer is told.
+/// Collects the reports to an observer.
 struct Listener {
   std::vector<Report> reports;
   Progress progress{[this](std::string_view stage, double fraction) {

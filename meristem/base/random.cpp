@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Derives keys and random numbers with the counter-based generator Philox4x32-10 (source in random.h). The key is the
+// stream and the counter is the index of the number.
 #include "meristem/base/random.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ std::array<std::uint32_t, 4> words(std::uint64_t key, std::uint64_t index) {
                 {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
 }
 
-/// The 53 high bits of two words, as a number in [0, 1).
+/// Returns the 53 high bits of two words as a number in [0, 1).
 double unit_interval(std::uint32_t high, std::uint32_t low) {
   const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 11;
   return static_cast<double>(bits) * 0x1p-53;
@@ -36,7 +38,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 RandomKey RandomKey::child(std::string_view name) const { return child(hash64(name)); }
 
 std::uint64_t RandomKey::mixed(std::uint64_t bits, std::uint64_t with) {
-  // Philox's last two counter words mark derived keys, so that a key never equals a number of its own stream.
+  // The last two counter words of Philox mark derived keys, so that a key never equals a number of its own stream.
   const auto out = philox({static_cast<std::uint32_t>(with), static_cast<std::uint32_t>(with >> 32), 1, 0},
                           {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)});
   return std::uint64_t{out[1]} << 32 | out[0];

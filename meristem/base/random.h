@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Randomness by key instead of by state: every random number is a function of (seed, path or purpose, index), so it
-// depends neither on the order of calls nor on threads, and a change in one place leaves all other places alone.
+// Random numbers by key instead of by state. Every number is a function of (seed, path or purpose, index), so it does
+// not depend on the order of calls or on threads. A change in one part of a plant leaves the random numbers of all
+// other parts unchanged.
 //
 // Based on: Salmon, Moraes, Dror, Shaw: Parallel random numbers: as easy as 1, 2, 3 (SC 2011), Philox4x32-10.
 #pragma once
@@ -13,26 +14,26 @@
 
 namespace meristem {
 
-/// Names one stream of random numbers. Streams with different keys are independent; a key is cheap to copy and derive.
+/// Names one stream of random numbers. Streams with different keys are independent. A key is cheap to copy and derive.
 class RandomKey {
  public:
   /// The root stream of a document's seed.
   explicit RandomKey(std::uint64_t seed = 0) : bits_(mixed(seed, 0x6d65726973746d31U)) {}
 
-  /// The stream of a purpose or path element below this one.
+  /// Returns the stream of a purpose or path element below this stream.
   RandomKey child(std::string_view name) const;
   RandomKey child(std::uint64_t index) const { return RandomKey(Raw{mixed(bits_, index)}); }
 
-  /// Uniform in [0, 1), the `index`-th number of this stream; `lane` 0 or 1 gives two independent ones.
+  /// Returns the `index`-th number of this stream, uniform in [0, 1). `lane` 0 and 1 give two independent numbers.
   double uniform(std::uint64_t index, unsigned lane = 0) const;
-  /// Uniform in [low, high).
+  /// Returns a number that is uniform in [low, high).
   double uniform(std::uint64_t index, double low, double high) const { return low + (high - low) * uniform(index); }
-  /// Standard normal (mean 0, deviation 1), by Box and Muller on the two lanes of `index`.
+  /// Returns a standard normal number (mean 0, standard deviation 1), by Box and Muller on the two lanes of `index`.
   double normal(std::uint64_t index) const;
-  /// Uniform on the unit sphere.
+  /// Returns a direction that is uniform on the unit sphere.
   Vec3 direction(std::uint64_t index) const;
 
-  /// The key as one number, for caches and fingerprints.
+  /// Returns the key as one number, for caches and fingerprints.
   std::uint64_t bits() const { return bits_; }
   bool operator==(const RandomKey&) const = default;
 
@@ -46,7 +47,7 @@ class RandomKey {
   std::uint64_t bits_;
 };
 
-/// The raw generator: four random words from a 128-bit counter and a 64-bit key.
+/// Runs the raw generator: four random words from a 128-bit counter and a 64-bit key.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
 }  // namespace meristem

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys are fixed, so these tests pass always or never; a bound says how rarely a good generator would miss it.
+// Tests the distribution of random numbers. Keys are fixed, so these tests pass always or never. The comment on each
+// bound says how rarely a good generator would exceed it.
 #include "meristem/base/random.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace meristem::random_test {
 
 using Words = std::array<std::uint32_t, 4>;
 
-/// Pearson's statistic for equally likely bins.
+/// Returns Pearson's statistic for equally likely bins.
 double chi_square(const std::vector<int>& counts, int samples) {
   const double expected = static_cast<double>(samples) / static_cast<double>(counts.size());
   double sum = 0;
@@ -22,12 +23,12 @@ double chi_square(const std::vector<int>& counts, int samples) {
   return sum;
 }
 
-// Pearson's statistic exceeds these once in a thousand times, for 63 and 255 degrees of freedom.
+// Pearson's statistic exceeds these values once in a thousand times, for 63 and 255 degrees of freedom.
 constexpr double kRareOf64 = 103.4;
 constexpr double kRareOf256 = 330.5;
 constexpr int kSamples = 1 << 17;
 
-/// The statistic of pairs (first(k), second(k)) over a grid of 16 by 16 cells.
+/// Returns the statistic of pairs (first(k), second(k)) over a grid of 16 by 16 cells.
 template <class First, class Second>
 double pair_chi_square(First first, Second second) {
   std::vector<int> cells(256);
@@ -113,7 +114,7 @@ TEST(RandomKey, NeighboursAreIndependent) {
   EXPECT_LT(pair_chi_square(number(key.child(0)), number(key.child(1))), kRareOf256);
   EXPECT_LT(pair_chi_square(number(key), [&](std::uint64_t k) { return key.uniform(k + 1); }), kRareOf256);
   EXPECT_LT(pair_chi_square(number(key), [&](std::uint64_t k) { return key.uniform(k, 1U); }), kRareOf256);
-  // The first numbers of many children, as one draws one number for each leaf.
+  // The first numbers of many children, as when one number is drawn for each leaf.
   EXPECT_LT(pair_chi_square([&](std::uint64_t k) { return key.child(k).uniform(0); },
                             [&](std::uint64_t k) { return key.child(k + 1).uniform(0); }),
             kRareOf256);
@@ -126,7 +127,7 @@ TEST(RandomKey, NormalHasTheMomentsOfTheStandardNormal) {
     ASSERT_TRUE(std::isfinite(x));
     for (int power = 1; power <= 4; ++power) sums[power] += std::pow(x, power);
   }
-  // Four deviations of each mean: Var(x^p) = E(x^2p) - E(x^p)², that is 1, 2, 15 and 96.
+  // Four standard deviations of each mean: Var(x^p) = E(x^2p) - E(x^p)², that is 1, 2, 15 and 96.
   const double n = kSamples;
   EXPECT_NEAR(sums[1] / n, 0, 4 * std::sqrt(1 / n));
   EXPECT_NEAR(sums[2] / n, 1, 4 * std::sqrt(2 / n));
@@ -144,7 +145,7 @@ TEST(RandomKey, NormalFallsEvenlyIntoItsQuantiles) {
 }
 
 TEST(RandomKey, DirectionsAreUnitAndEvenOnTheSphere) {
-  // On a sphere, height and azimuth are independent and both even (Archimedes).
+  // On a sphere, height and azimuth are independent and both uniform (Archimedes).
   const RandomKey key(7);
   const auto height = [&](std::uint64_t k) { return std::min(0.9999999, 0.5 + 0.5 * key.direction(k).y); };
   const auto azimuth = [&](std::uint64_t k) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads tables in text form. The head line decides the separator, and each line is then split outside of quotes. Errors
+// of all lines are collected with line and column.
 #include "meristem/base/read_columns.h"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ constexpr std::size_t kLongestShown = 40;
 
 struct Cell {
   std::string_view text;
-  std::size_t offset = 0;  // bytes from the line's begin
+  std::size_t offset = 0;  // bytes from the beginning of the line
 };
 
 std::string_view without_blanks(std::string_view text) {
@@ -32,14 +34,14 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Without the blanks and quotes about it, if it has them.
+/// Returns the text without surrounding blanks and quotes.
 std::string_view bare(std::string_view text) {
   text = without_blanks(text);
   const bool has_quotes = text.size() >= 2 && text.front() == '"' && text.back() == '"';
   return has_quotes ? without_blanks(text.substr(1, text.size() - 2)) : text;
 }
 
-/// What the separator parts, outside of quotes.
+/// Splits a line at the separator, outside of quotes.
 void split(std::string_view line, char separator, std::vector<Cell>& cells) {
   cells.clear();
   std::size_t begin = 0;
@@ -52,7 +54,7 @@ void split(std::string_view line, char separator, std::vector<Cell>& cells) {
   }
 }
 
-/// What of these is in the line most often; the first if none is.
+/// Returns the separator that occurs most often in the line, or the comma if none occurs.
 char separator_of(std::string_view line) {
   char found = ',';
   for (const char candidate : {';', '\t'}) {
@@ -75,7 +77,7 @@ std::optional<double> number_of(std::string_view text, bool may_have_comma) {
   return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// UTF-8's continuation bytes do not count.
+/// UTF-8 continuation bytes do not count as columns.
 int column_at(std::string_view line, std::size_t offset) {
   const auto is_first = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
   return 1 + static_cast<int>(std::ranges::count_if(line.substr(0, offset), is_first));
@@ -195,12 +197,12 @@ class ColumnReader {
   char separator_ = ',';
   std::size_t width_ = 0;
   std::vector<Cell> cells_;
-  std::vector<std::size_t> places_;  // of each form among the cells, or kNone
+  std::vector<std::size_t> places_;  // for each requested column, its position among the cells, or kNone
   Columns found_;
   std::vector<Diagnostic> faults_;
 };
 
-/// Reads all columns: cells are numbers until one is none, then the column is one of texts.
+/// Reads all columns. A column is numeric until a cell is not a number, and then becomes a column of texts.
 class TableReader {
  public:
   TableReader(std::string_view text, const Limits& limits) : text_(text), limits_(limits) {
@@ -225,8 +227,8 @@ class TableReader {
   }
 
  private:
-  static constexpr std::uint64_t kFewLines = 1000;         // empty ones, and the head
-  static constexpr std::uint64_t kMostCells = 50'000'000;  // of all columns
+  static constexpr std::uint64_t kFewLines = 1000;         // allowance for empty lines and the head
+  static constexpr std::uint64_t kMostCells = 50'000'000;  // maximum number of cells of all columns
 
   [[noreturn]] static void throw_too_many(std::uint64_t rows) {
     throw InputError(Diagnostic{.message = fmt::format("the table has {} rows", rows),
@@ -309,7 +311,7 @@ class TableReader {
     add_text(k, cell.text);
   }
 
-  /// The texts of the cells so far are read once more: a column whose cells turn out to be texts late is rare.
+  /// The texts of earlier cells are read again. Columns that become texts late are rare.
   void become_texts(std::size_t k) {
     table_.columns[k].numbers.clear();
     std::string_view rest = text_;
@@ -344,7 +346,7 @@ class TableReader {
   int number_ = 0;
   char separator_ = ',';
   std::vector<Cell> cells_;
-  std::vector<std::unordered_map<std::string, std::uint32_t>> numbers_of_text_;  // by column
+  std::vector<std::unordered_map<std::string, std::uint32_t>> numbers_of_text_;  // for each column
   TextTable table_;
   std::vector<Diagnostic> faults_;
 };

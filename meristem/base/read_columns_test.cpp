@@ -26,7 +26,7 @@ std::vector<Diagnostic> faults_of(std::string_view text, const Limits& limits = 
   return {};
 }
 
-/// The fault of a text with one fault.
+/// Returns the error of a text with one error.
 Diagnostic fault_of(std::string_view text) {
   const std::vector<Diagnostic> faults = faults_of(text);
   EXPECT_EQ(faults.size(), 1U) << text;

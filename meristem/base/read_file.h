@@ -6,8 +6,9 @@
 
 namespace meristem {
 
-/// A whole file that an input names. Throws InputError where there is none (with the nearest name in its folder), where
-/// it is empty, larger than `most_bytes` (limits.file_bytes) or no plain file; MachineError where it cannot be read.
+/// Returns the content of a file that an input names. Throws InputError if the file does not exist (with the nearest
+/// name in its folder), is empty, is larger than `most_bytes` (limits.file_bytes) or is not a plain file. Throws
+/// MachineError if the file cannot be read.
 std::string read_file(const std::string& path, std::uint64_t most_bytes);
 
 }  // namespace meristem

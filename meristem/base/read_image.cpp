@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Decodes PNG with libpng's simplified interface and JPEG with libjpeg-turbo. The size is checked against the limit
+// before memory for the pixels is allocated.
 #include "meristem/base/read_image.h"
 
 #include <memory>
@@ -25,7 +27,7 @@ constexpr std::string_view kJpegStart = "\xff\xd8\xff";
   throw_image_fault(file, fmt::format("the {} is damaged: {}", kind, reason), "a picture that other programs can open");
 }
 
-/// A picture of that size, all of its bytes zero, unless it is too large.
+/// Returns a picture of that size with all bytes zero. Throws InputError if it is too large.
 Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& file, const Limits& limits) {
   if (width * height > limits.picture_pixels) {
     Diagnostic diagnostic = limit_diagnostic("pixels of a picture", static_cast<double>(width * height),
@@ -66,7 +68,7 @@ Image parse_jpeg(std::string_view bytes, const std::string& file, const Limits& 
     throw_damaged(file, "JPEG", tjGetErrorStr2(jpeg.get()));
   }
   Image image = empty_image(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), file, limits);
-  // Thousands of scans in a small file would take minutes.
+  // A small JPEG file with thousands of scans would take minutes, so limit the scans.
   if (tjDecompress2(jpeg.get(), data, bytes.size(), image.rgba.data(), width, 0, height, TJPF_RGBA,
                     TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT) != 0) {
     throw_damaged(file, "JPEG", tjGetErrorStr2(jpeg.get()));

@@ -12,7 +12,7 @@
 
 namespace meristem::read_image_test {
 
-/// Colours that JPEG keeps well, alpha falling from row to row.
+/// Returns a picture with colours that JPEG keeps well. Alpha falls from row to row.
 Image sample() {
   Image image{24, 16, {}};
   for (int y = 0; y < image.height; ++y) {

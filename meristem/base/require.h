@@ -6,8 +6,8 @@
 
 namespace meristem {
 
-/// Throws std::invalid_argument with `message` unless `holds`: the mistake of a program that calls the library. Faults
-/// of what a user has written are an InputError with their path.
+/// Throws std::invalid_argument with `message` if `holds` is false. For mistakes of programs that call the library.
+/// Errors in what a user has written are an InputError with a path.
 inline void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(message);
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Among all functions f with a given sum of squares from the data, the natural cubic spline that minimises
+// Computes a smoothing spline with a given distance from the data. Among all functions f with a given sum of squares,
+// the natural cubic spline that minimises
 //   sum of w (y - f(x))^2  +  roughness * integral of f''^2
-// is the one with the least integral, for the right roughness. For one roughness the second derivatives c at the inner
-// points solve a system of five bands,
+// has the smallest integral, for the right roughness. For one roughness, the second derivatives c at the inner points
+// solve a system of five bands,
 //   (R + roughness * Q' W^-1 Q) c = Q' y,   and   f = y - roughness * W^-1 Q c.
-// The distance rises with the roughness, and its logarithm nearly evenly with that of the roughness: the secant rule
-// finds the right one in a few solutions. The result is the first number of the bisection of all roughnesses that meets
-// the distance, so that the values do not depend on the last digits of the search.
+// The distance rises with the roughness, and the logarithms of both are nearly linear in each other. The secant rule
+// therefore finds the right roughness in a few solutions. The result is the first roughness that meets the distance in
+// a bisection of all numbers, so the values do not depend on the last digits of the search.
+//
 // Based on: C. H. Reinsch: Smoothing by spline functions (1967); P. J. Green, B. W. Silverman: Nonparametric regression
 // and generalized linear models (1994), section 2.3.
 #include "meristem/base/smoothing_spline.h"
@@ -25,14 +27,15 @@ namespace meristem {
 namespace {
 
 constexpr int kHalvings = 50;
-constexpr double kNear = 1e-3;    // share of the distance that it is met to
-constexpr double kLeast = 1e-12;  // roughness, over that of the unit: all but the values themselves
-constexpr double kMost = 1e12;    // all but straight lines
-constexpr double kFirst = 1e-3;   // tried first
-constexpr int kSecants = 12;      // more are not needed but where numbers lose their digits
-constexpr double kStride = 12;    // of the roughness's logarithm that one may go
-constexpr double kFlat = 0.05;    // of squares by roughness, both as logarithms: less may be the end of their rise
-constexpr double kMargin = 0.25;  // how far a range of logarithms may be off on either side, as a share of its width
+constexpr double kNear = 1e-3;    // relative tolerance of the distance
+constexpr double kLeast = 1e-12;  // lowest roughness relative to its unit: nearly the given values
+constexpr double kMost = 1e12;    // highest roughness: nearly straight lines
+constexpr double kFirst = 1e-3;   // first roughness that is tried
+constexpr int kSecants = 12;      // maximum number of secant steps; more help only if numbers lose their digits
+constexpr double kStride = 12;    // maximum step of the logarithm of the roughness
+constexpr double kFlat = 0.05;    // minimum slope of log(squares) by log(roughness); below it, the squares may have
+                                  // stopped to rise
+constexpr double kMargin = 0.25;  // extra width of a range of logarithms on either side, as a share of its width
 
 void check(std::span<const double> x, const std::vector<std::vector<double>>& values, double distance,
            std::span<const double> weights) {
@@ -54,7 +57,7 @@ void check(std::span<const double> x, const std::vector<std::vector<double>>& va
   require(std::isfinite(distance) && distance >= 0, "the distance of a smoothing spline must be at least 0");
 }
 
-// Two functions at once, which a processor solves in the time of one; what is missing to a pair is 0.
+// Two functions at once, which a processor solves in the time of one. An odd last function is paired with zeros.
 using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
 
 class Smoother {
@@ -96,8 +99,8 @@ class Smoother {
     }
   }
 
-  /// The weighted squares of how far the smoothed values are from the given ones, for a roughness in multiples of one
-  /// that suits the length.
+  /// Returns the weighted sum of squared differences between smoothed and given values. `roughness` is a multiple of a
+  /// unit that suits the length.
   double squares(double roughness) {
     roughness_ = roughness * unit_;
     factorize();
@@ -115,7 +118,7 @@ class Smoother {
     return sum;
   }
 
-  /// The smoothed values for the last roughness.
+  /// Returns the smoothed values for the last roughness.
   std::vector<std::vector<double>> values() const {
     std::vector<std::vector<double>> smooth = given_;
     for (std::size_t k = 0; k < smooth.size(); ++k) {
@@ -127,10 +130,11 @@ class Smoother {
   double weights() const { return std::accumulate(weights_.begin(), weights_.end(), 0.0); }
 
  private:
-  static constexpr std::size_t kEdge = 2;  // of zeros, before the first and after the last inner point
+  static constexpr std::size_t kEdge = 2;  // number of zeros before the first and after the last inner point
   using Bands = std::array<double, 3>;
-  struct Row {                          // by inner point
-    Bands difference{};                 // of Q': the second difference, on the points before, at and after it
+  struct Row {                          // one per inner point
+    Bands difference{};                 // of Q': the second difference, on the points before, at and after the inner
+                                        // point
     std::array<double, 2> stiffness{};  // of R, the diagonal and the band above it
     Bands penalty{};                    // of Q' W^-1 Q, the diagonal and the two bands above it
     Bands factors{};                    // 1 / D, and the two columns of L below each diagonal
@@ -142,10 +146,10 @@ class Smoother {
 
   Row& row(std::size_t inner) { return rows_[inner + kEdge]; }
 
-  /// L D L' of the banded matrix.
+  /// Computes the decomposition L D L' of the banded matrix.
   void factorize() {
     struct Pivot {
-      double diagonal = 0, near = 0, far = 0;  // D, and the two of L below it
+      double diagonal = 0, near = 0, far = 0;  // D, and the two entries of L below it
     };
     Pivot before, before_that;
     for (std::size_t i = 0; i < inner_; ++i) {
@@ -154,7 +158,7 @@ class Smoother {
       pivot.diagonal = here.stiffness[0] + roughness_ * here.penalty[0] - before.diagonal * before.near * before.near -
                        before_that.diagonal * before_that.far * before_that.far;
       const double next = here.stiffness[1] + roughness_ * here.penalty[1] - before.diagonal * before.near * before.far;
-      // One division a row, on which the next one waits.
+      // Divide only once per row, because the next row waits for the result.
       const double inverse = 1 / pivot.diagonal;
       pivot.near = next * inverse;
       pivot.far = roughness_ * here.penalty[2] * inverse;
@@ -165,7 +169,7 @@ class Smoother {
   }
 
   void solve(Column& column) const {
-    // What lies beyond the edges is 0.
+    // Values beyond the edges are 0.
     Pair before{}, before_that{};
     for (std::size_t i = 0; i < inner_; ++i) {
       const Pair here = column.differences[i] - rows_[i + 1].factors[1] * before - rows_[i].factors[2] * before_that;
@@ -183,7 +187,7 @@ class Smoother {
     }
   }
 
-  /// What the last roughness takes from the values at point i.
+  /// Returns the amount that the last roughness subtracts from the values at point i.
   Pair shift(const Column& column, std::size_t i) const {
     const Row* const rows = rows_.data() + i;
     const Pair* const second = column.second.data() + i;
@@ -195,7 +199,7 @@ class Smoother {
   const std::vector<std::vector<double>>& given_;
   std::size_t points_, inner_;
   std::vector<double> weights_, inverse_weights_;
-  std::vector<Row> rows_;  // with their edges
+  std::vector<Row> rows_;  // with the rows at the edges
   std::vector<Column> columns_;
   double roughness_ = 0, unit_ = 1;
 };
@@ -203,11 +207,11 @@ class Smoother {
 /// A range of roughness.
 struct Range {
   double least = 0, most = std::numeric_limits<double>::infinity();
-  bool rises = false;  ///< the squares go on rising beyond it
+  bool rises = false;  ///< the squares still rise beyond the range
 };
 
-/// One that holds all roughnesses whose squares are `most` or up to 2 * kNear less; all numbers where the secant rule
-/// does not find it.
+/// Returns a range that contains all roughnesses whose squares are at most `most` and at least 2 * kNear (relative)
+/// below it. Returns the range of all numbers if the secant rule fails.
 Range find_roughness(Smoother& smoother, double most) {
   const double wanted = math::log(most * (1 - kNear));
   double logarithm = math::log(kFirst), found = math::log(smoother.squares(kFirst));
@@ -236,7 +240,7 @@ std::vector<std::vector<double>> smooth_values(std::span<const double> x, std::v
   Smoother smoother(x, weights, values);
   const double wanted = distance * distance * smoother.weights();
   const Range likely = find_roughness(smoother, wanted);
-  // Straight lines may be near enough.
+  // Straight lines can be near enough.
   if (!likely.rises && smoother.squares(kMost) <= wanted) return smoother.values();
   double low = kLeast, high = kMost;
   for (int k = 0; k < kHalvings; ++k) {

@@ -21,7 +21,7 @@ struct Sample {
   List x, y, weights;
 };
 
-/// A wave with noise at uneven positions, and uneven weights.
+/// Returns a noisy wave at uneven positions with uneven weights.
 Sample noisy_wave(std::size_t count, std::uint64_t seed) {
   const RandomKey key(seed);
   Sample sample;
@@ -39,7 +39,7 @@ List smooth(const Sample& sample, double distance) {
   return smooth_values(sample.x, {sample.y}, distance, sample.weights)[0];
 }
 
-/// Weighted root mean square.
+/// Returns the weighted root mean square distance.
 double distance_of(const Sample& sample, const List& values) {
   double squares = 0, sum = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -49,7 +49,7 @@ double distance_of(const Sample& sample, const List& values) {
   return std::sqrt(squares / sum);
 }
 
-/// The least-squares line at the positions.
+/// Returns the least-squares line at the positions.
 List line_through(const Sample& sample) {
   double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
   for (std::size_t k = 0; k < sample.x.size(); ++k) {
@@ -62,7 +62,7 @@ List line_through(const Sample& sample) {
   return line;
 }
 
-/// Gauss with pivots.
+/// Solves by Gaussian elimination with pivots.
 List solved(Matrix a, List b) {
   const std::size_t count = b.size();
   for (std::size_t column = 0; column < count; ++column) {
@@ -85,7 +85,8 @@ List solved(Matrix a, List b) {
   return b;
 }
 
-/// The matrix of the integral of the natural spline's squared second derivative by its values: Q R^-1 Q'.
+/// Returns the matrix for the integral of the squared second derivative of the natural spline, as a function of its
+/// values: Q R^-1 Q'.
 Matrix roughness_of(const List& x) {
   const std::size_t count = x.size(), inner = count - 2;
   Matrix q(count, List(inner, 0)), r(inner, List(inner, 0)), k(count, List(count, 0));
@@ -167,7 +168,7 @@ TEST(SmoothingSpline, FollowsTheScaleOfPlacesAndOfValues) {
   for (std::size_t k = 0; k < plain.size(); ++k) EXPECT_NEAR(1000 * values[k], plain[k], 1e-6);
 }
 
-// For one roughness the values solve (W + roughness K) f = W y. Which roughness it is follows from any of the rows.
+// For one roughness, the values solve (W + roughness K) f = W y. Each row of this equation gives the roughness.
 TEST(SmoothingSpline, SolvesTheDenseEquationsOfGreenAndSilverman) {
   for (const std::size_t count : {3, 4, 5, 8, 20}) {
     const Sample sample = noisy_wave(count, count);

@@ -10,11 +10,11 @@
 
 namespace meristem {
 
-/// A mutex that a thread waits for until it is free or until the thread is asked to stop.
+/// A mutex. A thread waits until the mutex is free, or until the thread is asked to stop.
 class StoppableMutex {
  public:
-  /// Waits until no other thread holds the mutex. The result frees it when it is destroyed. Throws Cancelled within
-  /// 10 ms after `progress` was asked to stop; null: the wait cannot be stopped.
+  /// Waits until no other thread holds the mutex. The returned lock releases the mutex when it is destroyed. Throws
+  /// Cancelled within 10 ms after `progress` was asked to stop. If `progress` is null, the wait cannot be stopped.
   [[nodiscard]] std::unique_lock<StoppableMutex> wait(const Progress* progress) {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!is_free_.wait_for(lock, std::chrono::milliseconds(10), [this] { return !is_held_; })) {
@@ -24,10 +24,10 @@ class StoppableMutex {
     return {*this, std::adopt_lock};
   }
 
-  /// Waits as wait() does, without a way to stop.
+  /// Waits like wait(), but cannot be stopped.
   void lock() { wait(nullptr).release(); }
 
-  /// Frees the mutex. The thread that holds it calls this once.
+  /// Releases the mutex. The thread that holds the mutex must call this once.
   void unlock() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -37,7 +37,7 @@ class StoppableMutex {
   }
 
  private:
-  // A std::timed_mutex would do the same, but the thread sanitizer of GCC 12 does not see how it is locked.
+  // A std::timed_mutex would do, but the thread sanitizer of GCC 12 does not see its locking.
   std::mutex mutex_;  // protects is_held_
   std::condition_variable is_free_;
   bool is_held_ = false;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Evaluates keyed values over time. Smooth keys use cubic Hermite segments whose slopes are limited so that each
+// segment is monotone (source in track.h). Because segments are monotone, a bisection finds where a level is crossed.
 #include "meristem/base/track.h"
 
 #include <algorithm>
@@ -11,11 +13,12 @@ namespace meristem {
 
 namespace {
 
-constexpr int kCrossingHalvings = 60;  // of a segment, in which a value is sought; a double's digits end before
+constexpr int kCrossingHalvings = 60;  // number of halvings of a segment when a crossing is sought; enough for all
+                                       // digits of a double
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-/// The slope at a key between two segments: the harmonic mean of theirs, by their lengths, and 0 where the values turn.
-/// It is at most three times the flatter one's, so that cubics through it stay monotone.
+/// Returns the slope at a key between two segments: the weighted harmonic mean of their slopes, or 0 if the values
+/// turn. The result is at most three times the flatter slope, so that cubics through the key stay monotone.
 double middle_slope(double before, double after, double length_before, double length_after) {
   if (before * after <= 0) return 0;
   const double weight_before = 2 * length_after + length_before;
@@ -53,14 +56,14 @@ double Track::between(std::size_t segment, double time) const {
   const double u = (time - from.time) / length;
   const double rise = to.value - from.value;
   if (to.way == Way::linear) return from.value + u * rise;
-  // Hermite's cubic, as what it adds to the first value.
+  // Cubic Hermite interpolation, as an increment on the first value.
   const double eased = u * u * (3 - 2 * u);
   const double bent = u * (1 - u) * ((1 - u) * slope_[segment] - u * slope_[segment + 1]) * length;
   const auto [low, high] = std::minmax(from.value, to.value);
-  return std::clamp(from.value + eased * rise + bent, low, high);  // of rounding errors alone
+  return std::clamp(from.value + eased * rise + bent, low, high);  // corrects only rounding errors
 }
 
-/// The first time in a segment that rises to a level or above, at which it is there.
+/// Returns the first time at which the value reaches a level, in a segment that rises to the level or above.
 double Track::crossing(std::size_t segment, double level) const {
   const Key& from = keys_[segment];
   const Key& to = keys_[segment + 1];
@@ -77,7 +80,7 @@ double Track::crossing(std::size_t segment, double level) const {
 
 double Track::since(double level, double by) const {
   if (at(by) < level) return kForever;
-  // Segments are monotone, so the value was lower before where a segment begins lower.
+  // Segments are monotone, so the value was lower before if the segment begins lower.
   for (std::size_t k = keys_.size(); k-- > 1;) {
     if (keys_[k - 1].time > by || keys_[k - 1].value >= level) continue;
     return std::min(by, crossing(k - 1, level));

@@ -9,33 +9,35 @@
 
 namespace meristem {
 
-/// Values at times, and between them one way each: no value lies beyond those of the two keys around it.
+/// Values at given times, with monotone interpolation between them: no value lies outside the values of the two keys
+/// around it.
 class Track {
  public:
-  /// How the value comes to a key from the key before.
+  /// Interpolation from the key before to this key.
   enum class Way {
-    linear,  ///< evenly
-    smooth,  ///< by a monotone cubic, which begins and ends at rest where the values turn or the keys begin and end
-    step,    ///< at once, at the key's time
+    linear,  ///< at constant speed
+    smooth,  ///< by a monotone cubic, with slope 0 where the values turn and at the first and last key
+    step,    ///< jumps at the time of the key
   };
-  /// A value at a time.
+  /// A value at one time.
   struct Key {
     double time = 0;        ///< seconds
     double value = 0;       ///< in the unit of the number that the track drives
-    Way way = Way::linear;  ///< how the value comes here from the key before
+    Way way = Way::linear;  ///< interpolation from the key before
 
     bool operator==(const Key&) const = default;
   };
 
-  /// At least one key, at rising times.
+  /// `keys` must have at least one key, with ascending times.
   explicit Track(std::vector<Key> keys);
 
-  /// All keys, by rising time.
+  /// Returns all keys, ascending by time.
   const std::vector<Key>& keys() const { return keys_; }
-  /// The value at a time: the first key's before it, the last key's after it.
+  /// Returns the value at a time. Before the first key, this is the first key's value, and after the last key the last
+  /// key's value.
   double at(double time) const;
-  /// The time since which the value has been at least `level` without a break up to the time `by`: minus infinity where
-  /// it always was, plus infinity where it is below at `by`.
+  /// Returns the time since which the value has been at least `level` without a break until the time `by`. Returns
+  /// minus infinity if it always was, and plus infinity if it is below at `by`.
   double since(double level, double by) const;
 
  private:
@@ -43,7 +45,7 @@ class Track {
   double crossing(std::size_t segment, double level) const;
 
   std::vector<Key> keys_;
-  std::vector<double> slope_;  // by key, per second; meant for smooth ways alone
+  std::vector<double> slope_;  // for each key, per second; used only for smooth interpolation
 };
 
 }  // namespace meristem

@@ -25,7 +25,7 @@ TEST(Track, HasTheValuesOfItsKeysAtTheirTimes) {
 TEST(Track, GoesEvenlyAtOnceOrSmoothlyBetweenThem) {
   EXPECT_DOUBLE_EQ(Track({{0, 1}, {4, 3}}).at(1), 1.5);
   EXPECT_EQ(Track({{0, 1}, {4, 3, Way::step}}).at(3.999), 1);
-  // Between rest and rest it is the smooth step.
+  // A cubic with slope 0 at both ends is the smooth step.
   const Track smooth({{0, 0}, {1, 1, Way::smooth}});
   for (const double t : {0.1, 0.25, 0.5, 0.9}) EXPECT_DOUBLE_EQ(smooth.at(t), t * t * (3 - 2 * t));
 }
@@ -65,7 +65,7 @@ TEST(Track, TellsSinceWhenALevelIsHeld) {
   const Track smooth({{0, 0}, {2, 4, Way::smooth}});
   EXPECT_NEAR(smooth.at(smooth.since(1, 5)), 1, 1e-12);
   EXPECT_EQ(Track({{0, 0}, {2, 4, Way::step}}).since(3, 2.5), 2);
-  // A level that is reached twice is held since the later time.
+  // If a level is reached twice, the time counts from the later one.
   const Track twice({{0, 0}, {1, 2}, {2, 0}, {4, 2}});
   EXPECT_DOUBLE_EQ(twice.since(1, 1), 0.5);
   EXPECT_DOUBLE_EQ(twice.since(1, 10), 3);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks and repairs UTF-8. The first byte of a character gives its length and the range of its second byte, which
+// excludes overlong forms, surrogates and values above U+10FFFF.
 #include "meristem/base/utf8.h"
 
 namespace meristem {

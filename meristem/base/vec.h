@@ -14,7 +14,7 @@
 
 namespace meristem {
 
-// Geometry is stored in 32-bit floats; sums over many items are taken in the 64-bit forms.
+// Geometry is stored in 32-bit floats. Sums over many items use the 64-bit types.
 using Vec2 = glm::vec2;    ///< two 32-bit floats
 using Vec3 = glm::vec3;    ///< three 32-bit floats
 using Vec4 = glm::vec4;    ///< four 32-bit floats
@@ -27,19 +27,20 @@ inline constexpr double kPi = 3.14159265358979323846;  ///< half a turn in radia
 /// The angle of most spiral phyllotaxes, 360° / φ², in degrees.
 inline constexpr double kGoldenAngleDeg = 137.50776405003785;
 
-/// Degrees as radians.
+/// Converts degrees to radians.
 constexpr double radians(double degrees) { return degrees * (kPi / 180); }
-/// Radians as degrees.
+/// Converts radians to degrees.
 constexpr double degrees(double radians) { return radians * (180 / kPi); }
 
-/// The squared length, the horizontal parts first: so a turn about the vertical by a right angle changes no bit of it.
+/// Returns the squared length. The horizontal parts are added first, so that a right-angled turn about the vertical
+/// changes no bit.
 inline float squared_length(Vec3 v) { return (v.x * v.x + v.z * v.z) + v.y * v.y; }
 inline double squared_length(DVec3 v) { return (v.x * v.x + v.z * v.z) + v.y * v.y; }
 
 /// Axis-aligned box, metres. Empty (low > high) until a point is added.
 struct Box {
-  Vec3 low{std::numeric_limits<float>::infinity()};    ///< the corner with the least coordinates
-  Vec3 high{-std::numeric_limits<float>::infinity()};  ///< the corner with the greatest coordinates
+  Vec3 low{std::numeric_limits<float>::infinity()};    ///< corner with the lowest coordinates
+  Vec3 high{-std::numeric_limits<float>::infinity()};  ///< corner with the highest coordinates
 
   /// Extends the box so that it holds a point, or another box.
   void add(Vec3 point) {
@@ -50,13 +51,13 @@ struct Box {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
   }
-  /// True if nothing was added.
+  /// Returns true if nothing was added.
   bool is_empty() const { return !(low.x <= high.x); }
-  /// Whether a point is in it, its faces included.
+  /// Returns true if a point is in the box or on its faces.
   bool holds(Vec3 point) const {
     return glm::all(glm::lessThanEqual(low, point)) && glm::all(glm::lessThanEqual(point, high));
   }
-  /// The middle of the box; not for an empty one.
+  /// Returns the middle of the box, which must not be empty.
   Vec3 centre() const { return 0.5F * (low + high); }
   Vec3 size() const { return is_empty() ? Vec3(0) : high - low; }
 };

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// The program's version, "1.2.3".
+/// Returns the version of the program, such as "1.2.3".
 std::string_view version();
 
 }  // namespace meristem

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Replaces characters that a terminal or page would interpret by escapes. The text is read character by character, and
+// bytes that are not valid UTF-8 are escaped one by one.
 #include "meristem/base/visible_text.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-/// The number of a character of valid UTF-8.
+/// Returns the code point of a character of valid UTF-8.
 std::uint32_t code_point(std::string_view character) {
   const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(character[k])); };
   std::uint32_t code = character.size() == 1 ? byte(0) : byte(0) & (0x7FU >> character.size());

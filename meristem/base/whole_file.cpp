@@ -26,7 +26,7 @@ std::optional<std::string> whole_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   std::ostringstream content;
-  // An empty file puts nothing, which would make the stream fail.
+  // An empty file writes nothing, which would set the stream's error flag.
   if (file.peek() != std::ifstream::traits_type::eof()) content << file.rdbuf();
   if (file.bad() || content.fail()) return std::nullopt;
   return std::move(content).str();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of a program's own, whole in memory. What an input names, read_file reads.
+// Reads and writes the program's own files as a whole. Files that an input names are read with read_file.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,21 @@
 
 namespace meristem {
 
-/// The bytes of a file, which may be none; nothing where it cannot be read.
+/// Returns the content of a file, which may be empty. Returns nothing if the file cannot be read.
 std::optional<std::string> whole_file(const std::string& path);
 
-/// Writes a file: whole, or not at all. Throws MachineError.
+/// Writes a file completely or not at all. Throws MachineError.
 void write_whole_file(const std::string& path, std::string_view content);
 
-/// Makes a folder and those above it, where they are not there. Throws MachineError.
+/// Creates a folder and its missing parents. Throws MachineError.
 void make_folders(const std::string& folder);
 
-/// A new folder that nobody else reads, which goes with its owner. The folder of a killed process stays until the next
-/// program makes a folder with the same prefix in the same parent.
+/// A new private folder that is removed with this object. The folder of a killed process stays until the next program
+/// creates a folder with an equal prefix in the same parent.
 class ScratchFolder {
  public:
-  /// In `parent`, which is made, with a name of `prefix`, process id and random letters. Throws MachineError.
+  /// Creates the folder in `parent`, which is created if missing. The name is `prefix`, the process id and random
+  /// letters. Throws MachineError.
   ScratchFolder(const std::string& parent, std::string_view prefix);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

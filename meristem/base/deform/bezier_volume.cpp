@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control points at rest give the identity, so only by how much they are shifted is summed up: where nothing is
-// shifted, no bit of a point changes.
+// Maps points by a Bézier volume. Control points at rest give the identity, so only the shifts from their positions at
+// rest are added up. Where nothing is shifted, no bit of a point changes.
 #include "meristem/base/deform/bezier_volume.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-/// Bernstein's polynomials of one degree at one place, and their slopes.
+/// The Bernstein polynomials of one degree at one position, and their slopes.
 struct Weights {
   std::array<double, 4> value{};
   std::array<double, 4> slope{};
@@ -38,7 +38,7 @@ Weights weights_at(double place, int degree) {
 
 std::size_t side(int degree) { return static_cast<std::size_t>(degree) + 1; }
 
-/// A sum of shifts, and its derivatives by the places along x and z.
+/// A sum of shifts, and its derivatives along x and z.
 struct Sum {
   DVec3 value{0};
   DVec3 by_x{0};

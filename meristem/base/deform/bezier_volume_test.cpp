@@ -13,7 +13,7 @@ namespace meristem::bezier_volume_test {
 const DVec3 kLow(-1, 0, -2);
 const DVec3 kHigh(1, 4, 1);
 
-/// Control points that are shifted here and there.
+/// Returns control points with irregular shifts.
 std::vector<DVec3> shifted_points(const BezierVolume::Degree& degree, double by = 0.2) {
   std::vector<DVec3> points = BezierVolume::points_at_rest(kLow, kHigh, degree);
   const RandomKey key = RandomKey(3).child("shifts");
@@ -92,7 +92,7 @@ TEST(BezierVolume, OfDegree1IsTrilinearInterpolation) {
 }
 
 TEST(BezierVolume, OfARaisedDegreeIsTheSame) {
-  // A quadratic curve as a cubic one: Q0, (Q0 + 2 Q1)/3, (2 Q1 + Q2)/3, Q2.
+  // Writes a quadratic curve as a cubic curve: Q0, (Q0 + 2 Q1)/3, (2 Q1 + Q2)/3, Q2.
   const std::vector<DVec3> low = shifted_points({1, 2, 1});
   std::vector<DVec3> high;
   for (int layer = 0; layer < 4; ++layer) {

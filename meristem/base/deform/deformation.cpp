@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level moves a point of the world by what it shifts it in its own frame, so what it does not shift keeps every bit.
+// Maps points, normals and tangents through nested deformations. A level adds to a point the shift that it has in its
+// own frame, so a coordinate without a shift keeps every bit.
 #include "meristem/base/deform/deformation.h"
 
 #include <algorithm>
@@ -17,11 +18,11 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kTogether = 512;   // vertices that are mapped at a time
-constexpr std::size_t kPerBlock = 8192;  // vertices of a block of a parallel loop
-constexpr double kFarthest = 1e7;        // metres from the origin that a point may be taken to
+constexpr std::size_t kTogether = 512;   // number of vertices that are mapped together
+constexpr std::size_t kPerBlock = 8192;  // vertices in one block of a parallel loop
+constexpr double kFarthest = 1e7;        // maximum distance of a mapped point from the origin, metres
 
-/// Turns and moves all space.
+/// Turns and moves all of space.
 class RigidMap : public SpaceMap {
  public:
   RigidMap(DVec3 from, DVec3 to, DMat3 rotation) : from_(from), to_(to), rotation_(rotation) {}
@@ -45,7 +46,7 @@ bool is_finite(const DMat3& m) { return is_finite(m[0]) && is_finite(m[1]) && is
 
 std::string text_of(const DVec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z); }
 
-/// The fault of a level that takes `from` to `to`; both in the level's frame.
+/// Throws the error of a level that maps `from` to `to`. Both are in the level's frame.
 [[noreturn]] void throw_fault(const Deformation::Level& level, std::string_view who, const DVec3& world,
                               const DVec3& from, const DVec3& to, const DMat3& jacobian) {
   const std::string place =
@@ -69,7 +70,7 @@ std::string text_of(const DVec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g
                               .path = level.path});
 }
 
-/// The cofactors of a Jacobian, which turn normals.
+/// Returns the cofactors of a Jacobian, which turn normals.
 DMat3 cofactors(const DMat3& m) { return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])}; }
 
 bool is_identity(const DMat3& m) { return m == DMat3(1); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deformations of what has grown: maps of space in the frames of those that give them, one within another.
+// Deformations of grown shapes: maps of space, each in the frame of the instance that sets it, one nested in another.
 #pragma once
 
 #include <cstdint>
@@ -15,55 +15,58 @@
 
 namespace meristem {
 
-/// What a deformation does to shapes.
+/// The part of shapes on which a deformation acts.
 enum class DeformedPart {
-  geometry,  ///< all vertices go where it takes them
-  axes,      ///< stems' axes go there, and are as thick as before; organs are turned and moved with it as they are
+  geometry,  ///< moves all vertices
+  axes,      ///< moves the axes of stems, but keeps their thickness; moves and turns organs without a change of shape
 };
 
 /// Maps of world space, the innermost first.
 ///
-/// Stems are bent by those on axes up to the first one on geometry; from there on all of them act on their surfaces.
-/// Organs follow each by what it acts on.
+/// Maps on axes bend stems, up to the first map on geometry. This map and all later maps act on the surfaces of stems.
+/// Organs follow each map according to its part.
 class Deformation {
  public:
-  /// One map of space, and what it acts on.
+  /// One map of space and the part on which it acts.
   struct Level {
     std::shared_ptr<const SpaceMap> map;         ///< not null
-    Frame frame;                                 ///< in which the map works
-    DeformedPart part = DeformedPart::geometry;  ///< whether the map bends whole shapes or axes alone
-    std::string path;                            ///< of who gives it, for faults
+    Frame frame;                                 ///< frame of the map's coordinates
+    DeformedPart part = DeformedPart::geometry;  ///< whether the map deforms whole shapes or only axes
+    std::string path;                            ///< path of the instance that sets the map, for error messages
   };
-  /// At least one.
+  /// `levels` must have at least one entry.
   explicit Deformation(std::vector<Level> levels) : levels_(std::move(levels)) {}
 
-  /// All maps, the innermost first.
+  /// Returns all maps, the innermost first.
   std::span<const Level> levels() const { return levels_; }
-  /// One within another; either may be null.
+  /// Returns one deformation nested in another. Either may be null.
   static std::shared_ptr<const Deformation> nested(const std::shared_ptr<const Deformation>& inner,
                                                    const std::shared_ptr<const Deformation>& outer);
-  /// The levels that bend the axes of stems, or null.
+  /// Returns the levels that bend the axes of stems, or null if there are no such levels.
   std::shared_ptr<const Deformation> of_axes() const;
-  /// The levels that act on the surfaces of stems, which follow the levels of `of_axes()`, or null.
+  /// Returns the levels that act on the surfaces of stems, after the levels of `of_axes()`. Returns null if there are
+  /// no such levels.
   std::shared_ptr<const Deformation> of_surface() const;
-  /// Moves all as if it were rigid: as the deformation moves and turns a frame at that position. Throws as `map` does.
+  /// Returns a rigid deformation that moves and turns everything as this one moves and turns a frame at `position`.
+  /// Throws like `map`.
   std::shared_ptr<const Deformation> rigid_at(Vec3 position, std::string_view who) const;
-  /// The same deformation of a world that stands at `frame` in another one.
+  /// Returns this deformation for a world that stands at `frame` in another world.
   std::shared_ptr<const Deformation> moved_to(const Frame& frame) const;
 
-  /// Moves points by all levels, and writes the Jacobian at each, as it was. Throws InputError at the path of a level
-  /// that folds space over (its Jacobian's determinant is not above 0), has no finite value or takes the point out of
-  /// the world; `who` stands at the points.
+  /// Moves points through all levels, and writes the Jacobian of the whole map at
+  /// each original point. Throws InputError at the path
+  /// of a level that folds space over (the determinant of the Jacobian is not above 0), has no finite value or moves a
+  /// point too far away. `who` names the object at the points in messages.
   void map(std::span<DVec3> points, std::span<DMat3> jacobians, std::string_view who) const;
-  /// The same by one level.
+  /// Moves points through one level only, like the function above.
   static void map(const Level& level, std::span<DVec3> points, std::span<DMat3> jacobians, std::string_view who);
-  /// Moves positions by all levels, on all threads.
+  /// Moves positions through all levels, on all threads.
   void map(std::span<Vec3> positions, std::string_view who) const;
-  /// Moves a mesh whose vertices count from `origin` in the world; after it they count from `new_origin`. Normals and
-  /// tangents turn along. On all threads.
+  /// Moves a mesh whose vertices are relative to `origin` in the world. Afterwards they are relative to `new_origin`.
+  /// Normals and tangents turn along. Runs on all threads.
   void map(Mesh& mesh, Vec3 origin, Vec3 new_origin, std::string_view who) const;
 
-  std::uint64_t hash() const;  ///< of all that it depends on but the paths
+  std::uint64_t hash() const;  ///< hash of everything that has an effect, without the paths
 
  private:
   std::vector<Level> levels_;

@@ -102,7 +102,7 @@ TEST(Deformation, NormalsStayAtRightAnglesToTheSurface) {
   deformation.map(mesh, Vec3(0), Vec3(0), "leaf");
   constexpr double kStep = 1e-5;
   for (std::size_t k = 0; k < mesh.vertex_count(); ++k) {
-    // Two steps in the surface, by differences of what is mapped.
+    // Two steps on the surface, from differences of mapped points.
     const Vec3 across = any_perpendicular(before.normals[k]);
     const Vec3 along = glm::cross(before.normals[k], across);
     DVec3 sides[2];
@@ -194,7 +194,7 @@ TEST(Deformation, TellsWhereItFoldsSpaceOver) {
   EXPECT_EQ(fault.message,
             "the deformation folds space over where 'leaf' stands at [0.75, 3, 0] ([0.75, 2, 0] in its own frame): the "
             "determinant of its Jacobian is -0.5 there");
-  // So is what presses space flat.
+  // A map that presses space flat is an error as well.
   EXPECT_NE(fault_of(Deformation({level(functions("", "", "0"))}), {1, 1, 1}).message.find("folds"), std::string::npos);
 }
 
@@ -217,7 +217,7 @@ TEST(Deformation, TellsWhereItHasNoFiniteValue) {
   const Diagnostic fault = fault_of(Deformation({level(functions("x + log(y)", "", ""))}), {0, -1, 0});
   EXPECT_NE(fault.message.find("no finite value where 'leaf' stands at [0, -1, 0]"), std::string::npos);
   EXPECT_EQ(fault.path, "components.wind");
-  // A value without a slope is none.
+  // A value without a slope is an error.
   EXPECT_NE(fault_of(Deformation({level(functions("x + sqrt(y)", "", ""))}), {0, 0, 0}).message.find("no finite value"),
             std::string::npos);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Maps points by expressions of their coordinates. Blocks of points are evaluated together with the slopes of the
+// expressions, and these slopes are the map's Jacobian.
 #include "meristem/base/deform/function_map.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kPointsTogether = 512;  // points that are mapped at a time
+constexpr std::size_t kPointsTogether = 512;  // number of points that are mapped together
 
 }  // namespace
 
@@ -24,7 +26,7 @@ void FunctionMap::map(std::span<DVec3> points, std::span<DMat3> jacobians) const
   assert(points.size() == jacobians.size());
   if (points.empty()) return;
   const std::size_t lanes = std::min(points.size(), kPointsTogether);
-  // The coordinates as columns, then the values that are the same at all points.
+  // The coordinates as columns, then the values that are equal at all points.
   std::vector<double> coordinates(3 * lanes);
   std::vector<double> constants(others_.size() * lanes);
   std::vector<const double*> variables;

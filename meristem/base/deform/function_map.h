@@ -11,14 +11,15 @@
 
 namespace meristem {
 
-/// A map whose three coordinates are expressions of the point's: a free-form deformation by functions.
+/// A free-form deformation by functions: each of the three coordinates is an expression of the coordinates of the
+/// point.
 class FunctionMap : public SpaceMap {
  public:
-  /// The first names that its expressions have for variables: x y z.
+  /// Returns the names of the first variables of the expressions: x y z.
   static const std::vector<std::string>& coordinate_names();
 
-  /// `functions` give the new x, y and z; what is missing stays as it is. Their variables after x y z have `others` for
-  /// values; `key` is what random functions draw from, the same at all points.
+  /// `functions` compute the new x, y and z. A coordinate without a function stays unchanged. `others` are the values
+  /// of the variables after x y z. `key` is the key of random functions, equal at all points.
   explicit FunctionMap(std::array<std::optional<Expression>, 3> functions, std::vector<double> others = {},
                        RandomKey key = RandomKey());
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Newton's iteration: the mean of a matrix and of its inverse, transposed, is nearer to a rotation than the matrix.
-// Until it is near, both are scaled to the same size.
+// Finds the nearest rotation by Newton's iteration: the mean of a matrix and its transposed inverse is nearer to a
+// rotation than the matrix. Until the matrix is near a rotation, both are scaled to equal size first.
 #include "meristem/base/deform/polar.h"
 
 #include <cmath>
@@ -11,9 +11,10 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMostSteps = 40;          // a stretch of 1e12 takes 12
-constexpr double kNearRotation = 1e-2;  // from here on the steps double the digits that are right by themselves
-constexpr double kDone = 1e-15;         // of a change, squared
+constexpr int kMostSteps = 40;          // a stretch of 1e12 needs 12 steps
+constexpr double kNearRotation = 1e-2;  // below this squared change, each step doubles the number of exact digits
+                                        // without scaling
+constexpr double kDone = 1e-15;         // change at which the iteration stops
 
 double squared_size(const DMat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
 

@@ -5,8 +5,8 @@
 
 namespace meristem {
 
-/// The rotation nearest to a matrix with a determinant above 0: what is left of a Jacobian without its stretch (its
-/// polar decomposition). Right to 1e-12; the identity, and what differs from a rotation by no bit, stay as they are.
+/// Returns the rotation nearest to a matrix with a determinant above 0: the rotation of its polar decomposition. For a
+/// Jacobian, this removes the stretch. Exact to 1e-12. The identity and exact rotations are returned unchanged.
 ///
 /// Based on: N. J. Higham: Computing the polar decomposition (1986).
 DMat3 nearest_rotation(const DMat3& matrix);

@@ -35,7 +35,7 @@ TEST(NearestRotation, IsARotationForAnyMatrixOfPositiveDeterminant) {
   const DMat3 rotation = nearest_rotation(shear);
   expect_near(rotation * glm::transpose(rotation), DMat3(1), 1e-14);
   EXPECT_NEAR(glm::determinant(rotation), 1, 1e-14);
-  // What is left is symmetric.
+  // The rest, without the rotation, is symmetric.
   const DMat3 stretch = glm::transpose(rotation) * shear;
   expect_near(stretch, glm::transpose(stretch), 1e-13);
 }

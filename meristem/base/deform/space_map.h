@@ -8,15 +8,15 @@
 
 namespace meristem {
 
-/// Takes points of space to others, and knows its derivatives there.
+/// A map of points in space, with its derivatives.
 class SpaceMap {
  public:
   virtual ~SpaceMap() = default;
-  /// Moves the points (metres) in place, and writes the map's Jacobian at each of them, as it was, into `jacobians`:
-  /// column k is the derivative by the k-th coordinate. As many jacobians as points. What a point becomes depends on
-  /// nothing but the point. Numbers that are not finite come out where the map has no value.
+  /// Moves the points (metres) in place, and writes the map's Jacobian at each original point into `jacobians`: column
+  /// k is the derivative by the k-th coordinate. Both spans must have equal lengths. The result for a point depends
+  /// only on the point. Where the map has no value, numbers are not finite.
   virtual void map(std::span<DVec3> points, std::span<DMat3> jacobians) const = 0;
-  /// Adds all that the map depends on.
+  /// Adds everything on which the map depends to the fingerprint.
   virtual void add_to(Fingerprint& fingerprint) const = 0;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The public side of expressions: compiles a text to bytecode, checks the arguments of evaluations, and runs the
+// bytecode over lanes. Expressions share their bytecode, so copies cost little.
 #include "meristem/base/expression/expression.h"
 
 #include <algorithm>
@@ -80,7 +82,7 @@ double Expression::evaluate(std::span<const double> variables, RandomKey key) co
   if (variables.size() < code.used.size()) {
     throw std::invalid_argument(fmt::format("too few values of variables for '{}'", text()));
   }
-  // Most components offer some 20 variables.
+  // Most components have about 20 variables.
   constexpr std::size_t kOnStack = 32;
   const double* on_stack[kOnStack];
   std::vector<const double*> on_heap;

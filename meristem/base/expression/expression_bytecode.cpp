@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Emits the instructions of an expression. Operations on constants are computed at once, and scratch registers are
+// reused as soon as an operand was read.
 #include "meristem/base/expression/expression_bytecode.h"
 
 #include <algorithm>
@@ -39,8 +41,8 @@ ExpressionOperand ExpressionEmitter::apply(ExpressionOp op, std::span<const Expr
   for (std::size_t k = 0; k < operands.size(); ++k) instruction.in[k] = in_register(operands[k]);
   instruction.place = place;
   code_.is_random = code_.is_random || is_random(op);
-  // The result's register is taken before those of the operands are free again: the loops over lanes rely on a result
-  // never sharing memory with an operand.
+  // Take the result's register before the registers of the operands are released: the loops over lanes require that a
+  // result shares no memory with an operand.
   instruction.out = take_scratch();
   for (std::size_t k = 0; k < operands.size(); ++k) release(instruction.in[k]);
   code_.instructions.push_back(instruction);

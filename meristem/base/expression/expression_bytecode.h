@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inner form of a compiled expression: instructions on registers that hold a block of lanes each, the emitter that
-// folds constants and hands out registers, and the loop over the instructions. Private to the expression language.
+// Internal form of a compiled expression: instructions on registers that hold one block of lanes each, the emitter that
+// folds constants and assigns registers, and the loop over the instructions. Private to the expression language.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace meristem {
 
-/// Lanes a register holds at most.
+/// Maximum number of lanes in a register.
 inline constexpr std::size_t kExpressionLanes = 64;
 
 enum class ExpressionOp : std::uint8_t {
-  // No operand.
+  // Operations without operands.
   constant,
   uniform,
-  // One.
+  // One operand.
   negate,
   logical_not,
   sine,
@@ -43,7 +43,7 @@ enum class ExpressionOp : std::uint8_t {
   fraction,
   noise_1,
   uniform_below,
-  // Two.
+  // Two operands.
   add,
   subtract,
   multiply,
@@ -65,7 +65,7 @@ enum class ExpressionOp : std::uint8_t {
   uniform_between,
   gauss,
   noise_2,
-  // Three.
+  // Three operands.
   select,
   clamp,
   interpolate,
@@ -73,51 +73,53 @@ enum class ExpressionOp : std::uint8_t {
   noise_3,
 };
 
-/// How many operands `op` reads.
+/// Returns the number of operands that `op` reads.
 std::size_t operand_count(ExpressionOp op);
 bool is_random(ExpressionOp op);
 
-/// Registers below the number of variables are the variables, read in place; those above are scratch.
+/// One operation. Registers below the number of variables are the variables, read in place. Higher registers are
+/// scratch.
 struct ExpressionInstruction {
   ExpressionOp op = ExpressionOp::constant;
   std::uint32_t out = 0;
   std::uint32_t in[3] = {0, 0, 0};
-  std::uint32_t place = 0;  ///< of a random call, counted from 0 in the text
-  double value = 0;         ///< of a constant
+  std::uint32_t place = 0;  ///< number of a random call in the text, from 0
+  double value = 0;         ///< value of a constant
 };
 
 struct ExpressionBytecode {
   std::size_t variable_count = 0;
   std::size_t scratch_count = 0;
-  std::vector<bool> used;  ///< one per variable up to the last used one, which ends the list
+  std::vector<bool> used;  ///< for each variable up to the last used one, whether it is used
   std::vector<ExpressionInstruction> instructions;
-  std::uint32_t result = 0;  ///< register with the value, after the last instruction
+  std::uint32_t result = 0;  ///< register that has the value after the last instruction
   bool is_random = false;
 
-  /// Values of all lanes, and `slopes` in the variables `by` where they are asked for; see Expression::evaluate.
+  /// Computes the values of all lanes, and on request the `slopes` in the variables `by`. See Expression::evaluate.
   void run(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys, double* out,
            std::span<const std::size_t> by = {}, std::span<double* const> slopes = {}) const;
 };
 
-/// Runs one instruction for one lane; folding uses it, so folded constants have the bits they would have had.
+/// Runs one instruction for one lane. Constant folding uses it, so folded constants have exactly the bits of a run.
 double fold(ExpressionOp op, std::span<const double> operands);
 
-/// A value while compiling: a constant not yet in any register, a variable, or a scratch register.
+/// A value during compilation: a constant that is not yet in a register, a variable, or a scratch register.
 struct ExpressionOperand {
   enum class Kind : std::uint8_t { constant, variable, scratch };
   Kind kind = Kind::constant;
-  std::uint32_t index = 0;  ///< of the variable or scratch register
-  double value = 0;         ///< of the constant
+  std::uint32_t index = 0;  ///< index of the variable or scratch register
+  double value = 0;         ///< value of the constant
 };
 
-/// Writes the bytecode while the text is parsed. Every operand is used exactly once.
+/// Writes the bytecode while the text is parsed. Every operand must be used exactly once.
 class ExpressionEmitter {
  public:
   explicit ExpressionEmitter(std::size_t variable_count);
 
   static ExpressionOperand constant(double value) { return {ExpressionOperand::Kind::constant, 0, value}; }
   ExpressionOperand variable(std::size_t index);
-  /// The result of `op`: a constant if all operands are and nothing is drawn. `place` is for random calls.
+  /// Returns the result of `op`: a constant if all operands are constants and `op` is not random. `place` is for random
+  /// calls.
   ExpressionOperand apply(ExpressionOp op, std::span<const ExpressionOperand> operands, std::uint32_t place = 0);
   ExpressionBytecode finish(ExpressionOperand result);
 

@@ -14,10 +14,10 @@ namespace meristem {
 
 struct ExpressionFunction {
   std::string name;
-  std::string signature;  ///< as messages and the manual show it
-  std::uint8_t arities;   ///< bit k is set where k arguments are allowed
-  bool takes_more;        ///< any number above the largest of these too, taken two by two from the left
-  ExpressionOp op;        ///< with the fewest arguments
+  std::string signature;  ///< as in messages and in the manual
+  std::uint8_t arities;   ///< bit k is set if k arguments are allowed
+  bool takes_more;        ///< also accepts more than the largest of these numbers, combined two by two from the left
+  ExpressionOp op;        ///< operation for the smallest number of arguments
 
   bool takes(std::size_t arguments) const;
   std::size_t largest_arity() const;
@@ -31,7 +31,7 @@ struct ExpressionConstant {
 
 std::span<const ExpressionFunction> expression_functions();
 std::span<const ExpressionConstant> expression_constants();
-/// Null where there is none of that name.
+/// Return null if there is no function or constant with that name.
 const ExpressionFunction* find_expression_function(std::string_view name);
 const ExpressionConstant* find_expression_constant(std::string_view name);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Cuts the text of an expression into numbers, names and operations. Characters that only look like those of the
+// language, and malformed numbers, produce errors that name the right form.
 #include "meristem/base/expression/expression_lexer.h"
 
 #include <algorithm>
@@ -22,13 +24,13 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name_character(char c) { return is_digit(c) || is_identifier(std::string_view(&c, 1)); }
 
-/// Bytes at the beginning of `text` for which `predicate` holds.
+/// Returns the number of bytes at the beginning of `text` for which `predicate` holds.
 template <typename Predicate>
 std::size_t run_length(std::string_view text, Predicate predicate) {
   return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), predicate) - text.begin());
 }
 
-/// What people type or paste for characters of the language.
+/// Characters that people type or paste instead of the language's own.
 struct Lookalike {
   std::string_view character;
   std::string_view instead;
@@ -63,8 +65,8 @@ constexpr std::string_view kOperations[] = {"||", "&&", "==", "!=", "<=", ">=", 
   throw ExpressionError(std::move(fault));
 }
 
-/// Explains a run of digits, points, letters that looked like a number and is none; `digits` is how much of it would
-/// be.
+/// Throws an error for a run of digits, points and letters that begins like a number but is not a number. `digits` is
+/// the length of the part that would be a number.
 [[noreturn]] void throw_malformed_number(std::string_view text, std::size_t digits, std::size_t offset) {
   ExpressionFault fault;
   fault.offset = offset;
@@ -90,7 +92,7 @@ ExpressionToken ExpressionLexer::number() {
   const std::string_view rest = text_.substr(position_);
   const auto is_part = [](char c) { return is_digit(c) || c == '.'; };
 
-  // Mantissa, exponent, and whatever is glued to them.
+  // Take the mantissa, the exponent, and all characters that follow without a gap.
   const std::size_t mantissa = run_length(rest, is_part);
   std::size_t length = mantissa;
   if (length < rest.size() && (rest[length] == 'e' || rest[length] == 'E')) {
@@ -122,7 +124,7 @@ ExpressionToken ExpressionLexer::next() {
   if (rest.empty()) return take(Kind::end, 0);
   if (is_digit(rest.front()) || rest.front() == '.') return number();
   std::size_t name = run_length(rest, is_name_character);
-  // No name has parts, but "parent.length" is to be told as a whole.
+  // Names have no parts, but the error for "parent.length" must show the whole text.
   while (name > 0 && name + 1 < rest.size() && rest[name] == '.' && is_identifier(rest.substr(name + 1, 1))) {
     name += 1 + run_length(rest.substr(name + 1), is_name_character);
   }

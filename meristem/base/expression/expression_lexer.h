@@ -11,9 +11,9 @@ namespace meristem {
 struct ExpressionToken {
   enum class Kind { end, number, name, operation };
   Kind kind = Kind::end;
-  std::size_t offset = 0;  ///< in bytes
+  std::size_t offset = 0;  ///< offset in bytes
   std::string_view text;   ///< for an operation: one of the operators, "(", ")", ",", "?" or ":"
-  double value = 0;        ///< of a number
+  double value = 0;        ///< value of a number
 
   bool is(std::string_view operation) const { return kind == Kind::operation && text == operation; }
 };
@@ -21,8 +21,8 @@ struct ExpressionToken {
 class ExpressionLexer {
  public:
   explicit ExpressionLexer(std::string_view text) : text_(text) {}
-  /// The next token, at last the end, again and again. Throws ExpressionError for bytes that no token begins with and
-  /// for malformed numbers.
+  /// Returns the next token. After the last token, every call returns the end. Throws ExpressionError for bytes that
+  /// begin no token and for malformed numbers.
   ExpressionToken next();
 
  private:

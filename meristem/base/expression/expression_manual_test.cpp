@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds docs/manual/expressions.md against the implementation: every example has the result the manual gives, and
-// every function and constant is in it.
+// Compares docs/manual/expressions.md with the implementation: every example must have the result in the manual, and
+// every function and constant must be in the manual.
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -52,7 +52,7 @@ struct Example {
   double result = 0;
 };
 
-/// The rows below the heading "Examples".
+/// Returns the rows below the heading "Examples".
 std::vector<Example> examples(const std::string& text) {
   std::vector<Example> result;
   std::istringstream lines(text.substr(text.find("## Examples")));

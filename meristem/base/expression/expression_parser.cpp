@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive descent with precedence climbing for the binary operators; instructions are emitted as soon as an
-// operator's operands are known, so there is no tree. Recursion is bounded by kDeepestExpression.
+// Parses by recursive descent, with precedence climbing for the binary operators. Instructions are emitted as soon as
+// an operator's operands are known, so there is no tree. Recursion is limited by kDeepestExpression.
 //
 // Based on: Richards, Whitby-Strevens: BCPL, the language and its compiler (1979), precedence climbing.
 #include "meristem/base/expression/expression_parser.h"
@@ -33,7 +33,7 @@ constexpr std::string_view kOperatorExpected = "an operator such as '*' or '+'";
 
 struct BinaryOperator {
   std::string_view text;
-  int level;  ///< higher binds tighter
+  int level;  ///< a higher level binds tighter
   Op op;
   bool is_comparison = false;
 };
@@ -56,7 +56,7 @@ const BinaryOperator* find_binary_operator(const ExpressionToken& token) {
   return nullptr;
 }
 
-/// The operator that other languages write as a word.
+/// Returns the operator that other languages write as a word.
 std::string operator_for_word(std::string_view word) {
   if (word == "and") return "&&";
   if (word == "or") return "||";
@@ -67,7 +67,7 @@ std::string operator_for_word(std::string_view word) {
 const std::string& name_of(const std::string& variable) { return variable; }
 const std::string& name_of(const ExpressionNames::Constant& constant) { return constant.name; }
 
-/// Position of a name in a list, by the list's table if it has one.
+/// Returns the position of a name in a list, from the list's table if it exists.
 template <class Named>
 std::optional<std::size_t> position_of(std::string_view name, const NameTable* table, std::span<const Named> list) {
   if (table != nullptr) return table->find(name);
@@ -146,7 +146,7 @@ void Parser::fail_unknown_name(const ExpressionToken& name) {
   for (const auto& constant : scope_.constants) values.push_back(constant.name);
   for (const auto& constant : expression_constants()) values.push_back(constant.name);
   std::string nearest = operator_for_word(name.text);
-  // Who writes "parent.length" means what is called "length" here.
+  // Users who write "parent.length" mean the variable that is called "length" here.
   const std::string_view last_part = name.text.substr(name.text.rfind('.') + 1);
   if (last_part != name.text && std::ranges::find(values, last_part) != values.end()) nearest = last_part;
   if (nearest.empty()) nearest = nearest_name(name.text, values);
@@ -217,7 +217,7 @@ Operand Parser::parse_binary(int lowest_level) {
   int compared_level = 0;
   for (const BinaryOperator* op = find_binary_operator(token_); op != nullptr && op->level >= lowest_level;
        op = find_binary_operator(token_)) {
-    // a < b < c would compare c with 0 or 1, which nobody means.
+    // a < b < c would compare c with 0 or 1, which no user means.
     if (op->is_comparison && op->level == compared_level) {
       fail(token_.offset, "comparisons cannot be chained", "'&&' between two comparisons, or parentheses");
     }
@@ -298,7 +298,7 @@ Operand Parser::parse_call(const ExpressionToken& name) {
 
 Operand Parser::parse_arguments(const ExpressionFunction& function, const ExpressionToken& name,
                                 const ExpressionToken& opening) {
-  // Number a random call before the calls in its arguments: their numbers follow the text.
+  // Number a random call before the calls in its arguments, so that the numbers follow the text.
   const std::uint32_t place = is_random(function.op) ? random_calls_++ : 0;
   std::array<Operand, 3> operands;
   std::size_t held = 0;
@@ -307,7 +307,7 @@ Operand Parser::parse_arguments(const ExpressionFunction& function, const Expres
     do {
       const std::size_t offset = token_.offset;
       if (held == function.largest_arity() && function.takes_more) {
-        // Join the arguments so far, so that any number of them needs two registers.
+        // Combine the arguments so far, so that any number of arguments needs only two registers.
         operands[0] = emitter_.apply(function.op, std::span(operands).first(held));
         held = 1;
       }

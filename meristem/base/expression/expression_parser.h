@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From an expression's text to bytecode in one pass. Private to the expression language.
+// Compiles the text of an expression to bytecode in one pass. Private to the expression language.
 #pragma once
 
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace meristem {
 
-/// Parentheses, calls, branches, signs and powers inside each other.
+/// Maximum nesting of parentheses, calls, branches, signs and powers.
 inline constexpr int kDeepestExpression = 200;
 
-/// Throws ExpressionError for the first fault.
+/// Throws ExpressionError for the first error.
 ExpressionBytecode parse_expression(std::string_view text, const ExpressionScope& scope);
 
 }  // namespace meristem

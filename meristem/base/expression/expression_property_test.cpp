@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random formulas, made as trees that print themselves and work out their own value lane by lane: a second, slow
-// implementation that shares neither the parser nor the loops with the one under test.
+// Tests random formulas. They are trees that print themselves and compute their own value lane by lane. This second,
+// slow implementation shares neither the parser nor the loops with the tested one.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -19,7 +19,7 @@ namespace meristem::expression_property_test {
 
 const ExpressionNames kNames{{"i", "u", "v"}, {{"age", 12}}};
 
-/// The variables of one lane, and what it draws.
+/// The variables of one lane and its random key.
 struct Lane {
   double values[3];
   RandomKey key;
@@ -28,14 +28,14 @@ struct Lane {
 struct Node {
   std::string symbol;  ///< operator, function, name or number
   std::vector<Node> children;
-  double value = 0;         ///< of a number or constant
-  int variable = -1;        ///< of a variable
-  std::uint64_t place = 0;  ///< of a random call
+  double value = 0;         ///< value of a number or constant
+  int variable = -1;        ///< index of a variable
+  std::uint64_t place = 0;  ///< number of a random call
 };
 
 struct Operation {
   const char* symbol;
-  int level;  ///< as in the parser's grammar; 0 for functions
+  int level;  ///< level of the operator in the parser's grammar; 0 for functions
   int arity;
   double (*value)(const double*);
 };
@@ -116,7 +116,7 @@ enum class Parentheses { everywhere, where_needed };
 
 std::string printed(const Node& node, Parentheses style);
 
-/// `child` as an operand that needs parentheses where it binds more loosely than `level`.
+/// Prints `child` as an operand, in parentheses if it binds more loosely than `level`.
 std::string operand(const Node& child, int level, Parentheses style) {
   const bool bare = style == Parentheses::where_needed ? level_of(child) >= level : is_leaf(child);
   return bare ? printed(child, style) : fmt::format("({})", printed(child, style));
@@ -136,7 +136,7 @@ std::string printed(const Node& node, Parentheses style) {
   if (level == kConditionalLevel) {
     return fmt::format("{} ? {} : {}", operand(c[0], 1, style), operand(c[1], 0, style), operand(c[2], 0, style));
   }
-  // Comparisons do not chain, everything else groups from the left.
+  // Comparisons do not chain. All other operators group from the left.
   const int left = level == 3 || level == 4 ? level + 1 : level;
   return operand(c[0], left, style) + " " + node.symbol + " " + operand(c[1], level + 1, style);
 }
@@ -185,7 +185,7 @@ Node any_formula() {
   return node;
 }
 
-/// Values that meet signs, zeros, halves and infinities.
+/// Returns lanes whose values include signs, zeros, halves and infinities.
 std::vector<Lane> lanes_for(std::size_t count, std::uint64_t seed) {
   constexpr double kSpecial[] = {0, 1, -1, 0.5, 2, -3, 1e18, HUGE_VAL};
   std::vector<Lane> lanes(count);
@@ -201,7 +201,7 @@ std::vector<Lane> lanes_for(std::size_t count, std::uint64_t seed) {
   return lanes;
 }
 
-/// Values of the lanes from `begin` to `end` in one call.
+/// Computes the values of the lanes from `begin` to `end` in one call.
 void evaluate(const Expression& expression, const std::vector<Lane>& lanes, std::size_t begin, std::size_t end,
               std::vector<double>& out) {
   std::vector<double> columns[3];
@@ -216,7 +216,7 @@ void evaluate(const Expression& expression, const std::vector<Lane>& lanes, std:
   expression.evaluate(end - begin, variables, keys, out.data() + before);
 }
 
-/// Whether two numbers are the same; all NaN count as one number, and so do the zeros.
+/// Returns true if two numbers are equal. All NaN are equal, and so are both zeros.
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 RC_GTEST_PROP(ExpressionProperty, BatchesAgreeWithATreeWorkedOutLaneByLane, ()) {
@@ -248,7 +248,7 @@ RC_GTEST_PROP(ExpressionProperty, NoLaneDependsOnHowLanesAreSplitIntoCalls, ()) 
     const auto size = std::min(*rc::gen::inRange<std::size_t>(1, 90), lanes.size() - parts.size());
     evaluate(expression, lanes, parts.size(), parts.size() + size, parts);
   }
-  // Zeros keep their sign too.
+  // Checks that zeros keep their sign.
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     RC_ASSERT(is_same(whole[k], parts[k]));
     RC_ASSERT((std::isnan(whole[k]) || std::signbit(whole[k]) == std::signbit(parts[k])));
@@ -256,7 +256,7 @@ RC_GTEST_PROP(ExpressionProperty, NoLaneDependsOnHowLanesAreSplitIntoCalls, ()) 
   }
 }
 
-/// A text either compiles or has a fault inside it.
+/// Checks that a text either compiles or has an error inside the text.
 void expect_answer(const std::string& text) {
   try {
     const Expression expression = Expression::compile(text, kNames);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop over the instructions. An instruction is dispatched once per block and then runs over the block's lanes in a
-// loop of known length without branches where the operation allows it. Blocks have 64 lanes; what remains runs through
-// the same code with blocks of 8 and of 1, so a lane's value does not depend on its block.
+// The loop over the instructions. An instruction is dispatched once per block and then runs over the block's lanes, in
+// a loop of known length without branches if the operation allows it. Blocks have 64 lanes. The remaining lanes use the
+// same code with blocks of 8 and of 1, so the value of a lane does not depend on its block.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr double kDegreesPerRadian = 57.295779513082321;
 double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double root = math::pow(std::abs(x), 1.0 / 3);
-  // One step of Newton's makes the roots of cubes exact.
+  // One step of Newton's iteration makes the roots of cubes exact.
   return std::copysign(root - (root - std::abs(x) / (root * root)) / 3, x);
 }
 
@@ -40,7 +40,7 @@ double logarithm_2(double x) {
   return exponent + math::log(fraction) * 1.4426950408889634;
 }
 
-/// Exact for powers of ten, on which documents count.
+/// Returns the logarithm to base 10, exact for powers of ten, on which documents rely.
 double logarithm_10(double x) {
   constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -52,17 +52,17 @@ double logarithm_10(double x) {
   return x == 1 / power ? -whole : result;
 }
 
-/// True for whole numbers whose products and differences below are exact.
+/// Returns true for whole numbers whose products and differences below are exact.
 bool is_countable(double x) { return std::abs(x) < 0x1p51 && std::floor(x) == x; }
 
-/// The remainder with the divisor's sign, so that i % 4 counts 0 1 2 3 for negative i too.
+/// Returns the remainder with the divisor's sign, so that i % 4 counts 0 1 2 3 also for negative i.
 double modulo(double x, double y) {
   if (is_countable(x) && is_countable(y) && y != 0) {
-    // The quotient may round up to the next whole number, and never further. Three times as fast as fmod.
+    // The quotient can round up to the next whole number, but never further. This is three times as fast as fmod.
     const double rest = x - y * std::floor(x / y);
     return rest != 0 && (rest < 0) != (y < 0) ? rest + y : rest;
   }
-  // A remainder of zero has no sign.
+  // Adding zero removes the sign of a zero remainder.
   const double rest = std::fmod(x, y) + 0.0;
   return rest != 0 && (rest < 0) != (y < 0) ? rest + y : rest;
 }
@@ -74,19 +74,20 @@ double smooth_step(double from, double to, double x) {
   return inside * inside * (3 - 2 * inside);
 }
 
-/// Half a cell off the lattice, because noise is zero on it and documents sample at whole numbers, as in noise(i).
+/// Sample noise half a cell off the lattice: noise is zero on the lattice, and documents often sample at whole numbers,
+/// as in noise(i).
 double noise_at(double x) { return gradient_noise(RandomKey(), x + 0.5); }
 double noise_at(double x, double y) { return gradient_noise(RandomKey(), x + 0.5, y + 0.5); }
 double noise_at(double x, double y, double z) { return gradient_noise(RandomKey(), x + 0.5, y + 0.5, z + 0.5); }
 
 double truth(bool value) { return value ? 1.0 : 0.0; }
 
-/// The memory a block of lanes works on.
+/// The working memory for one block of lanes.
 template <std::size_t lanes>
 struct Block {
   const double* const* variables;
   std::size_t variable_count;
-  std::size_t start;  ///< first lane, in the variables
+  std::size_t start;  ///< first lane in the variables
   double* scratch;
 
   const double* in(std::uint32_t reg) const {
@@ -95,7 +96,7 @@ struct Block {
   double* out(std::uint32_t reg) const { return scratch + (reg - variable_count) * lanes; }
 };
 
-// `out` shares no memory with the operands: the emitter sees to that.
+// `out` must share no memory with the operands, which the emitter guarantees.
 template <std::size_t lanes, typename F>
 void map(double* __restrict out, const double* a, F f) {
   for (std::size_t lane = 0; lane < lanes; ++lane) out[lane] = f(a[lane]);
@@ -109,7 +110,7 @@ void map(double* __restrict out, const double* a, const double* b, const double*
   for (std::size_t lane = 0; lane < lanes; ++lane) out[lane] = f(a[lane], b[lane], c[lane]);
 }
 
-/// Maps angles in degrees through an `f` that takes near ones only.
+/// Maps angles in degrees through an `f` that accepts only small angles.
 template <std::size_t lanes, typename F>
 void map_angles(double* __restrict out, const double* a, F f) {
   // Collect in the top bit whether any angle is large, infinite or NaN, without a branch per lane.
@@ -287,18 +288,18 @@ void run_instruction(const ExpressionInstruction& i, const Block<lanes>& block, 
   }
 }
 
-/// One call of `run`.
+/// The arguments of one call of `run`.
 struct Batch {
   std::size_t count;
   const double* const* variables;
   const RandomKey* keys;
   double* scratch;
   double* out;
-  ExpressionSlopes* slopes = nullptr;        // null where nobody asks for them
-  std::span<double* const> slopes_out = {};  // by variable
+  ExpressionSlopes* slopes = nullptr;        // null if no slopes are requested
+  std::span<double* const> slopes_out = {};  // for each variable
 };
 
-/// Runs the block's instructions and carries slopes along.
+/// Runs the block's instructions and propagates slopes.
 template <std::size_t lanes>
 void run_with_slopes(const ExpressionBytecode& code, const Batch& batch, const Block<lanes>& block) {
   const RandomKey* const keys = batch.keys != nullptr ? batch.keys + block.start : nullptr;
@@ -320,7 +321,7 @@ void run_with_slopes(const ExpressionBytecode& code, const Batch& batch, const B
   }
 }
 
-/// Runs as many full blocks of this many lanes as there are from `start` on; returns the first lane not done.
+/// Runs full blocks of this many lanes from `start` on. Returns the first lane that was not processed.
 template <std::size_t lanes>
 std::size_t run_blocks(const ExpressionBytecode& code, const Batch& batch, std::size_t start) {
   for (; batch.count - start >= lanes; start += lanes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives are exact but for noise, whose are symmetric differences, right to about 1e-8. At kinks (abs, min, clamp,
-// the branches of ?:) they are those of the side on which the value was taken, at steps (floor, comparisons) 0.
+// Derivatives of all operations. They are exact except for noise, which uses symmetric differences that are exact to
+// about 1e-8. At kinks (abs, min, clamp, the branches of ?:) the derivative is that of the side on which the value was
+// taken. At steps (floor, comparisons) the derivative is 0.
 #include "meristem/base/expression/expression_slopes.h"
 
 #include <algorithm>
@@ -16,12 +17,13 @@ namespace {
 
 using Op = ExpressionOp;
 
-constexpr double kRadian = kPi / 180;  // per degree
-constexpr double kStep = 0x1p-17;      // to both sides of where noise is asked for
+constexpr double kRadian = kPi / 180;  // radians per degree
+constexpr double kStep = 0x1p-17;      // step of the symmetric differences of noise to either side
 
 using Operands = std::array<double, 3>;
 
-/// Where an operation does not depend on an operand, whatever that one's slope: 0 times infinity would be no number.
+/// Returns a derivative times a slope. Returns 0 if the derivative is 0, whatever the slope, because 0 times infinity
+/// would be NaN.
 double times(double derivative, double slope) { return derivative == 0 ? 0 : derivative * slope; }
 
 Operands of_noise(Op op, const Operands& at) {
@@ -116,7 +118,7 @@ Operands of_binary(Op op, double x, double y, double result, bool is_by_second) 
       return y < x ? Operands{0, 1} : Operands{1, 0};
     case Op::maximum:
       return y > x ? Operands{0, 1} : Operands{1, 0};
-    default:  // steps and truths
+    default:  // steps and comparisons
       return {};
   }
 }
@@ -147,8 +149,8 @@ Operands of_ternary(Op op, const Operands& in) {
 
 bool is_noise(Op op) { return op == Op::noise_1 || op == Op::noise_2 || op == Op::noise_3; }
 
-/// Derivatives of an operation in its operands at `in`, where it gives `result`; that in the second one where it is
-/// asked for.
+/// Returns the derivatives of an operation in its operands at `in`, where `result` is its value. The derivative in the
+/// second operand is computed only on request.
 Operands derivatives_of(const ExpressionInstruction& i, const Operands& in, double result, RandomKey key,
                         bool is_by_second) {
   if (is_random(i.op)) return of_drawing(i, key);
@@ -165,10 +167,11 @@ Operands derivatives_of(const ExpressionInstruction& i, const Operands& in, doub
   }
 }
 
-/// What most expressions are made of, in loops that run over many lanes at once.
+/// Returns true for the most frequent operations, whose slopes are computed in loops over many lanes at once.
 bool is_plain(Op op) { return op == Op::add || op == Op::subtract || op == Op::multiply; }
 
-/// The slopes of a plain operation on `a` and `b`, whose own are `by_a` and `by_b`, null where they are 0.
+/// Computes the slopes of a plain operation on `a` and `b`. `by_a` and `by_b` are the slopes of the operands, null if
+/// they are 0.
 void follow_plain(Op op, const double* a, const double* b, const double* by_a, const double* by_b, double* out,
                   std::size_t lanes) {
   if (op == Op::multiply) {
@@ -208,7 +211,7 @@ const double* ExpressionSlopes::slope(std::uint32_t reg, std::size_t k) const {
 
 void ExpressionSlopes::follow(const ExpressionInstruction& i, std::span<const double* const> in, const double* out,
                               std::size_t lanes, const RandomKey* keys) {
-  // Most instructions depend on few of the variables: what does not is left out.
+  // Most instructions depend on few variables. Skip the other variables.
   bool any = false, is_by_second = false;
   for (std::size_t k = 0; k < by_.size(); ++k) {
     bool moves_by_k = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of an expression in some of its variables, carried forward beside the values: an instruction's slopes are
-// those of its operands, each times the derivative of the operation in that operand. Private to the expression
-// language.
+// Slopes of an expression in some of its variables, computed forward together with the values. The slope of an
+// instruction is the sum over its operands: the operand's slope times the derivative of the operation in this operand.
+// Private to the expression language.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@ namespace meristem {
 /// The slopes of all registers for one block of lanes.
 class ExpressionSlopes {
  public:
-  /// In the variables `by`.
+  /// Computes slopes in the variables `by`.
   ExpressionSlopes(const ExpressionBytecode& code, std::span<const std::size_t> by);
 
-  /// Works out the slopes of what an instruction has made of its operands in `lanes` lanes.
+  /// Computes the slopes of an instruction's result from the slopes of its operands, in `lanes` lanes.
   void follow(const ExpressionInstruction& instruction, std::span<const double* const> in, const double* out,
               std::size_t lanes, const RandomKey* keys);
-  /// The slopes of a register in the variable by[k], one per lane; null where they are 0.
+  /// Returns the slopes of a register in the variable by[k], one per lane. Returns null if they are 0.
   const double* slope(std::uint32_t reg, std::size_t k) const;
 
  private:
@@ -31,8 +31,8 @@ class ExpressionSlopes {
 
   std::size_t variable_count_;
   std::vector<std::size_t> by_;
-  std::vector<double> values_;       // by scratch register, variable, lane
-  std::vector<std::uint8_t> moves_;  // by scratch register, variable: 0 where the slope is 0 in all lanes
+  std::vector<double> values_;       // indexed by scratch register, variable, lane
+  std::vector<std::uint8_t> moves_;  // indexed by scratch register, variable: 0 if the slope is 0 in all lanes
 };
 
 }  // namespace meristem

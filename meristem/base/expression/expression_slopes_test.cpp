@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes against symmetric differences, function by function, and where they are known.
+// Compares slopes with symmetric differences, function by function, and with known slopes.
 #include <array>
 #include <cmath>
 #include <string>
@@ -18,7 +18,7 @@ struct ValueWithSlopes {
   std::array<double, 3> slopes{};
 };
 
-/// At one point, asked for in a batch of `lanes` of which it is the last.
+/// Returns value and slopes at one point. The point is the last lane in a batch of `lanes`.
 ValueWithSlopes at(const std::string& text, std::array<double, 3> point, std::size_t lanes = 1,
                    RandomKey key = RandomKey()) {
   const Expression expression = Expression::compile(text, kNames);

@@ -162,12 +162,12 @@ TEST(Expression, DrawsByThePlaceOfTheCallInTheText) {
   EXPECT_EQ(drawn("0*rand() + rand()"), key.uniform(1));
   EXPECT_EQ(drawn("rand(2, 5)"), key.uniform(0, 2, 5));
   EXPECT_EQ(drawn("0*(rand() + rand()) + gauss(10, 2)"), 10 + 2 * key.normal(2));
-  // The outer call stands before the ones in its arguments.
+  // The number of an outer call comes before the numbers of calls in its arguments.
   EXPECT_EQ(drawn("rand(rand(), 2)"), key.uniform(0, key.uniform(1), 2));
   EXPECT_EQ(drawn("gauss(rand(), 0)"), key.uniform(1));
   EXPECT_EQ(drawn("ran(3) + ran(-2)"), 3 * key.uniform(0) - 2 * key.uniform(1));
   EXPECT_EQ(drawn("nran(10, 2)"), drawn("gauss(10, 2)"));
-  // Folding of what stands around a call does not move it.
+  // Constant folding around a call does not change the number of the call.
   EXPECT_EQ(drawn("(1 + 2)*0 + (2 > 1 ? rand() : rand())"), key.uniform(0));
 }
 

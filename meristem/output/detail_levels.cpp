@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes levels of detail and checks that each one is worth a file. A level must have clearly fewer triangles than the
+// level before, and its outline in a small picture must match that of the whole plant from all sides.
 #include "meristem/output/detail_levels.h"
 
 #include <algorithm>
@@ -18,9 +20,9 @@ constexpr int kPixelsOfTheWhole = 256;
 constexpr int kFewestPixels = 16;
 constexpr int kMostDirections = 26;
 constexpr int kFewestDirections = 4;
-constexpr double kMostDrawn = 3e7;  // triangles times directions: a second of drawing
+constexpr double kMostDrawn = 3e7;  // maximum number of triangles times directions: a second of drawing
 
-/// From how many directions two scenes that have `triangles` together are compared.
+/// Returns the number of directions from which two scenes are compared that have `triangles` together.
 int directions_for(std::uint64_t triangles) {
   const double directions = kMostDrawn / std::max(1.0, static_cast<double>(triangles));
   return std::clamp(static_cast<int>(std::min(directions, 1e3)), kFewestDirections, kMostDirections);

@@ -9,7 +9,7 @@
 
 namespace meristem::detail_levels_test {
 
-// tests/levels holds all shipped models to their levels.
+// tests/levels checks the levels of all shipped models.
 TEST(FaultOfLevel, IsTooManyTrianglesOrAnotherOutline) {
   const DetailedModel model("low-poly-birch");
   const MeshScene level = model.level(1);

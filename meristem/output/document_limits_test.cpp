@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever reads every placed plant keeps the limits of the document, and no others: a garden of which all outputs are
-// made with exactly as much as it has is made, with less it is refused before a file appears.
+// All readers of placed plants must respect the limits of the document. With limits that exactly suit a garden, all
+// outputs succeed. With lower limits, every output is refused before a file appears.
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -42,7 +42,7 @@ class DocumentLimits : public testing::Test {
     totals_ = totals_of(grown_.plant);
   }
 
-  /// The garden with these limits, as it has grown.
+  /// Returns the garden with these limits, as it has grown.
   Document with_limits(std::uint64_t nodes, std::uint64_t instances) const {
     Document document = garden_;
     document.graph.limits.nodes = nodes;
@@ -50,7 +50,8 @@ class DocumentLimits : public testing::Test {
     return document;
   }
 
-  /// Expects that `make` works with just enough of both limits, and that it is refused with one less of either.
+  /// Expects that `make` succeeds with exactly sufficient limits, and that it is refused if either limit is lowered by
+  /// one.
   void expect_limits_kept(const std::string& what, const std::function<void(const Document&)>& make) const {
     SCOPED_TRACE(what);
     EXPECT_NO_THROW(make(with_limits(totals_.nodes, totals_.organs)));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The table of all output formats: their endings, what they need, and the functions that write them. Files of one
+// document may have companions, such as the MTL of an OBJ, which are listed here as well.
 #include "meristem/output/formats.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ namespace meristem {
 
 namespace {
 
-/// The MTL, and what pictures the components may need: which of them do is known once the plant has grown.
+/// Returns the MTL and all pictures that the components may need. After growth it is known which of them exist.
 std::vector<std::string> obj_companions(const Document& document, const std::string& path) {
   std::vector<std::string> paths{material_path(path)};
   for (const Prototype& component : document.graph.components) {
@@ -31,7 +33,7 @@ std::vector<std::string> obj_companions(const Document& document, const std::str
   return paths;
 }
 
-/// Calls `write` with the meshes, or with those of the scene's obstacles as well.
+/// Calls `write` with the meshes, and with the meshes of the scene's obstacles if options request them.
 template <class Write>
 void write_meshes(const Document& document, const GrownDocument& grown, const FormatOptions& options, Write write) {
   if (!options.obstacles || !has_visible(document.scene.obstacles)) return write(grown.meshes);
@@ -132,13 +134,13 @@ std::vector<std::string> endings() {
   return known;
 }
 
-/// `.glb, .obj or .ply`.
+/// Returns a list such as `.glb, .obj or .ply`.
 std::string listed(const std::vector<std::string>& known) {
   const auto last = known.end() - 1;
   return fmt::format("{} or {}", fmt::join(known.begin(), last, ", "), *last);
 }
 
-/// The known ending nearest to one of those that `name` may be said to have, longer ones first.
+/// Returns the known ending that is nearest to one of the possible endings of `name`. Longer endings are tried first.
 std::string nearest_ending(const std::string& name) {
   for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
     if (std::string nearest = nearest_name(name.substr(dot), endings()); !nearest.empty()) return nearest;

@@ -13,52 +13,58 @@
 
 namespace meristem {
 
-/// Properties of a format, for programs.
+/// Options of all formats, for programs.
 struct FormatOptions {
-  GltfInstances instances = GltfInstances::automatic;  ///< how organs share a mesh, in formats that can
+  GltfInstances instances = GltfInstances::automatic;  ///< how organs share a mesh, in formats that support this
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; may be null
-  bool obstacles = false;                              ///< formats with meshes hold the scene's obstacles as well
+  bool obstacles = false;                              ///< if true, formats with meshes contain the scene's obstacles
+                                                       ///< as well
 };
 
-/// What files of a document say about where they came from.
+/// Returns the origin of a document that is written to its files.
 Provenance provenance_of(const Document& document);
 
-/// A kind of file that a grown document can be written to.
+/// A file format to which a grown document can be written.
 struct Format {
-  std::string_view ending;  ///< with its dot; may hold more than one
-  std::string_view doc;     ///< one line
-  /// Writes the file at `path`. Throws MachineError and Cancelled, and InputError for what the format cannot hold.
+  std::string_view ending;  ///< with its dot; may contain several dots
+  std::string_view doc;     ///< description in one line
+  /// Writes the file at `path`. Throws MachineError and Cancelled, and InputError for content that the format cannot
+  /// store.
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path,
                 const FormatOptions& options, Progress& progress);
-  GrownPart needs = GrownPart::plant;  ///< what is written
+  GrownPart needs = GrownPart::plant;  ///< the part of the grown document that is written
   bool can_instance = false;           ///< true if organs can be instances of one mesh in a file
-  /// The files that may be written beside it; null where there are none.
+  /// Returns the other files that may be written together with the file. Null if there are no such files.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
-  bool is_whole = false;     ///< it holds the plant alone, without obstacles, and has no levels of detail
-  bool can_animate = false;  ///< holds plants that move (moving_file.h)
-  TraceWish wish{};          ///< what must be recorded of growth for it
+  bool is_whole = false;     ///< the file contains only the whole plant, without obstacles or levels of detail
+  bool can_animate = false;  ///< the format can store plants that move (moving_file.h)
+  TraceWish wish{};          ///< the parts of growth that must be recorded for the format
 
-  bool has_meshes() const { return needs >= GrownPart::meshes && !is_whole; }  ///< so that levels of detail differ
-  bool has_textures() const { return needs >= GrownPart::textures; }           ///< so that it can show cards
+  bool has_meshes() const {
+    return needs >= GrownPart::meshes && !is_whole;
+  }                                                                   ///< true if levels of detail differ in
+                                                                      ///< this format
+  bool has_textures() const { return needs >= GrownPart::textures; }  ///< true if the format can show cards
 };
 
-/// Where a level of detail is written beside `path`, which is of that format: `oak_lod2.glb` for `oak.glb`; `path`
-/// itself for level 0.
+/// Returns the path of a level of detail for the file `path` in that format: `oak_lod2.glb` for `oak.glb`. Returns
+/// `path` itself for level 0.
 std::string detail_path(const Format& format, const std::string& path, int level);
 
-/// Where crossed cards of the plant are written beside `path`, which is of that format: `oak_cards.glb` for `oak.glb`.
+/// Returns the path of the plant's crossed cards for the file `path` in that format: `oak_cards.glb` for `oak.glb`.
 std::string cards_path(const Format& format, const std::string& path);
 
-/// All formats, the default first.
+/// Returns all formats, the default first.
 std::span<const Format> formats();
 
-/// What files of all of these formats need: what is made of the document, and what is recorded of its growth.
+/// Returns the part of a grown document that files of all these formats need.
 GrownPart needed_part(std::span<const Format* const> formats);
 /// Returns the parts of growth that must be recorded for files of all these formats.
 TraceWish needed_wish(std::span<const Format* const> formats);
 
-/// The format of a path by its ending, the longest that fits (capitals count as equal); "-" is standard output in the
-/// default format. Throws InputError that names the known endings, and the nearest.
+/// Returns the format of a path by its ending. The longest matching ending counts, and capital letters are equal to
+/// small ones. "-" is standard output in the default format. Throws InputError with the known endings and the nearest
+/// one.
 const Format& format_of(const std::string& path);
 
 }  // namespace meristem

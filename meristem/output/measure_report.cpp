@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Prints measures as JSON values, text or Markdown. All forms use the table of rows in measure_rows.cpp.
 #include "meristem/output/measure_report.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace meristem {
 namespace {
 
-constexpr int kNameWidth = 24;  // of the text's first column
+constexpr int kNameWidth = 24;  // width of the first column of the text, letters
 
 Value as_value(std::monostate) { return {}; }
 Value as_value(double number) { return number; }
@@ -64,7 +65,7 @@ std::string as_lines(const Measures& measures, std::span<const MeasureRow> rows,
   return lines;
 }
 
-/// What a tree is of: null where that is not known.
+/// Returns the origin of a tree, with null for unknown parts.
 Value::Object as_object(const TreeOrigin& origin) {
   Value::Object object;
   const bool is_known = !origin.component.empty();
@@ -83,7 +84,7 @@ Value::List as_list(const LeafLayers& layers) {
   return list;
 }
 
-/// From the highest layer to the lowest, as they stand.
+/// Prints the layers from the highest to the lowest, as they stand.
 std::string as_lines(const LeafLayers& layers) {
   std::string lines = "\nleaf area by height\n";
   for (std::size_t k = layers.area.size(); k-- > 0;) {

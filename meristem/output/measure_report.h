@@ -9,23 +9,23 @@
 
 namespace meristem {
 
-/// What a report of measures shows.
+/// Options of a report of measures.
 struct MeasureReport {
-  bool each = false;              ///< also the measures of each tree
-  std::vector<std::string> only;  ///< names of the rows that are shown; empty: all
+  bool each = false;              ///< if true, also shows the measures of each tree
+  std::vector<std::string> only;  ///< names of the rows to show; empty: all rows
 };
 
-/// The measures as an object of numbers, lists and null by the names of their rows. Where there are layers, a list
-/// "layers" of objects with "low", "high" (metres) and "leaf_area" follows, from the lowest. With MeasureReport::each,
-/// a list "each" of objects follows, one per tree: "component", "instance" (null where not known), "position", and its
-/// measures.
+/// Returns the measures as an object of numbers, lists and null, keyed by the names of their rows. If layers were
+/// measured, a list "layers" follows, from the lowest layer, of objects with "low", "high" (metres) and "leaf_area".
+/// With MeasureReport::each, a list "each" follows with one object per tree: "component", "instance" (null if unknown),
+/// "position", and its measures.
 Value measures_value(const StandMeasures& measures, const MeasureReport& report);
 
-/// The measures as lines for people: name, value with four digits, unit. With
-/// MeasureReport::each, a block for each tree follows.
+/// Returns the measures as lines for people: name, value with four digits, unit. With MeasureReport::each, a block for
+/// each tree follows.
 std::string measures_text(const StandMeasures& measures, const MeasureReport& report);
 
-/// The manual's table of all measures, in Markdown.
+/// Returns the manual's table of all measures, in Markdown.
 std::string measures_reference();
 
 }  // namespace meristem

@@ -10,12 +10,12 @@
 
 namespace meristem {
 
-/// Throws InputError where a file's ending is of no format that can hold an animation (Format::can_animate), and for
-/// standard output; to be asked before anything is grown for it.
+/// Throws InputError if the format of the file's ending cannot store an animation (Format::can_animate), and for
+/// standard output. Call this before growth.
 void check_moving_file(const std::string& path);
 
-/// Writes a document's animation, as grow_moving gives it, to a file in a format that can hold it.
-/// `pictures` are shared with other files; null: none. Throws as check_moving_file and the format's writer do,
+/// Writes a document's animation, the result of grow_moving, to a file in a format that can store animations.
+/// `pictures` are shared with other files, or null. Throws like check_moving_file and the format's writer,
 /// MachineError, Cancelled.
 void write_moving_file(const Document& document, const MovingScene& moving, const std::string& path, Progress& progress,
                        EncodedPictures* pictures = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known before the work about the files that will be written after it.
+// Checks, before the work, the files that will be written after it.
 #pragma once
 
 #include <span>
@@ -10,15 +10,15 @@
 
 namespace meristem {
 
-/// The document's file and those that it names.
+/// Returns the document's file and the files that it names.
 std::vector<std::string> input_files(const Document& document);
 
-/// Throws MachineError if a file cannot be written at `path`, and InputError if it would take the place of one of the
-/// files that are read. "-", devices and pipes are always right.
+/// Throws MachineError if a file cannot be written at `path`, and InputError if it would overwrite a file that is read.
+/// "-", devices and pipes are always valid.
 void check_output(const std::string& path, std::span<const std::string> inputs);
 
-/// Checks, as `check_output` does, every file that writing a grown document to `path` may write, and the files that the
-/// format puts beside it. Throws InputError for endings that name no format.
+/// Checks, like `check_output`, every file that may be written for a grown document at `path`, including the companions
+/// of the format. Throws InputError for endings that name no format.
 void check_grown_output(const Document& document, const std::string& path);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plant that stands in several places is the same to rays, boxes and files as its copies in the world.
+// A plant in several places must give rays, boxes and files that equal the results for its copies in the world.
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -26,7 +26,7 @@ Frame turned(float angle, Vec3 origin, float scale) {
   return {scale * Mat3(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle)), origin};
 }
 
-/// A plant of a stem and 60 leaves in four places.
+/// Returns a plant of a stem and 60 leaves in four places.
 MeshScene placed_scene() {
   MeshScene scene;
   scene.materials = {{.name = "oak.stem"}, {.name = "oak.leaf"}};
@@ -42,7 +42,7 @@ MeshScene placed_scene() {
   return scene;
 }
 
-/// The placed scene with each instance written out.
+/// Returns the placed scene with each instance written out.
 MeshScene copied_scene() {
   MeshScene scene = placed_scene();
   for (MeshInstances& part : scene.meshes) {
@@ -103,7 +103,7 @@ TEST(PlacedScene, AnObjFileHasTheTrianglesOfAllPlaces) {
   EXPECT_EQ(lines_of(placed_scene(), "placed.obj"), lines_of(copied_scene(), "copied.obj"));
 }
 
-/// Where the corners of all triangles of a file lie, each instance of a mesh counted, rounded to a millimetre.
+/// The corners of all triangles of a file, for each instance of a mesh, rounded to a millimetre.
 class Corners {
  public:
   explicit Corners(const Glb& glb) : glb_(glb) {
@@ -187,7 +187,7 @@ TEST(PlacedScene, EveryNodeOfAGlbHasOneParent) {
   for (const auto& [node, count] : parents) EXPECT_EQ(count, 1) << node;
 }
 
-// Clouds.
+// Point clouds.
 
 TEST(Clouds, CoverTheirShareOfTheSkyAndNoneOfItWithoutOne) {
   const Vec3 blue(0.1F, 0.2F, 0.6F);

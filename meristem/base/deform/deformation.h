@@ -53,10 +53,9 @@ class Deformation {
   /// Returns this deformation for a world that stands at `frame` in another world.
   std::shared_ptr<const Deformation> moved_to(const Frame& frame) const;
 
-  /// Moves points through all levels, and writes the Jacobian of the whole map at
-  /// each original point. Throws InputError at the path
-  /// of a level that folds space over (the determinant of the Jacobian is not above 0), has no finite value or moves a
-  /// point too far away. `who` names the object at the points in messages.
+  /// Moves points through all levels, and writes the Jacobian of the whole map at each original point. Throws
+  /// InputError at the path of a level that folds space over (the determinant of the Jacobian is not above 0), has no
+  /// finite value or moves a point too far away. `who` names the object at the points in messages.
   void map(std::span<DVec3> points, std::span<DMat3> jacobians, std::string_view who) const;
   /// Moves points through one level only, like the function above.
   static void map(const Level& level, std::span<DVec3> points, std::span<DMat3> jacobians, std::string_view who);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layout, JSON chunk, binary chunk: the file is written front to back without ever being held.
+// Writes a binary glTF: layout, JSON chunk, binary chunk. The file is written from front to back and is never held in
+// memory.
 //
 // Based on: Khronos Group, glTF 2.0 Specification (2021), sections 3.6 to 3.9 and 4.4 (GLB).
 #include "meristem/output/gltf/gltf.h"
@@ -46,7 +47,7 @@ void write_words(AtomicFile& file, std::initializer_list<std::uint64_t> words) {
 void write_laid_out(GltfLayout layout, const MeshScene& scene, const std::string& path, const GltfOptions& options,
                     Progress& progress) {
   require_finite(scene);
-  // Find out how long the JSON will be.
+  // Compute the length of the JSON.
   check_size(layout.binary_bytes);
   progress.begin("writing glTF", gltf_element_count(layout));
   measure_bounds(layout, progress);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices of instances are moved by their frames in batches that stay in the cache until they are written, on all
-// threads, and written in order.
+// Writes the vertices of instances. They are moved by their frames on all threads, in batches that stay in the cache
+// until they are written in order.
 #include "meristem/output/gltf/gltf_arrays.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace meristem {
 
 namespace {
 
-// Elements (vertices, triangles) that are computed at once and by one thread; at most 16 bytes each.
+// Number of elements (vertices, triangles) that one thread computes at once. Each has at most 16 bytes.
 constexpr std::size_t kBatch = std::size_t{1} << 18;
 constexpr std::size_t kBlock = std::size_t{1} << 14;
 
@@ -28,7 +28,7 @@ bool is_identity(const Frame& frame) { return frame.axes == Mat3(1) && frame.ori
 
 bool is_unmoved(const GltfPiece& piece) { return piece.count() == 1 && is_identity(piece.frame(0)); }
 
-/// A factor on a colour as normalized bytes; the fourth is the opacity.
+/// Returns a colour factor as normalized bytes. The fourth byte is the opacity.
 Bytes4 bytes_of(Vec3 factor) {
   const auto byte = [](float channel) { return static_cast<std::uint8_t>(channel * 255 + 0.5F); };
   return {byte(factor.r), byte(factor.g), byte(factor.b), 255};
@@ -82,7 +82,7 @@ class ArrayWriter {
     for (std::size_t key = 0; key < primitive.targets.size(); ++key) write_target(primitive, key);
   }
 
-  /// What is added to positions, normals and colours at a key.
+  /// Writes the differences of positions, normals and colours at a key.
   void write_target(const GltfPrimitive& primitive, std::size_t key) {
     for (const GltfPiece& piece : primitive.pieces) {
       write_differences(piece, key, [](const GltfPiece& of, const Frame& frame, std::size_t v) {
@@ -104,7 +104,7 @@ class ArrayWriter {
     }
   }
 
-  /// Writes what `value(piece, frame, vertex)` is more at a key than it is now.
+  /// Writes the difference between `value(piece, frame, vertex)` at a key and the present value.
   template <class Value>
   void write_differences(const GltfPiece& piece, std::size_t key, Value value) {
     const GltfPiece then = piece.at(key);
@@ -115,7 +115,7 @@ class ArrayWriter {
     write_elements<Vec3>(piece.count(), piece.mesh->vertex_count(), fill);
   }
 
-  /// What has no size keeps its normals.
+  /// Parts without size keep their normals.
   void write_turns(const GltfPiece& piece, std::size_t key) {
     const GltfPiece then = piece.at(key);
     const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Vec3* out) {
@@ -169,8 +169,8 @@ class ArrayWriter {
                          });
   }
 
-  /// The sign of w stays as it is: a normal map's green points to the upper edge of the picture, to where our v rises,
-  /// though glTF's v falls there.
+  /// The sign of w stays unchanged. The green channel of a normal map points to the upper edge of the picture, where
+  /// our v rises, although glTF's v falls there.
   void write_tangents(const GltfPiece& piece) {
     if (is_unmoved(piece)) return write_unmoved(piece.mesh->tangents);
     write_vertices<Vec4>(piece,
@@ -182,7 +182,7 @@ class ArrayWriter {
                          });
   }
 
-  /// glTF's pictures begin at their upper edge, ours at the lower.
+  /// Pictures in glTF begin at their upper edge, ours at the lower edge.
   void write_uvs(const GltfPiece& piece) {
     write_vertices<Vec2>(piece, [](const Mesh& mesh, const Frame&, std::size_t first, std::size_t last, Vec2* out) {
       for (std::size_t v = first; v < last; ++v) *out++ = Vec2(mesh.uvs[v].x, 1 - mesh.uvs[v].y);
@@ -196,7 +196,7 @@ class ArrayWriter {
     write_elements<Bytes4>(piece.count(), piece.mesh->vertex_count(), fill);
   }
 
-  /// Writes the transforms and colours of instances as arrays with a row for each.
+  /// Writes the transforms and colours of instances as arrays with one row per instance.
   void write_rows(const GltfSharedMesh& shared) {
     write_row_array<Vec3>(shared, [&](std::size_t row) { return shared.frame(row).origin; });
     write_row_array<Vec4>(shared, [&](std::size_t row) {
@@ -222,7 +222,7 @@ class ArrayWriter {
     write_elements<Element>(shared.instances.size(), 1, fill);
   }
 
-  /// Writes one vertex attribute; `turn(mesh, frame, first, last, out)` computes it for some vertices of one instance.
+  /// Writes one vertex attribute. `turn(mesh, frame, first, last, out)` computes it for some vertices of one instance.
   template <class Element, class Turn>
   void write_vertices(const GltfPiece& piece, Turn turn) {
     const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Element* out) {
@@ -241,8 +241,8 @@ class ArrayWriter {
     }
   }
 
-  /// Writes `frames * per_frame` elements. `fill(frame, first, last, out)` computes those from `first` to `last` of one
-  /// frame.
+  /// Writes `frames * per_frame` elements. `fill(frame, first, last, out)` computes the elements from `first` to `last`
+  /// of one frame.
   template <class Element, class Fill>
   void write_elements(std::size_t frames, std::size_t per_frame, Fill fill) {
     const std::size_t count = frames * per_frame;
@@ -268,7 +268,7 @@ class ArrayWriter {
   const GltfLayout& layout_;
   AtomicFile& file_;
   Progress& progress_;
-  std::vector<std::byte> batch_;  // kept, so that its memory is used again
+  std::vector<std::byte> batch_;  // kept, so that its memory is reused
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All but the nodes is built as one JSON value; nodes are written as text directly, since there may be millions.
+// Writes the JSON chunk. Everything except the nodes is built as one JSON value. Nodes are written as text directly,
+// since there may be millions.
 #include "meristem/output/gltf/gltf_json.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers that glTF gives to OpenGL's names.
+// Numeric constants of OpenGL in glTF.
 constexpr int kUnsignedByte = 5121;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
@@ -35,7 +36,7 @@ constexpr int kRepeat = 10497;
 constexpr const char* kTransmission = "KHR_materials_diffuse_transmission";
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
-/// The double with the fewest digits that rounds to `value`: 0.8 and not 0.800000011920929.
+/// Returns the double with the fewest digits that rounds to `value`: 0.8 and not 0.800000011920929.
 double shortest(float value) {
   const std::string digits = fmt::format("{}", value);
   double result = value;
@@ -96,7 +97,7 @@ Json material_json(const GltfLayout& layout, const GltfMaterial& made, const Mat
   return json;
 }
 
-/// Adds `textures` with what they are made of; each of the layout's images is one.
+/// Adds `textures` and their sources. Each image of the layout is one texture.
 void add_textures(const GltfLayout& layout, Json& root) {
   if (layout.images.empty()) return;
   for (std::size_t k = 0; k < layout.images.size(); ++k) {
@@ -111,7 +112,7 @@ void add_textures(const GltfLayout& layout, Json& root) {
       {{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}, {"wrapS", kRepeat}, {"wrapT", kRepeat}}};
 }
 
-/// The `meshes`, `accessors` and `bufferViews` of a file, filled side by side.
+/// The `meshes`, `accessors` and `bufferViews` of a file, filled in parallel.
 class ArrayTables {
  public:
   explicit ArrayTables(const GltfLayout& layout) {
@@ -119,7 +120,7 @@ class ArrayTables {
       Json primitives = Json::array();
       for (const GltfPrimitive& primitive : mesh.primitives) primitives.push_back(add_primitive(primitive));
       meshes_.push_back({{"name", mesh.name}, {"primitives", std::move(primitives)}});
-      // Without an animation what moves is as it is at last.
+      // Without an animation, moving parts are shown in their last state.
       if (mesh.moves) meshes_.back()["weights"] = std::vector<int>(mesh.primitives[0].targets.size(), 0);
     }
     add_animation(layout.animation);
@@ -129,10 +130,10 @@ class ArrayTables {
     }
   }
 
-  /// The `extensions` of the nodes that stand for shared meshes, in the order of the layout, as text.
+  /// Returns the `extensions` of the nodes of shared meshes as text, in the order of the layout.
   const std::vector<std::string>& rows() const { return rows_; }
 
-  /// The `animations` of a file whose nodes that move have these numbers; empty where none does.
+  /// Returns the `animations` of a file. `nodes` are the numbers of the moving nodes. Empty if no node moves.
   Json animations(const GltfAnimation& animation, const std::vector<std::size_t>& nodes) const {
     static constexpr std::array<const char*, 4> kProperties{"translation", "rotation", "scale", "weights"};
     Json channels = Json::array();
@@ -181,14 +182,14 @@ class ArrayTables {
     return json;
   }
 
-  /// To the accessor that was added last: as doubles with all digits, so that they equal the floats they bound.
+  /// Adds bounds to the last accessor, as doubles with all digits, so that they equal the floats.
   void add_bounds(const Box& bounds) {
     const auto [low, high] = bounds;
     accessors_.back()["min"] = {double{low.x}, double{low.y}, double{low.z}};
     accessors_.back()["max"] = {double{high.x}, double{high.y}, double{high.z}};
   }
 
-  /// An accessor for the times and one for each track, all in one view.
+  /// Adds an accessor for the times and one for each track, all in one view.
   void add_animation(const GltfAnimation& animation) {
     if (animation.tracks.empty()) return;
     add_accessor(animation.range, kNoTarget, kFloat, animation.keys, "SCALAR");
@@ -214,14 +215,14 @@ class ArrayTables {
     return add_accessor(range, kArrayBuffer, kFloat, primitive.vertices, type);
   }
 
-  /// Four normalized bytes per element.
+  /// Adds an accessor with four normalized bytes per element.
   std::size_t add_bytes(GltfRange range, int target, std::uint64_t count) {
     const std::size_t accessor = add_accessor(range, target, kUnsignedByte, count, "VEC4");
     accessors_[accessor]["normalized"] = true;
     return accessor;
   }
 
-  /// A view and its accessor; `target` is 0 for what goes to no vertex.
+  /// Adds a view and its accessor. `target` is 0 for data that no vertex uses.
   std::size_t add_accessor(GltfRange range, int target, int component_type, std::uint64_t count, const char* type) {
     views_.push_back({{"buffer", 0}, {"byteOffset", range.offset}, {"byteLength", range.bytes}});
     if (target != kNoTarget) views_.back()["target"] = target;
@@ -230,7 +231,7 @@ class ArrayTables {
     return accessors_.size() - 1;
   }
 
-  /// The arrays of one shared mesh whose instances are rows.
+  /// Adds the arrays of one shared mesh whose instances are rows.
   void add_rows(const GltfSharedMesh& shared) {
     const std::uint64_t rows = shared.instances.size();
     Json attributes{{"TRANSLATION", add_accessor(shared.translation_range, kNoTarget, kFloat, rows, "VEC3")},
@@ -246,18 +247,18 @@ class ArrayTables {
   Json accessors_ = Json::array();
   Json views_ = Json::array();
   std::vector<std::string> rows_;
-  std::size_t first_track_ = 0;  // accessor
+  std::size_t first_track_ = 0;  // index of an accessor
 };
 
-/// Whether the plants and what belongs to none stand below one node.
+/// Returns true if the plants and all parts without a plant stand below one node.
 bool has_root(const GltfLayout& layout) { return !layout.plants.empty() || !layout.placed.empty(); }
 
-/// Where there is a root: it, and the plants that have nodes before those of components.
+/// Returns the number of nodes before the nodes of components: the root and the plants, or 0 without a root.
 std::size_t nodes_before_components(const GltfLayout& layout) {
   return has_root(layout) ? 1 + layout.plants.size() : 0;
 }
 
-/// How many nodes the shared meshes of a component take, and those that move.
+/// Returns the number of nodes of a component's shared meshes and moving meshes.
 std::size_t shared_nodes(const GltfLayout& layout, const GltfComponent& component) {
   if (layout.has_instance_rows) return component.shared.size();
   std::size_t count = component.moving.size();
@@ -265,9 +266,9 @@ std::size_t shared_nodes(const GltfLayout& layout, const GltfComponent& componen
   return count;
 }
 
-/// Writes the `nodes` array: the root and the plants, where there are several, then the components, then their shared
-/// instances in the same order, then the sites of placed plants, each with its components and their instances. `rows`
-/// are the extensions of shared meshes whose instances are no nodes.
+/// Writes the `nodes` array: the root and the plants if there are several, then the components, then their shared
+/// instances in equal order. The sites of placed plants follow, each with its components and their instances. `rows`
+/// are the extensions of shared meshes whose instances are not nodes.
 class NodeWriter {
  public:
   NodeWriter(const GltfLayout& layout, const std::vector<std::string>& rows, FunctionRef<void(std::string_view)> sink,
@@ -283,15 +284,15 @@ class NodeWriter {
     for (const GltfComponent& component : own) next = write_component(component, next);
     for (const GltfComponent& component : own) write_instances(component);
     for (const GltfPlacedPlant& plant : layout_.placed) next = write_places(plant, next);
-    text_.back() = ']';  // in place of the last comma
+    text_.back() = ']';  // replaces the last comma
     sink_(text_);
   }
 
-  /// The numbers of the nodes that move, in their order.
+  /// Returns the numbers of the moving nodes, in their order.
   const std::vector<std::size_t>& moving() const { return moving_; }
 
  private:
-  /// Writes the root, whose children are the plants and what belongs to none, and the plants.
+  /// Writes the root and the plants. The children of the root are the plants and all parts without a plant.
   void write_plants(const std::string& name) {
     std::size_t next = nodes_before_components(layout_);
     std::vector<std::size_t> first(layout_.plants.size() + 1, next);
@@ -320,7 +321,7 @@ class NodeWriter {
     append("}},");
   }
 
-  /// The numbers of the nodes of all places.
+  /// Appends the numbers of the nodes of all places.
   void append_places() {
     const auto components = std::span(layout_.components);
     std::size_t next = nodes_before_components(layout_) + layout_.own_components;
@@ -336,7 +337,8 @@ class NodeWriter {
     }
   }
 
-  /// A node per place, each followed by those of its components and these by theirs. Returns the next node's number.
+  /// Writes one node per place, followed by the nodes of its components and the nodes of their instances. Returns the
+  /// number of the next node.
   std::size_t write_places(const GltfPlacedPlant& plant, std::size_t next) {
     const auto components =
         std::span(layout_.components).subspan(plant.first_component, plant.end_component - plant.first_component);
@@ -393,7 +395,7 @@ class NodeWriter {
     }
   }
 
-  /// What an animation moves has no matrix.
+  /// Nodes that an animation moves must not have a matrix.
   void write_moving_instance(const GltfSharedMesh& shared, std::size_t row) {
     moving_.push_back(next_instance_++);
     const auto [t, r, s] = poses_of(shared, row).back();
@@ -425,7 +427,7 @@ class NodeWriter {
     constexpr std::size_t kPiece = 1 << 16;
     if (text_.size() < kPiece) return;
     progress_.check();
-    // The last byte stays, as it may be a comma that has to go.
+    // The last byte stays, since it can be a comma that must be removed later.
     const char last = text_.back();
     text_.pop_back();
     sink_(text_);
@@ -438,12 +440,12 @@ class NodeWriter {
   Progress& progress_;
   std::string text_;
   std::size_t next_rows_ = 0;
-  std::size_t next_instance_ = 0;  // number of the node that comes next, where instances are nodes
+  std::size_t next_instance_ = 0;  // number of the next instance node
   std::vector<std::size_t> moving_;
   std::map<std::string, std::size_t> placed_of_name_;
 };
 
-/// The extensions that are used; a reader may know none of them.
+/// Returns the used extensions. Some readers do not support them.
 Json extensions_used(const GltfLayout& layout, const std::vector<Material>& materials) {
   Json used = Json::array();
   const auto is_transmitting = [&](const GltfMaterial& made) { return transmits(materials[made.source]); };
@@ -476,7 +478,7 @@ void emit_gltf_json(const GltfLayout& layout, const std::vector<Material>& mater
   Json root{{"asset", asset(provenance, extras_json)},
             {"scene", 0},
             {"scenes", {scene_json(layout, provenance, extras_json)}}};
-  // glTF forbids empty arrays, so a scene without triangles has none of the rest.
+  // glTF forbids empty arrays, so a scene without triangles has no other members.
   if (layout.meshes.empty()) return sink(text_of(root));
   if (Json used = extensions_used(layout, materials); !used.empty()) root["extensionsUsed"] = std::move(used);
   for (const GltfMaterial& made : layout.materials) {
@@ -487,7 +489,7 @@ void emit_gltf_json(const GltfLayout& layout, const std::vector<Material>& mater
   add_textures(layout, root);
   root["buffers"] = {{{"byteLength", layout.binary_bytes}}};
   std::string text = text_of(root);
-  text.pop_back();  // the closing brace, for the nodes
+  text.pop_back();  // removes the closing brace, so that the nodes can follow
   sink(text);
   NodeWriter nodes(layout, tables.rows(), sink, progress);
   nodes.write(provenance.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The JSON chunk of a binary glTF.
+// Writes the JSON chunk of a binary glTF.
 #pragma once
 
 #include <string_view>
@@ -11,8 +11,8 @@
 
 namespace meristem {
 
-/// Gives the JSON for `layout` to `sink` in pieces, the same on every call. Memory does not grow with the instances.
-/// Throws Cancelled.
+/// Passes the JSON for `layout` to `sink` in pieces. The pieces are equal in every call. Memory does not grow with the
+/// instances. Throws Cancelled.
 void emit_gltf_json(const GltfLayout& layout, const std::vector<Material>& materials, const Provenance& provenance,
                     FunctionRef<void(std::string_view)> sink, Progress& progress);
 

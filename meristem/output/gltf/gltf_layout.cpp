@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Lays out a binary glTF. The instances of each mesh are divided among plants and components, then baked, shared or
+// animated. Byte ranges are assigned in writing order.
 #include "meristem/output/gltf/gltf_layout.h"
 
 #include <algorithm>
@@ -24,7 +26,7 @@ const Frame kMirror[1] = {Frame{Mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), Vec3(0)}};
 
 constexpr std::size_t kVerticesPerBlock = 1 << 15;
 
-/// Materials that stand for the tints of instances where those are nodes.
+/// Number of materials that approximate the tints of instances if instances are nodes.
 constexpr std::size_t kPaletteColours = 8;
 
 class LayoutBuilder {
@@ -64,7 +66,7 @@ class LayoutBuilder {
  private:
   static constexpr std::size_t kNone = SIZE_MAX;
 
-  /// Makes a node for each plant that is seen, where there are several and not too many.
+  /// Makes a node for each visible plant if there are several, but not too many.
   void add_plants() {
     plant_of_individual_.assign(scene_.individuals.size(), GltfComponent::kNoPlant);
     std::vector<std::uint8_t> is_seen(scene_.individuals.size(), 0);
@@ -92,7 +94,7 @@ class LayoutBuilder {
   void add_to_plants(std::size_t k) {
     const MeshInstances& instances = scene_.meshes[k];
     if (instances.individuals.empty()) return add(plant_of(0), k, {});
-    std::map<std::size_t, std::vector<std::uint32_t>> members;  // by plant
+    std::map<std::size_t, std::vector<std::uint32_t>> members;  // for each plant
     std::size_t last = SIZE_MAX;
     std::vector<std::uint32_t>* of_last = nullptr;
     for (std::uint32_t i = 0; i < instances.frames.size(); ++i) {
@@ -107,7 +109,7 @@ class LayoutBuilder {
     }
   }
 
-  /// Adds instances of the scene's mesh number `k` to a plant: `members`, or all where that is empty.
+  /// Adds instances of the scene's mesh number `k` to a plant: `members`, or all if `members` is empty.
   void add(std::size_t plant, std::size_t k, std::span<const std::uint32_t> members) {
     const MeshInstances& instances = scene_.meshes[k];
     const auto [entry, is_new] = component_indices_.try_emplace(std::pair(plant, std::string_view(instances.component)),
@@ -128,12 +130,12 @@ class LayoutBuilder {
     return plant == GltfComponent::kNoPlant ? Vec3(0) : layout_.plants[plant].foot;
   }
 
-  /// Lays out the parts of plants that stand in several places, in the order in which they come, each plant in its own
-  /// frame.
+  /// Lays out the parts of plants that stand in several places, in the order of their first occurrence. Each plant has
+  /// its own frame.
   void add_placed_plants() {
     layout_.own_components = layout_.components.size();
     std::map<const std::vector<Frame>*, std::size_t> plant_of_places;
-    std::vector<std::vector<std::size_t>> meshes;  // by plant
+    std::vector<std::vector<std::size_t>> meshes;  // for each plant
     for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
       const MeshInstances& instances = scene_.meshes[k];
       if (instances.triangle_count() == 0 || instances.places == nullptr) continue;
@@ -165,7 +167,7 @@ class LayoutBuilder {
     }
   }
 
-  /// Brings the tints of each material's instances down to a few.
+  /// Reduces the tints of each material's instances to a few colours.
   void make_palettes() {
     palettes_.resize(scene_.materials.size());
     std::vector<std::vector<Vec3>> tints(scene_.materials.size());
@@ -178,7 +180,7 @@ class LayoutBuilder {
     for (std::size_t m = 0; m < tints.size(); ++m) palettes_[m] = make_palette(tints[m], kPaletteColours);
   }
 
-  /// The material of a mesh for its instances of one colour of the palette, or of all colours (kNone).
+  /// Returns the material of a mesh for its instances of one colour of the palette, or of all colours (kNone).
   std::size_t material_of(const MeshInstances& instances, std::size_t colour) {
     const std::uint32_t source = instances.material;
     const Material& material = scene_.materials[source];
@@ -210,7 +212,7 @@ class LayoutBuilder {
             .colours = has_colours};
   }
 
-  /// Adds a piece to the mesh's primitive of the same material and attributes, or to a new one.
+  /// Adds a piece to the mesh's primitive with equal material and attributes, or to a new primitive.
   void add_piece(GltfMesh& mesh, std::size_t material, const GltfPiece& piece, bool has_colours) {
     const GltfAttributes has = attributes_of(*piece.mesh, material, has_colours);
     const auto fits = [&](const GltfPrimitive& primitive) {
@@ -247,7 +249,7 @@ class LayoutBuilder {
     return layout_.meshes.size() - 1;
   }
 
-  /// Adds instances of the scene's mesh number `k` that move.
+  /// Adds moving instances of the scene's mesh number `k`.
   void move(std::size_t component, std::size_t k, const MeshMotion& motion, std::span<const std::uint32_t> members) {
     if (motion.kind == MeshMotion::Kind::rigid) return move_nodes(component, k, motion, members);
     const MeshInstances& instances = scene_.meshes[k];
@@ -265,7 +267,7 @@ class LayoutBuilder {
     add_piece(layout_.meshes[found->mesh], material, piece, layout_.factors[instances.material].varies);
   }
 
-  /// Each instance is a node, by the colours of the palette.
+  /// Makes each instance a node, grouped by the colours of the palette.
   void move_nodes(std::size_t component, std::size_t k, const MeshMotion& motion,
                   std::span<const std::uint32_t> members) {
     std::vector<std::vector<std::uint32_t>> groups(kPaletteColours);
@@ -281,10 +283,10 @@ class LayoutBuilder {
     }
   }
 
-  /// Adds instances of the scene's mesh number `k`, which all share it but for those that cannot.
+  /// Adds instances of the scene's mesh number `k`. They share the mesh, except for instances that cannot.
   void share(std::size_t component, std::size_t k, std::span<const std::uint32_t> members) {
     const MeshInstances& instances = scene_.meshes[k];
-    // Sort instances into those of each colour, or the plain and the mirrored ones.
+    // Sort instances by colour, or into plain and mirrored ones.
     std::vector<std::vector<std::uint32_t>> groups(std::max<std::size_t>(2, kPaletteColours));
     std::vector<std::uint32_t> inexpressible;
     const std::size_t count = members.empty() ? instances.frames.size() : members.size();
@@ -317,7 +319,7 @@ class LayoutBuilder {
     layout_.components[component].shared.push_back(std::move(shared));
   }
 
-  /// The number of the mesh that a group of instances of the scene's mesh number `k` shares, in all plants.
+  /// Returns the number of the mesh that a group of instances of the scene's mesh number `k` shares, in all plants.
   std::size_t shared_mesh(std::size_t k, std::size_t group) {
     const auto [entry, is_new] = shared_meshes_.try_emplace(std::pair(k, group), layout_.meshes.size());
     if (!is_new) return entry->second;
@@ -357,14 +359,14 @@ class LayoutBuilder {
   bool bakes_all_ = false;
   GltfLayout layout_;
   std::vector<std::size_t> plant_of_individual_;
-  std::map<std::pair<std::size_t, std::string_view>, std::size_t> component_indices_;  // by plant and name
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared_meshes_;  // by the scene's mesh and the group
-  std::vector<Palette> palettes_;                                             // of each of the scene's materials
-  std::vector<std::size_t> first_tint_;  // of each of the scene's meshes in its palette
+  std::map<std::pair<std::size_t, std::string_view>, std::size_t> component_indices_;  // indexed by plant and name
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared_meshes_;  // indexed by mesh of the scene and group
+  std::vector<Palette> palettes_;                                             // for each material of the scene
+  std::vector<std::size_t> first_tint_;  // for each mesh of the scene, its first tint in the palette
   std::map<std::tuple<std::uint32_t, std::size_t, bool>, std::size_t> material_indices_;
 };
 
-/// Makes the files of all pictures, but those that have been made before.
+/// Encodes all pictures, except pictures that were encoded before.
 void encode_images(GltfLayout& layout, EncodedPictures* known, const Progress& progress) {
   std::vector<TexturePicture> pictures(layout.images.size());
   for (const GltfTexture& texture : layout.textures) {
@@ -377,7 +379,7 @@ void encode_images(GltfLayout& layout, EncodedPictures* known, const Progress& p
   for (std::size_t k = 0; k < files.size(); ++k) layout.images[k].png = files[k];
 }
 
-/// Takes the next `bytes` of the binary chunk; every array begins at a multiple of 4.
+/// Reserves the next `bytes` of the binary chunk. Every array begins at a multiple of 4.
 GltfRange take(GltfLayout& layout, std::uint64_t bytes) {
   const GltfRange range{layout.binary_bytes, bytes};
   layout.binary_bytes += (bytes + 3) / 4 * 4;
@@ -435,7 +437,7 @@ Box bounds_of(const GltfPiece& piece, Progress& progress) {
   return all;
 }
 
-/// The bounds of how far the vertices of a piece lie at a key from where they are.
+/// Returns the bounds of the differences between a piece's vertices at a key and their present positions.
 Box bounds_of_differences(const GltfPiece& piece, std::size_t key, Progress& progress) {
   const GltfPiece then = piece.at(key);
   Box all;
@@ -472,7 +474,7 @@ bool is_expressible_as_node(const Frame& frame) {
   const float z = glm::length(axes[2]);
   constexpr float kFlat = 1e-12F;
   if (!(x > kFlat && y > kFlat && z > kFlat)) return false;
-  // Products of float rotations drift by about 1e-6; a shear that anybody meant is larger.
+  // Products of float rotations drift by about 1e-6. An intended shear is larger.
   constexpr float kShear = 4e-6F;
   return std::abs(glm::dot(axes[0], axes[1])) <= kShear * x * y &&
          std::abs(glm::dot(axes[1], axes[2])) <= kShear * y * z &&

@@ -27,7 +27,7 @@ MeshScene textured_scene(std::vector<Frame> frames = {Frame()}) {
   return scene;
 }
 
-/// Many leaves, with a tint for each.
+/// Returns many leaves, each with its own tint.
 MeshScene tinted_scene(std::size_t leaves) {
   const RandomKey key(9);
   MeshScene scene = leafy_scene(leaves);
@@ -152,7 +152,7 @@ TEST(GltfLooks, WhereNodesShareMeshesAFewMaterialsStandForTheTints) {
   const Glb glb = written_glb(scene, options);
   ASSERT_EQ(glb.json["materials"].size(), 9U);
   EXPECT_EQ(glb.json["nodes"][0]["children"].size(), 500U);
-  // Every leaf is near its colour, and all together have theirs.
+  // The colour of every leaf is approximated, and the mean colour of all leaves is kept.
   DVec3 sum(0);
   DVec3 expected(0);
   for (std::size_t i = 0; i < 500; ++i) expected += DVec3(scene.materials[0].tint() * scene.meshes[0].tints[i]);
@@ -164,7 +164,7 @@ TEST(GltfLooks, WhereNodesShareMeshesAFewMaterialsStandForTheTints) {
   EXPECT_LT(glm::length(sum - expected), 1e-4 * glm::length(expected));
 }
 
-/// The matrix of one row of a node's instances.
+/// Returns the matrix of one row of a node's instances.
 Frame row_frame(const Glb& glb, const Json& attributes, std::size_t row) {
   const Vec3 t = glb.values<Vec3>(glb.accessor(attributes["TRANSLATION"])).at(row);
   const Vec4 q = glb.values<Vec4>(glb.accessor(attributes["ROTATION"])).at(row);
@@ -182,7 +182,7 @@ TEST(GltfLooks, RowsPlaceEveryInstanceWhereItsFrameDoes) {
   const Glb glb = written_glb(scene, options);
   EXPECT_EQ(glb.json["extensionsUsed"], Json({kInstancing}));
   const Json& children = glb.json["nodes"][0]["children"];
-  ASSERT_EQ(children.size(), 2U);  // upright and mirrored
+  ASSERT_EQ(children.size(), 2U);  // plain and mirrored
   const std::vector<Frame>& frames = scene.meshes[0].frames;
   std::size_t found = 0;
   for (const bool mirrored : {false, true}) {

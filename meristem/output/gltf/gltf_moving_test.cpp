@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that move, as a reader of the file sees them.
+// Moving scenes, checked as a reader of the file sees them.
 #include <algorithm>
 #include <string>
 
@@ -16,7 +16,8 @@ std::shared_ptr<const Mesh> cylinder(double height) {
   return std::make_shared<const Mesh>(make_cylinder(0.1, height, 6));
 }
 
-/// A still trunk, a stem that rises over three keys, a ball that flies, and a body for the second key alone.
+/// Returns a trunk that does not move, a stem that rises over three keys, a ball that flies, and a body that is visible
+/// at the second key only.
 MovingScene sample() {
   MovingScene moving;
   moving.times = {0, 1, 3};
@@ -72,7 +73,7 @@ TEST(MovingGlb, ShapesHaveATargetPerKeyButTheLast) {
   ASSERT_EQ(std::count_if(meshes.begin(), meshes.end(), moves), 1);
   const auto& primitive = (*std::find_if(meshes.begin(), meshes.end(), moves))["primitives"][0];
   ASSERT_EQ(primitive["targets"].size(), 2U);
-  // The stem is 2 m high at last; at the first key all of its vertices are as low as its base.
+  // The stem is 2 m high at the end. At the first key, all of its vertices are at the height of its base.
   const auto high = glb.values<Vec3>(glb.accessor(primitive, "POSITION"));
   const auto down = glb.values<Vec3>(glb.accessor(primitive["targets"][0]["POSITION"]));
   ASSERT_EQ(high.size(), down.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several plants in one file: a root, and below it a node per plant.
+// Several plants in one file: a root, and below it one node per plant.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLeaves = 300;
 
-/// Three plants; leaves change from one to the next, and the stem's mesh belongs to the last.
+/// Returns three plants. Leaves alternate between the plants, and the stem's mesh belongs to the last plant.
 MeshScene three_plants() {
   MeshScene scene = leafy_scene(kLeaves);
   scene.individuals = {{"bush", 0, {-5, 0, 0}}, {"bush", 1, {0, 0, 0}}, {"tree", 0, {5, 1, 0}}};
@@ -29,7 +29,7 @@ MeshScene three_plants() {
 
 Vec3 vec3(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
-/// The nodes of plants, by name.
+/// Returns the node of a plant by its name.
 const Json& node_named(const Json& json, const std::string& name) {
   const auto found = std::find_if(json["nodes"].begin(), json["nodes"].end(),
                                   [&](const Json& node) { return node.value("name", "") == name; });
@@ -63,7 +63,7 @@ TEST(GltfPlants, BakedVerticesStandAtTheirPlantsFoot) {
     const Json& leaf = glb.json["nodes"][node["children"][0].get<int>()];
     const Json& primitive = glb.json["meshes"][leaf["mesh"].get<int>()]["primitives"][0];
     const auto positions = glb.values<Vec3>(glb.accessor(primitive, "POSITION"));
-    ASSERT_EQ(positions.size(), kLeaves);  // a third of the leaves, of three corners
+    ASSERT_EQ(positions.size(), kLeaves);  // a third of the leaves, with three corners each
     for (std::size_t k = 0; k < positions.size(); ++k) {
       const Vec3 expected = scene.meshes[0].frames[plant + 3 * (k / 3)].point(triangle()->positions[k % 3]);
       ASSERT_LT(glm::distance(positions[k] + scene.individuals[plant].foot, expected), 1e-5F);
@@ -104,7 +104,7 @@ TEST(GltfPlants, ShareOneMeshWhereInstancesAreRowsOrNodes) {
       }
     }
     EXPECT_EQ(instances, kLeaves);
-    EXPECT_EQ(meshes.size(), kind == GltfInstances::rows ? 2U : 1U);  // as they are, and mirrored
+    EXPECT_EQ(meshes.size(), kind == GltfInstances::rows ? 2U : 1U);  // plain and mirrored
   }
 }
 
@@ -112,7 +112,7 @@ TEST(GltfPlants, WhatBelongsToNoneStandsBesideThem) {
   MeshScene scene = three_plants();
   scene.meshes[1].individuals = {kNoIndividual};
   const Json json = written_glb(scene).json;
-  // The tree has its leaves alone, the stem is the root's last child.
+  // The tree has only its leaves, and the stem is the root's last child.
   EXPECT_EQ(node_named(json, "tree 0")["children"].size(), 1U);
   ASSERT_EQ(json["nodes"][0]["children"].size(), 4U);
   EXPECT_EQ(json["nodes"][json["nodes"][0]["children"][3].get<int>()]["name"], "stem");

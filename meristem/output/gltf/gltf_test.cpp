@@ -163,7 +163,7 @@ TEST(Gltf, PastTheFlatteningLimitInstancesAreRows) {
   options.flatten_triangles = 5999;
   const MeshScene scene = leafy_scene(1000);
   const Glb glb = written(scene, options);
-  ASSERT_EQ(glb.json["nodes"].size(), 4U);  // leaf and stem, and the leaves as they are and mirrored
+  ASSERT_EQ(glb.json["nodes"].size(), 4U);  // leaf and stem, and the leaves both plain and mirrored
   int rows = 0;
   for (const int node : {2, 3}) {
     const Json& attributes = glb.json["nodes"][node]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
@@ -254,7 +254,7 @@ TEST(Gltf, ReportsARefusedPath) {
 TEST(Gltf, LeavesNothingWhenCancelled) {
   const std::string directory = testing::TempDir() + "gltf_cancelled/";
   std::filesystem::create_directory(directory);
-  // The observer stops the writer in the middle, when a part of the file is on the disk.
+  // The observer stops the writer in the middle, after a part of the file was written to disk.
   Progress* self = nullptr;
   Progress progress([&](std::string_view, double fraction) {
     if (fraction > 0.5) self->cancel();

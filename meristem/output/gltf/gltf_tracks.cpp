@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes the animation tracks of nodes. Rigid instances get translation, rotation and scale per key, and changing
+// meshes get the weights of their morph targets. Properties that never change get no track.
 #include "meristem/output/gltf/gltf_tracks.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -19,7 +21,8 @@ class TrackWriter {
 
   void begin_node() { animation_.tracks.emplace_back(); }
 
-  /// `number(key)` appends the numbers of a key; a property that does not change has no track.
+  /// Adds the track of a property. `append(key, data)` appends the numbers of a key. A property that does not change
+  /// gets no track.
   template <class Numbers>
   void add(GltfTrack::Property property, bool is_stepped, Numbers append) {
     GltfTrack track{.property = property, .first = animation_.data.size(), .is_stepped = is_stepped};
@@ -51,7 +54,7 @@ void add_poses(const GltfSharedMesh& shared, std::size_t row, TrackWriter& track
   Vec4 before(0);
   tracks.add(GltfTrack::Property::rotation, false, [&](std::size_t key, std::vector<float>& to) {
     Vec4 rotation = poses[key].rotation;
-    if (glm::dot(rotation, before) < 0) rotation = -rotation;  // the shorter way
+    if (glm::dot(rotation, before) < 0) rotation = -rotation;  // takes the shorter way
     before = rotation;
     to.insert(to.end(), {rotation.x, rotation.y, rotation.z, rotation.w});
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours begin as one group. In each step, the group with the largest squared error is split in two, along the
-// channel in which it spreads most, where the split leaves the least squared error. Each group is shown by its mean.
+// Reduces colours to a palette. The colours begin as one group. In each step, the group with the largest squared error
+// is split along the channel with the largest spread, at the position with the least remaining error. Each group is
+// represented by its mean.
 //
 // Based on: X. Wu: Efficient statistical computations for optimal color quantization, Graphics Gems II (1991), on
 // sorted colours instead of a histogram.
@@ -27,7 +28,7 @@ struct Moments {
     squares += c * c;
   }
   DVec3 mean() const { return sum / count; }
-  /// Squared errors of the mean, by channel; what is below the rounding of the sums is none.
+  /// Returns the squared errors of the mean per channel. Errors below the rounding of the sums count as 0.
   DVec3 errors() const {
     const DVec3 errors = squares - sum * sum / count;
     return glm::max(errors - 1e-12 * squares, DVec3(0));
@@ -40,7 +41,7 @@ struct Moments {
 };
 
 struct Group {
-  std::size_t begin = 0;  // in the order of colours
+  std::size_t begin = 0;  // index in the order of colours
   std::size_t end = 0;
   Moments moments;
 };
@@ -89,7 +90,7 @@ class Parting {
               order_.begin() + static_cast<std::ptrdiff_t>(group.end),
               [&](std::uint32_t a, std::uint32_t b) { return value(a) != value(b) ? value(a) < value(b) : a < b; });
 
-    // Look for the cut between two values that leaves the least error.
+    // Find the cut between two values that leaves the least error.
     Moments low;
     Moments best;
     std::size_t cut = 0;
@@ -101,7 +102,7 @@ class Parting {
         cut = k + 1;
       }
     }
-    if (cut == 0) {  // only rounding told them apart
+    if (cut == 0) {  // the values differ only by rounding
       group.moments.squares = group.moments.sum * group.moments.sum / group.moments.count;
       return;
     }

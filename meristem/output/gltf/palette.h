@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few colours in the place of many.
+// A few colours that replace many.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,11 @@ namespace meristem {
 
 struct Palette {
   std::vector<Vec3> colours;
-  std::vector<std::uint8_t> of;  ///< index into `colours` of each of the colours given
+  std::vector<std::uint8_t> of;  ///< for each given colour, an index into `colours`
 };
 
-/// At most `most` colours (1 to 256) that stand for `colours`; exactly those where they are no more.
+/// Returns at most `most` colours (1 to 256) that approximate `colours`. The result is exact if there are no more than
+/// `most` different colours.
 Palette make_palette(std::span<const Vec3> colours, std::size_t most);
 
 }  // namespace meristem

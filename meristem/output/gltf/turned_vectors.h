@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals and tangents of many vertices, turned by one frame.
+// Turns normals and tangents of many vertices by one frame.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace meristem {
 
-/// What Frame::normal gives, to the last bit, but for its matrix being made once; and tangents to these normals.
+/// Computes the results of Frame::normal to the last bit, but prepares the matrix only once. Also computes tangents to
+/// these normals.
 class VectorTurner {
  public:
   explicit VectorTurner(const Frame& frame) : axes_(frame.axes) {
@@ -25,7 +26,7 @@ class VectorTurner {
     return length >= 1e-20 && std::isfinite(length) ? Vec3(vector / length) : local;
   }
 
-  /// The tangent at a vertex of the turned normal `normal`. A mirror turns v to the other side of it.
+  /// Returns the tangent at a vertex with the turned normal `normal`. A mirror flips the direction of v.
   Vec4 tangent(Vec4 local, Vec3 normal) const {
     const Vec3 along = axes_ * Vec3(local);
     const Vec3 tangent = normalized_or(along - normal * glm::dot(normal, along), any_perpendicular(normal));

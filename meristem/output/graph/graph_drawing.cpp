@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws p-graphs and i-trees as SVG. A spanning tree of the graph places each component under its deepest parent,
+// place_tree finds the positions, and links are lines between boxes.
 #include "meristem/output/graph/graph_drawing.h"
 
 #include <algorithm>
@@ -12,22 +14,22 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLetter = 6.9;       // pixels of a letter of the names
-constexpr double kSmallLetter = 4.6;  // of those below the line
-constexpr double kPadding = 18;       // of a name in its box, both sides
+constexpr double kLetter = 6.9;       // width of a letter of the names, pixels
+constexpr double kSmallLetter = 4.6;  // width of a letter below the line, pixels
+constexpr double kPadding = 18;       // space on both sides of a name in its box, together, pixels
 constexpr double kLeastWidth = 34;
 constexpr double kHeight = 26;
 constexpr double kHeightWithType = 38;
-constexpr double kGap = 16;    // between boxes
-constexpr double kLevel = 34;  // between the levels
+constexpr double kGap = 16;    // space between boxes, pixels
+constexpr double kLevel = 34;  // space between levels, pixels
 constexpr double kSheetMargin = 10;
 
 struct DrawnNode {
   std::string name;
-  std::string below;  // the line: letters smaller than the name's
+  std::string below;  // text below the line, in smaller letters than the name
   std::string type;
   std::uint32_t parent = kNoParent;
-  bool is_end = false;  // a recursion's first component once more
+  bool is_end = false;  // true for the first component of a recursion, drawn again
 };
 
 struct DrawnLine {
@@ -62,7 +64,7 @@ double width_of(const DrawnNode& node) {
   return std::max({kLeastWidth, name + kPadding, 0.86 * kLetter * static_cast<double>(node.type.size()) + kPadding});
 }
 
-/// How a link is drawn, as attributes of its line.
+/// Returns the style of a link as attributes of its line.
 std::string style_of(const Link* link) {
   if (link == nullptr) return "stroke-width=\"1.2\"";
   if (link->is<BranchLink>()) return "stroke-width=\"3.6\"";
@@ -72,7 +74,7 @@ std::string style_of(const Link* link) {
   return "stroke-width=\"1.2\"";
 }
 
-/// A line twice, side by side: a broad one with a white one over it.
+/// Returns the style of a doubled line: a broad line, and a white line over it.
 std::string doubled_style(const Link* link, bool is_inner) {
   const bool is_thick = link != nullptr && link->is<BranchLink>();
   if (is_inner) return fmt::format("stroke=\"#fff\" stroke-width=\"{}\"", is_thick ? 2.6 : 2.4);
@@ -141,7 +143,7 @@ std::string svg_of(const Drawing& drawing, const std::string& title) {
   return svg + "</g>\n<g fill=\"#111\">\n" + texts + "</g>\n</svg>\n";
 }
 
-/// Each component's longest way from the root, links back left out.
+/// Returns the length of each component's longest path from the root, without links back.
 std::vector<std::uint32_t> levels_of(const Graph& graph) {
   const Structure& structure = graph.structure;
   std::vector<std::uint32_t> waits(graph.components.size(), 0), level(graph.components.size(), 0);
@@ -161,7 +163,7 @@ std::vector<std::uint32_t> levels_of(const Graph& graph) {
   return level;
 }
 
-/// Whether the link lies on the way of a recursion.
+/// Returns true if the link is on the path of a recursion.
 bool is_within_recursion(const Graph& graph, const Link& link) {
   return std::ranges::any_of(graph.structure.recursions, [&](const Structure::Recursion& recursion) {
     const auto at = std::ranges::find(recursion.members, link.from);
@@ -169,7 +171,7 @@ bool is_within_recursion(const Graph& graph, const Link& link) {
   });
 }
 
-/// The tree of a graph: each component under the first of its deepest parents.
+/// The tree of a graph: each component stands under the first of its deepest parents.
 class GraphTree {
  public:
   GraphTree(const Graph& graph, const DrawingOptions& options)
@@ -189,11 +191,11 @@ class GraphTree {
   }
 
  private:
-  /// A node that is to be drawn.
+  /// A node that must still be drawn.
   struct Next {
     ComponentIndex component = 0;
     std::uint32_t parent = kNoParent;
-    LinkIndex ends = kNoIndex;  ///< the link back whose end it is
+    LinkIndex ends = kNoIndex;  ///< the link back that ends at this node
   };
 
   void add(const Next& next, std::uint32_t own) {
@@ -211,7 +213,7 @@ class GraphTree {
                               .is_end = is_end});
   }
 
-  /// The children wait in the order of the links, the first on top.
+  /// Children wait in the order of the links, the first on top.
   void follow(ComponentIndex component, std::uint32_t own, std::vector<Next>& open) {
     std::vector<Next> children;
     for (const LinkIndex link : graph_.structure.outgoing[component]) {
@@ -241,10 +243,10 @@ class GraphTree {
 
   const Graph& graph_;
   const DrawingOptions& options_;
-  std::vector<std::uint32_t> level_;                       // by component
-  std::vector<std::uint32_t> node_of_;                     // by component
-  std::vector<ComponentIndex> taken_;                      // that have a parent in the tree
-  std::vector<std::pair<std::uint32_t, LinkIndex>> ends_;  // of recursions: node and link
+  std::vector<std::uint32_t> level_;                       // for each component
+  std::vector<std::uint32_t> node_of_;                     // for each component
+  std::vector<ComponentIndex> taken_;                      // components that have a parent in the tree
+  std::vector<std::pair<std::uint32_t, LinkIndex>> ends_;  // ends of recursions: node and link
   Drawing drawing_;
 };
 
@@ -264,7 +266,8 @@ std::string draw_graph(const Graph& graph, const DrawingOptions& options) {
 std::string draw_instance_tree(const Graph& graph, const InstanceTree& tree) {
   const Structure& structure = graph.structure;
   Drawing drawing;
-  // The tree's own order is level by level; drawn are siblings by their links, which is the order of their numbers.
+  // The tree is ordered level by level. Siblings are drawn in the order of their links, which is the order of their
+  // numbers.
   std::vector<std::vector<std::uint32_t>> numbers(tree.instances.size());
   std::vector<std::uint32_t> depth(tree.instances.size(), 0);
   for (std::uint32_t k = 0; k < tree.instances.size(); ++k) {

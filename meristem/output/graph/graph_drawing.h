@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawings of a p-graph and of the i-tree that it expands into, as SVG, in the line styles of the source: child links
-// thin, branch links thick, leaf links dashed, and of this project crown links dotted. A recursion's first component is
-// drawn at its beginning and at its end, with doubled lines between. A component with several parents is drawn once,
-// under the one that is deepest.
+// Draws a p-graph, and the i-tree to which it expands, as SVG. Line styles follow the source: child links are thin,
+// branch links thick, leaf links dashed. In addition, crown links are dotted. The first component of a recursion is
+// drawn at the beginning and at the end, with doubled lines between. A component with several parents is drawn once,
+// under its deepest parent.
 //
 // Based on: O. Deussen: Computergenerierte Pflanzen (2003), figures 6.1 and 6.7 to 6.10.
 #pragma once
@@ -14,16 +14,16 @@
 
 namespace meristem {
 
-/// Options of drawings of a graph.
+/// Options of graph drawings.
 struct DrawingOptions {
-  bool shows_types = false;  ///< the type of each component below its name
+  bool shows_types = false;  ///< if true, shows the type of each component below its name
 };
 
-/// The p-graph; its structure must be sound.
+/// Draws the p-graph, whose structure must be valid.
 std::string draw_graph(const Graph& graph, const DrawingOptions& options = {});
 
-/// The i-tree of the graph. An instance is called by its component, with its numbers below the line: those of the
-/// multiplied instances on the way to it, and last its depth in a recursion.
+/// Draws the i-tree of the graph. The label of an instance is its component, with numbers below the line: the numbers
+/// of the multiplied instances on the path to it, then its depth in a recursion.
 std::string draw_instance_tree(const Graph& graph, const InstanceTree& tree);
 
 }  // namespace meristem

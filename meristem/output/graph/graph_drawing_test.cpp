@@ -9,7 +9,7 @@
 
 namespace meristem::graph_drawing_test {
 
-/// The source's figure 6.1, with a ball at each end.
+/// Returns figure 6.1 of the source, with a ball at each end.
 Document first_example() {
   return read_document(R"json({"meristem": 1, "components": {
       "A": {"type": "camera"}, "B": {"type": "simple"}, "C": {"type": "hydra", "number": 3},
@@ -29,11 +29,11 @@ TEST(GraphDrawing, DrawsARecursionsFirstComponentTwiceAndItsLinesDoubled) {
   const std::string svg = draw_graph(first_example().graph);
   EXPECT_EQ(count(svg, ">D<"), 2U);
   for (const char* id : {"A", "B", "C", "E", "F"}) EXPECT_EQ(count(svg, std::string(">") + id + "<"), 1U) << id;
-  EXPECT_EQ(count(svg, "stroke-width=\"4.8\""), 1U);          // one doubled line,
+  EXPECT_EQ(count(svg, "stroke-width=\"4.8\""), 1U);          // one doubled line
   EXPECT_EQ(count(svg, "stroke=\"#fff\" stroke-width"), 1U);  // with its white middle
   EXPECT_EQ(count(svg, "stroke-width=\"3.6\""), 1U);          // branch
   EXPECT_EQ(count(svg, "stroke-dasharray=\"6 4\""), 1U);      // leaf
-  EXPECT_EQ(count(svg, "<rect"), 8U);                         // the paper, seven boxes
+  EXPECT_EQ(count(svg, "<rect"), 8U);                         // the paper and seven boxes
 }
 
 TEST(GraphDrawing, WritesTypesWhereAskedFor) {

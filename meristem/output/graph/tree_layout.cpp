@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Places the nodes of a forest. Subtrees are laid out from the leaves up, and each one is moved right until its outline
+// clears the outlines of its left siblings. A second pass adds up the relative positions from the roots down.
 #include "meristem/output/graph/tree_layout.h"
 
 #include <algorithm>
@@ -8,10 +10,10 @@ namespace meristem {
 
 namespace {
 
-constexpr double kBetweenCousins = 0.25;  // more distance between subtrees than between leaves
+constexpr double kBetweenCousins = 0.25;  // additional distance between subtrees, compared with leaves
 
-/// The outline of a subtree: the lowest level first, so that a level above is added at the end. Places are relative to
-/// the subtree's root plus `shift`.
+/// The outline of a subtree. The lowest level comes first, so that a level above is added at the end. Positions are
+/// relative to the subtree's root plus `shift`.
 struct Outline {
   std::vector<double> left;
   std::vector<double> right;
@@ -22,7 +24,7 @@ struct Outline {
   double right_at(std::size_t level) const { return right[right.size() - 1 - level] + shift; }
 };
 
-/// How far the root of `next` must stand from the origin of `so_far`.
+/// Returns the minimum distance of the root of `next` from the origin of `so_far`.
 double distance(const Outline& so_far, const Outline& next, bool are_leaves) {
   const std::size_t shared = std::min(so_far.depth(), next.depth());
   double least = 0;
@@ -32,7 +34,7 @@ double distance(const Outline& so_far, const Outline& next, bool are_leaves) {
   return least + (are_leaves ? 0 : kBetweenCousins);
 }
 
-/// The outline of both; the deeper one is kept and the other one written over it.
+/// Returns the outline of both. The deeper outline is kept, and the other one is written over it.
 Outline joined(Outline so_far, Outline next) {
   const bool keeps_next = next.depth() > so_far.depth();
   Outline& kept = keeps_next ? next : so_far;
@@ -54,14 +56,14 @@ TreePlaces place_tree(std::span<const std::uint32_t> parents) {
   const std::size_t count = parents.size();
   TreePlaces places;
   places.level.resize(count);
-  std::vector<std::vector<std::uint32_t>> children(count + 1);  // the last are the roots
+  std::vector<std::vector<std::uint32_t>> children(count + 1);  // the last entry lists the roots
   for (std::uint32_t node = 0; node < count; ++node) {
     const bool is_root = parents[node] == kNoParent;
     children[is_root ? count : parents[node]].push_back(node);
     places.level[node] = is_root ? 0 : places.level[parents[node]] + 1;
     places.levels = std::max(places.levels, places.level[node] + 1);
   }
-  // From the leaves up: each child's place relative to its parent.
+  // From the leaves up: compute each child's position relative to its parent.
   std::vector<double> relative(count, 0);
   std::vector<Outline> outlines(count);
   const auto place_children = [&](const std::vector<std::uint32_t>& of) {
@@ -89,7 +91,7 @@ TreePlaces place_tree(std::span<const std::uint32_t> parents) {
     outlines[node] = std::move(outline);
   }
   place_children(children[count]);
-  // From the roots down: places on the sheet, the leftmost at 0.
+  // From the roots down: compute absolute positions, the leftmost at 0.
   places.across.resize(count);
   double least = 0;
   for (std::size_t node = 0; node < count; ++node) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the nodes of a forest stand when it is drawn as a tree: parents above their children, in the middle between the
-// first and the last of them, children in their order, no two subtrees over each other.
+// Computes where the nodes of a forest stand in a drawing. Parents stand above the middle of their first and last
+// child, children keep their order, and subtrees do not overlap.
 //
 // Based on: E. Reingold, J. Tilford: Tidier drawings of trees (1981).
 #pragma once
@@ -11,19 +11,19 @@
 
 namespace meristem {
 
-/// In place of a parent's number.
+/// Marks a node without a parent.
 inline constexpr std::uint32_t kNoParent = 0xffffffffU;
 
 struct TreePlaces {
-  std::vector<double> across;        ///< centre of each node, in distances between neighbours, from 0 on
+  std::vector<double> across;        ///< centre of each node, from 0; neighbours have distance 1
   std::vector<std::uint32_t> level;  ///< 0 for roots
-  double breadth = 0;                ///< greatest of `across`
-  std::uint32_t levels = 0;          ///< how many levels there are
+  double breadth = 0;                ///< maximum of `across`
+  std::uint32_t levels = 0;          ///< number of levels
 };
 
-/// `parents` has for each node the number of its parent, which is smaller than its own, or kNoParent. Children of one
-/// parent stand in the order of their numbers. The cost grows with the nodes times the depth of the shallower of two
-/// neighbouring subtrees.
+/// Places the nodes of a forest. `parents` has for each node the number of its parent, which must be smaller than the
+/// node's own number, or kNoParent. Children of one parent stand in the order of their numbers. The cost is the number
+/// of nodes times the depth of the shallower of two neighbouring subtrees.
 TreePlaces place_tree(std::span<const std::uint32_t> parents);
 
 }  // namespace meristem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An OBJ counts positions, texture coordinates and normals of the whole file, each from 1. So every mesh with its
-// instances goes out as four runs (positions, texture coordinates, normals, faces), and three offsets are carried on.
+// Writes Wavefront OBJ. An OBJ counts positions, texture coordinates and normals over the whole file, each from 1.
+// Every mesh with its instances is written as four runs (positions, texture coordinates, normals, faces), and three
+// offsets are carried along.
 //
 // Based on: Wavefront Technologies, Advanced Visualizer manual, appendix B1 (1995), OBJ; colours behind positions as
 // MeshLab, Blender and three.js read them.
@@ -27,12 +28,12 @@ namespace {
 constexpr std::size_t kVectorBytes = 96;  // "v -1.2345678e-10 -1.2345678e-10 -1.2345678e-10 0.1234 0.1234 0.1234"
 constexpr std::size_t kFaceBytes = 256;   // nine numbers of up to 20 digits
 
-/// Names of materials and components, each a word of its own.
+/// Names of materials and components. Each name is a unique word.
 struct ObjNames {
-  std::vector<std::string> materials;     // of each of MeshScene::materials
-  std::vector<std::string> components;    // in the order in which the scene first has them
-  std::vector<std::size_t> component_of;  // of each of MeshScene::meshes, an index into `components`
-  std::vector<bool> has_colours;          // of each component: some instances have tints
+  std::vector<std::string> materials;     // for each of MeshScene::materials
+  std::vector<std::string> components;    // in the order of their first occurrence in the scene
+  std::vector<std::size_t> component_of;  // for each of MeshScene::meshes, an index into `components`
+  std::vector<bool> has_colours;          // for each component, whether some instances have tints
 };
 
 ObjNames names_of(const MeshScene& scene) {
@@ -53,7 +54,7 @@ ObjNames names_of(const MeshScene& scene) {
   return names;
 }
 
-/// Appends a line as `format` makes it of finite numbers.
+/// Appends a line in `format`. The numbers must be finite.
 template <class Format, class... Values>
 void append_line(std::string& out, const Format& format, const Values&... values) {
   (require_finite_value(values), ...);
@@ -69,7 +70,7 @@ struct Offsets {
   std::uint64_t normal = 1;
 };
 
-/// Appends a face in the form that has what the mesh has.
+/// Appends a face with the attributes that the mesh has.
 void append_face(std::string& out, const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, const Offsets& at) {
   const auto [a, b, c] = triangle;
   const bool has_uvs = !mesh.uvs.empty();
@@ -87,7 +88,7 @@ void append_face(std::string& out, const Mesh& mesh, const std::array<std::uint3
   }
 }
 
-/// Positions with the instances' colours behind them.
+/// Writes positions, followed by the colours of the instances.
 void write_coloured_positions(BlockWriter& writer, const MeshInstances& instances, const ColourFactors& factors) {
   const Mesh& mesh = *instances.mesh;
   const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
@@ -179,10 +180,10 @@ std::uint64_t element_count(const MeshScene& scene) {
 
 namespace {
 
-/// `dir/oak` for `dir/oak.obj`.
+/// Returns `dir/oak` for `dir/oak.obj`.
 std::string stem_of(const std::string& obj_path) {
   constexpr std::string_view kEnding = ".obj";
-  const std::size_t name_at = obj_path.rfind('/') + 1;  // 0 where there is no slash
+  const std::size_t name_at = obj_path.rfind('/') + 1;  // 0 if there is no slash
   std::string name = obj_path.substr(name_at);
   if (name.size() > kEnding.size() && lower_case(name).ends_with(kEnding)) name.resize(name.size() - kEnding.size());
   return obj_path.substr(0, name_at) + single_word(name);

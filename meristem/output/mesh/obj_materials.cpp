@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the MTL of an OBJ and its pictures. Each picture is written once, named by the first material that has the
+// texture.
+//
 // Based on: Wavefront Technologies, Advanced Visualizer manual, appendix B1 (1995), MTL; `Pr`, `Pm` and `norm` from its
 // physically based extension (Exocortex, 2013), `Ns` from `Pr` as Blender does.
 #include "meristem/output/mesh/obj_materials.h"
@@ -21,20 +24,20 @@ std::vector<bool> materials_in_use(const MeshScene& scene) {
   return is_used;
 }
 
-/// A texture and the paths of its pictures, empty where it has none of that kind.
+/// A texture and the paths of its pictures. A path is empty if the texture has no such picture.
 struct Pictures {
   const Texture* texture = nullptr;
-  bool owns = false;  // the pictures are named by this material, the first that has the texture
+  bool owns = false;  // true if this material is the first with the texture, and therefore names the pictures
   std::string colour, normals, mask;
 };
 
-/// The pictures of each material, those of a shared texture named by the first material that has it.
+/// Returns the pictures of each material. The first material with a texture names the pictures of the texture.
 std::vector<Pictures> pictures_of(const MeshScene& scene, const std::string& obj_path) {
   std::vector<std::string> words;
   for (const Material& material : scene.materials) words.push_back(file_word(material.name));
   words = distinct_words(words);
   const std::vector<bool> is_used = materials_in_use(scene);
-  std::map<const Texture*, std::size_t> first;  // only looked up, never walked: addresses have no order to rely on
+  std::map<const Texture*, std::size_t> first;  // only for lookup, never iterated, since addresses have no stable order
   std::vector<Pictures> pictures(scene.materials.size());
   for (std::size_t m = 0; m < pictures.size(); ++m) {
     const Texture* texture = scene.materials[m].texture.get();
@@ -75,7 +78,7 @@ void write_pictures(const std::vector<Pictures>& of_materials, EncodedPictures& 
 
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-/// Blender reads a roughness of 1 - sqrt(Ns / 1000) where it does not know `Pr`.
+/// Blender computes the roughness as 1 - sqrt(Ns / 1000) if it does not know `Pr`.
 float shininess(float roughness) { return 1000 * (1 - roughness) * (1 - roughness); }
 
 std::string material_lines(const Material& material, const ColourFactors& factors, const Pictures& pictures,
@@ -85,7 +88,7 @@ std::string material_lines(const Material& material, const ColourFactors& factor
                                  colour.b, shininess(material.roughness), material.roughness);
   if (!pictures.colour.empty()) text += fmt::format("map_Kd {}\n", name_in(pictures.colour));
   if (!pictures.mask.empty()) text += fmt::format("map_d {}\n", name_in(pictures.mask));
-  // Blender takes a normal map from the one, three.js from the other.
+  // Blender reads the normal map from `map_Bump`, and three.js from `norm`.
   if (!pictures.normals.empty()) text += fmt::format("map_Bump {0}\nnorm {0}\n", name_in(pictures.normals));
   return text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files beside an OBJ: its MTL and the pictures that this one names.
+// The files beside an OBJ: the MTL and the pictures that it names.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace meristem {
 
-/// Writes the MTL beside an OBJ and the pictures of the materials in use, the pictures first; `names` are the
-/// materials' in the OBJ. Throws MachineError, Cancelled.
+/// Writes the pictures of the materials in use, then the MTL of an OBJ. `names` are the names of the materials in the
+/// OBJ. Throws MachineError, Cancelled.
 void write_companions(const MeshScene& scene, const std::vector<ColourFactors>& factors,
                       const std::vector<std::string>& names, const std::string& obj_path, const ObjOptions& options,
                       Progress& progress);

@@ -32,22 +32,22 @@ std::string content_of(const fs::path& path) {
 
 std::vector<std::uint8_t> pixels_of(const fs::path& path) { return read_image(path.string(), Limits()).rgba; }
 
-/// One corner of a face: indices from 0; -1 for what it does not name.
+/// One corner of a face, as indices from 0, or -1 for missing attributes.
 struct Corner {
   long position = -1, uv = -1, normal = -1;
 };
 
-/// An OBJ as a reader that knows nothing of the writer sees it.
+/// An OBJ as an independent reader sees it.
 struct Obj {
   std::vector<Vec3> positions, normals;
   std::vector<Vec2> uvs;
-  std::vector<Corner> corners;               // three a face
+  std::vector<Corner> corners;               // three per face
   std::vector<std::string> objects, groups;  // in the order of the file
-  std::vector<std::string> face_materials;   // of each face
+  std::vector<std::string> face_materials;   // for each face
   std::vector<std::string> libraries;
-  std::vector<Vec3> colours;  // of those positions that have one
+  std::vector<Vec3> colours;  // of the positions that have a colour
 
-  /// The faces as a mesh with one vertex a position.
+  /// Returns the faces as a mesh with one vertex per position.
   Mesh mesh() const {
     Mesh result{.positions = positions, .normals = {}, .uvs = {}, .triangles = {}};
     for (std::size_t k = 0; k < corners.size(); k += 3) {
@@ -108,7 +108,7 @@ Obj parse(const std::string& text) {
   return obj;
 }
 
-/// What an MTL says of each material, key to values.
+/// Returns the values of each material in an MTL, by key.
 std::map<std::string, std::map<std::string, std::vector<float>>> parse_materials(const std::string& text) {
   std::map<std::string, std::map<std::string, std::vector<float>>> materials;
   std::string name;
@@ -229,7 +229,7 @@ TEST_F(ObjTest, NamesItsMaterialsByAFileBesideIt) {
   EXPECT_NEAR(leaf["Ns"].at(0), 40, 1e-3);
 }
 
-/// The lines of an MTL that name pictures, key to file.
+/// Returns the lines of an MTL that name pictures, from key to file.
 std::map<std::string, std::string> maps_of(const std::string& text) {
   std::map<std::string, std::string> maps;
   std::istringstream lines(text);
@@ -364,7 +364,7 @@ TEST_F(ObjTest, HasTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST_F(ObjTest, AFullDiskLeavesNeitherFile) {
-  // Both within the buffers until they are closed, and beyond them.
+  // Tests sizes that fit into the buffers until the file is closed, and sizes that do not.
   for (const std::size_t leaves : {1, 20'000}) {
     const FileSizeLimit limit(1000);
     EXPECT_THROW(write(leafy_scene(leaves)), MachineError);
@@ -383,7 +383,7 @@ TEST_F(ObjTest, ARefusedPathLeavesNeitherFile) {
 }
 
 TEST_F(ObjTest, OnlyARefusedLastRenameLeavesTheMaterials) {
-  // A folder of the same name appears while the file is being written.
+  // While the file is being written, a folder with the name of the file appears.
   Progress progress([&](std::string_view, double fraction) {
     if (fraction > 0.5) fs::create_directory(at("plant.obj"));
   });

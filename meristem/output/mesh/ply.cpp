@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both files are a header in text, then vertices, then faces or edges as packed records.
+// Writes PLY files: a header in text, then vertices, then faces or edges as packed records.
 //
-// Based on: G. Turk: The PLY polygon file format (1994). Property names and types are those that Blender, MeshLab and
-// Open3D know.
+// Based on: G. Turk: The PLY polygon file format (1994). Blender, MeshLab and Open3D know these property names and
+// types.
 #include "meristem/output/mesh/ply.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void check_count(std::string_view what, std::uint64_t count) {
   throw InputError(std::move(fault));
 }
 
-/// The first lines of a header.
+/// Returns the first lines of a header.
 std::string header_of(const Provenance& provenance, const std::vector<std::string>& components) {
   std::string header = "ply\nformat binary_little_endian 1.0\n";
   for (const std::string& line : provenance_lines(provenance)) header += "comment " + line + "\n";
@@ -47,7 +47,7 @@ std::string header_of(const Provenance& provenance, const std::vector<std::strin
   return header;
 }
 
-/// A colour channel as a byte.
+/// Returns a colour channel as a byte.
 std::uint8_t byte_of(float channel) {
   return static_cast<std::uint8_t>(std::floor(std::clamp(channel, 0.0F, 1.0F) * 255 + 0.5F));
 }
@@ -138,7 +138,7 @@ class MeshPly {
   static constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 3 + 4 * 4;
   static constexpr std::size_t kLongestLabelText = 255;
 
-  /// What all vertices of one colour (sRGB) and component end with.
+  /// Returns the last bytes of all vertices of one colour (sRGB) and component.
   static std::string tail_of(Vec3 colour, std::int32_t component) {
     std::string tail;
     for (int channel = 0; channel < 3; ++channel) append_bytes(tail, byte_of(colour[channel]));
@@ -161,7 +161,7 @@ class MeshPly {
                     scene_.meshes[part].frame(instance).point(middle));
     append_bytes(out, static_cast<std::uint8_t>(label.kind));
     append_bytes(out, label.order);
-    // None is the largest number, which becomes -1.
+    // The largest number marks a missing object and becomes -1.
     append_bytes(out, std::array{label.tree, label.component, label.instance, label.shoot});
   }
 
@@ -174,8 +174,8 @@ class MeshPly {
   bool has_uvs_ = false;
 };
 
-/// Columns in the order of the file, indices into the table's: positions first, as viewers expect, and without the
-/// row's own number and the label, which is a text.
+/// Returns the columns in the order of the file, as indices into the table's columns. Positions come first, as viewers
+/// expect. The row's number and the label, which is a text, are left out.
 std::vector<std::size_t> ply_columns(const SkeletonTable& table) {
   static constexpr std::array<std::string_view, 8> kFirst{"x", "y", "z", "radius", "parent", "axis", "order", "birth"};
   const auto rank = [&](std::size_t column) {
@@ -208,7 +208,7 @@ void write_skeleton_header(const SkeletonTable& table, const std::vector<std::si
   file.write(header);
 }
 
-/// The bits of the NaN that an unknown value is.
+/// The bits of the NaN that marks an unknown value.
 constexpr std::uint32_t kUnknown = 0x7fc00000;
 
 void write_nodes(const SkeletonTable& table, const std::vector<std::size_t>& columns, BlockWriter& writer) {

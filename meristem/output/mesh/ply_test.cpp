@@ -21,11 +21,11 @@
 
 namespace meristem::ply_test {
 
-/// A PLY as a reader that knows nothing of the writer sees it: columns of numbers by element and property.
+/// A PLY as an independent reader sees it: columns of numbers by element and property.
 struct Ply {
   struct Property {
-    std::string type;   // of the values
-    std::string count;  // of how many there are, for lists
+    std::string type;   // type of the values
+    std::string count;  // type of the length, for lists
     std::string name;
   };
   struct Element {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What plants grew by, at a step of their growth.
+// Overlays that explain the growth of plants in one step: attraction points and their pull, ways to the light, markers
+// and losses. The data come from the growth traces of the plants.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,8 +28,8 @@ constexpr Vec3 kRoom{0.18F, 0.62F, 0.3F};
 constexpr Vec3 kShed{0.62F, 0.4F, 0.16F};
 constexpr Vec3 kCut{0.82F, 0.16F, 0.12F};
 
-constexpr std::size_t kMostWays = 90;  // more could not be told apart
-constexpr double kWayShare = 0.06;     // length of an arrow, of the longest side of the plant
+constexpr std::size_t kMostWays = 90;  // maximum number of arrows; more would not be distinguishable
+constexpr double kWayShare = 0.06;     // length of an arrow, as a share of the plant's longest side
 
 void show_places(const std::vector<TracedPlace>& places, const std::array<Vec3, 3>& colours,
                  const std::array<const char*, 3>& texts, const char* what, OverlayLayer& layer) {
@@ -44,13 +45,13 @@ void show_places(const std::vector<TracedPlace>& places, const std::array<Vec3, 
   }
 }
 
-/// Where some of the nodes of plants without buds find more light past obstacles, all over the plants.
+/// Returns the ways to more light past obstacles, at some nodes of plants without buds, spread over all plants.
 std::vector<TracedWay> ways_past_obstacles(const OverlaySubject& subject, double length) {
   std::vector<TracedWay> ways;
   std::size_t nodes = 0;
   for (const Stem& stem : subject.plant.stems) nodes += has_buds(stem.skeleton) ? 0 : stem.skeleton.node_count();
   const std::size_t every = 1 + nodes / kMostWays;
-  std::size_t next = every / 2;  // among all nodes of all those stems
+  std::size_t next = every / 2;  // index among all nodes of all these stems
   for (const Stem& stem : subject.plant.stems) {
     if (has_buds(stem.skeleton)) continue;
     const std::size_t count = stem.skeleton.node_count();
@@ -66,7 +67,7 @@ std::vector<TracedWay> ways_past_obstacles(const OverlaySubject& subject, double
   return ways;
 }
 
-/// Some of the ways of buds, as long as arrows are.
+/// Adds some of the ways of buds, scaled to the length of arrows.
 void add_bud_ways(const std::vector<TracedWay>& ways, double length, Vec3 colour, OverlayLayer& layer) {
   const std::size_t every = 1 + ways.size() / kMostWays;
   for (std::size_t k = 0; k < ways.size(); k += every) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the edges of a convex hull. The sides of all triangles are sorted by their ends, so that both sides of an edge
+// are neighbours. An edge is kept if the planes of its two triangles differ.
 #include "meristem/output/overlay/hull_edges.h"
 
 #include <algorithm>
@@ -11,13 +13,13 @@ namespace {
 
 constexpr double kFlat = 0.99999;  // cosine between normals of triangles that count as one plane: 0.26 degrees
 
-/// One side of a triangle, its ends in rising order.
+/// One side of a triangle, with its ends in ascending order.
 struct Edge {
   std::array<std::uint32_t, 2> ends;
-  DVec3 normal;  // of the triangle
+  DVec3 normal;  // normal of the triangle
 };
 
-/// Both triangles' sides of an edge stand next to each other.
+/// Returns the sides of all triangles, sorted so that the two sides of an edge are neighbours.
 std::vector<Edge> sorted_edges(const Mesh& hull) {
   std::vector<Edge> edges;
   edges.reserve(3 * hull.triangles.size());

@@ -12,7 +12,7 @@ struct HullEdge {
   Vec3 to{0};
 };
 
-/// The edges of a convex hull, each once, without those between triangles in one plane.
+/// Returns the edges of a convex hull, each once. Edges between triangles in one plane are left out.
 std::vector<HullEdge> hull_edges(const Mesh& hull);
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The table of overlay parts: names, titles, sentences, and the functions that fill their layers.
 #include "meristem/output/overlay/overlay.h"
 
 #include <algorithm>

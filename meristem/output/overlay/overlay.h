@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is shown over a plant and is no part of it: what it grew by, the light about it, the sun, a scale. An overlay is
-// points, lines, arrows and labels in world space, part by part; pictures and the studio draw the same ones.
+// Overlays: what is shown over a plant without being part of it, such as attraction points, light, the sun and a scale.
+// An overlay is points, lines, arrows and labels in world space, part by part. Pictures and the studio draw the same
+// overlays.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace meristem {
 
-/// What can be shown; the names are those of the enumerators.
+/// The parts of overlays. Their names are the names of the enumerators.
 enum class OverlayPart {
   points,
   pulls,
@@ -38,28 +39,30 @@ enum class OverlayPart {
 };
 
 struct OverlayLayer;
-struct OverlaySubject;  // what overlays are made from, with what was recorded of growth
+struct OverlaySubject;  // source of overlays, with recorded growth
 
-/// A part as people choose it.
+/// A part of the overlays, as users choose it.
 struct OverlayPartInfo {
   OverlayPart part;                                                  ///< the part
   const char* name;                                                  ///< name for options and plans: "points"
-  const char* title;                                                 ///< for a switch: "Attraction points"
+  const char* title;                                                 ///< title for a switch: "Attraction points"
   const char* doc;                                                   ///< one sentence
-  TraceWish wish;                                                    ///< what must have been recorded of growth
-  void (*show)(const OverlaySubject& subject, OverlayLayer& layer);  ///< fills a layer with it
-  bool reads_plant = false;  ///< it shows something of each stem, also of plants that stand there as a whole
+  TraceWish wish;                                                    ///< parts of growth that must be recorded
+  void (*show)(const OverlaySubject& subject, OverlayLayer& layer);  ///< fills a layer with the part
+  bool reads_plant = false;  ///< true if the part shows data of each stem, also in placed plants
 };
 
-/// All parts, in the order in which they are listed.
+/// Returns all parts, in the order in which they are listed.
 std::span<const OverlayPartInfo> overlay_parts();
 /// Returns the description of a part.
 const OverlayPartInfo& overlay_part(OverlayPart part);
-/// The part of that name. Throws InputError for another name, with the nearest one; `who` cannot show it.
+/// Returns the part of that name. Throws InputError with the nearest name for an unknown name. `who` names the caller
+/// in the message.
 OverlayPart overlay_part_named(std::string_view name, const std::string& who);
-/// The parts that a list of names separated by commas means. Throws InputError for another name, with the nearest one.
+/// Returns the parts in a list of names separated by commas. Throws InputError with the nearest name for an unknown
+/// name.
 std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::string& option);
-/// What must be recorded of growth for all of these.
+/// Returns the parts of growth that must be recorded for all these overlays.
 TraceWish wish_for_overlays(std::span<const OverlayPart> parts);
 
 /// A point of an overlay.
@@ -78,41 +81,42 @@ struct OverlayLine {
 /// A text beside a position.
 struct OverlayLabel {
   Vec3 at{0};        ///< world space, metres
-  std::string text;  ///< ASCII
+  std::string text;  ///< ASCII text
 };
 
 /// A line of the legend.
 struct OverlayKey {
   Vec3 colour{0};    ///< sRGB
-  std::string text;  ///< ASCII: "410 points pull"
+  std::string text;  ///< ASCII text: "410 points pull"
 };
 
-/// What one part shows.
+/// The content of one part.
 struct OverlayLayer {
   OverlayPart part = OverlayPart::points;  ///< the part that the layer shows
   std::vector<OverlayPoint> points;        ///< points
   std::vector<OverlayLine> lines;          ///< lines
   std::vector<OverlayLine> arrows;         ///< lines with a tip at their end
   std::vector<OverlayLabel> labels;        ///< texts
-  std::vector<OverlayKey> legend;          ///< what the colours mean
+  std::vector<OverlayKey> legend;          ///< meaning of the colours
 };
 
-/// What overlays show something of.
+/// The data from which overlays are made.
 struct OverlaySource {
   const Plant& plant;          ///< the plant that is shown
   const GrowthTraces& traces;  ///< recorded with wish_for_overlays() or more
   const Scene& scene;          ///< light and obstacles around the plant
-  const Limits& limits;        ///< of the document that the plant has grown from
-  Box bounds;                  ///< around all that is seen of the plant
-  Vec3 right{1, 0, 0};         ///< unit vector on the ground along which the scale lies
+  const Limits& limits;        ///< limits of the document of the plant
+  Box bounds;                  ///< box around all visible parts of the plant
+  Vec3 right{1, 0, 0};         ///< unit vector on the ground along the scale bar
 };
 
-/// The layers of the parts, in their order, at the step of growth that the plant stands at. Plants of other documents
-/// have theirs at each of their places. Equal on any number of threads. Throws InputError past limits, Cancelled.
+/// Returns the layers of the parts, in their order, at the present growth step of the plant. Overlays of placed plants
+/// are repeated at each of their places. Equal on any number of threads. Throws InputError if limits are exceeded,
+/// Cancelled.
 std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
                                          const Progress& progress);
 
-/// The box around the plant, its points and what else layers show of it; not around sun, compass and scale.
+/// Returns the box around the plant, its points and other layers of it, without sun, compass and scale.
 Box overlay_bounds(std::span<const OverlayLayer> layers);
 
 }  // namespace meristem

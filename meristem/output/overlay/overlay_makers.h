@@ -5,20 +5,20 @@
 
 namespace meristem {
 
-/// What overlays are made from.
+/// The input of all functions that fill a layer.
 struct OverlaySubject {
-  const Plant& plant;  ///< without plantings, where a part reads the plant
+  const Plant& plant;  ///< without plantings if a part reads the plant
   const Scene& scene;
   const StepMarks& marks;
-  Box bounds;  ///< around the plant, and the points that it grew by
+  Box bounds;  ///< box around the plant and its attraction points
   Vec3 right{1, 0, 0};
   const Progress& progress;
 };
 
-/// Whether a stem is of a self-organizing tree, whose metamers tell the light of their buds.
+/// Returns true if a stem is a self-organizing tree, whose metamers record the light of their buds.
 bool has_buds(const Skeleton& skeleton);
 
-// Each fills a layer with one part.
+// Each function fills a layer with one part.
 
 void show_points(const OverlaySubject& subject, OverlayLayer& layer);
 void show_pulls(const OverlaySubject& subject, OverlayLayer& layer);

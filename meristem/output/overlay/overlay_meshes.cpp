@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Turns overlay layers into meshes. Each kind of piece (ball, rod, cone) is one mesh with many instances in different
+// colours.
 #include "meristem/output/overlay/overlay_meshes.h"
 
 #include <memory>
@@ -11,13 +13,13 @@ namespace meristem {
 
 namespace {
 
-// Shares of the size of what is shown.
-constexpr double kBall = 0.012;  // across
-constexpr double kNode = 0.008;  // across, where lines join at the points
+// Sizes as shares of the size of the shown object.
+constexpr double kBall = 0.012;  // diameter of a ball
+constexpr double kNode = 0.008;  // diameter of a ball at a point where lines join
 constexpr double kRod = 0.003;
 constexpr double kShaft = 0.004;
-constexpr double kHead = 0.25;      // of an arrow's length
-constexpr double kMostHead = 0.03;  // of the size
+constexpr double kHead = 0.25;      // length of an arrow's head, as a share of the arrow
+constexpr double kMostHead = 0.03;  // maximum length of a head, as a share of the size
 constexpr int kRodCorners = 6;
 constexpr int kBallSegments = 10;
 
@@ -30,7 +32,7 @@ class Pieces {
     frames_.push_back(frame);
     tints_.push_back(linear_from_srgb(colour));
   }
-  /// A piece of height 1 and radius 1 about y, from one position to another.
+  /// Adds a piece of height 1 and radius 1 about y, stretched from one position to another.
   void span(Vec3 from, Vec3 to, double radius, Vec3 colour) {
     const float length = glm::distance(from, to);
     if (!(length > 0)) return;

@@ -8,8 +8,9 @@
 
 namespace meristem {
 
-/// A scene's meshes and after them, matt, what overlays show: points as balls, lines as thin rods, arrows as rods with
-/// cones, as thick as suits something of `size` metres. Meshes and textures are shared with `meshes`.
+/// Returns the meshes of a scene followed by matt meshes of the overlays: points as balls, lines as thin rods, arrows
+/// as rods with cones. `size` (metres) is the size of the shown object, to which their thickness is adapted. Meshes and
+/// textures are shared with `meshes`.
 MeshScene with_overlays(const MeshScene& meshes, std::span<const OverlayLayer> layers, double size);
 
 }  // namespace meristem

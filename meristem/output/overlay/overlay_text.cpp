@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws labels and the legend of overlays onto a finished picture. Letters get a light rim, so that they are legible on
+// any background.
 #include "meristem/output/overlay/overlay_text.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr Pixel kLegendInk{24, 26, 28};
 constexpr Pixel kLegendRim{250, 250, 248};
-constexpr int kRowsOfText = 60;  // in a picture, without gaps
+constexpr int kRowsOfText = 60;  // number of text rows in a picture, without gaps
 
 void write_with_rim(Image& image, int x, int y, int scale, std::string_view text) {
   for (int dx = -1; dx <= 1; ++dx) {
@@ -21,7 +23,7 @@ void write_with_rim(Image& image, int x, int y, int scale, std::string_view text
   draw_small_text(image, x, y, scale, kLegendInk, text);
 }
 
-/// A square of a colour with a rim.
+/// Draws a square of a colour with a rim.
 void draw_key(Image& image, int x, int y, int size, Vec3 colour) {
   fill_square(image, x, y, size, kLegendRim);
   fill_square(image, x + 1, y + 1, size - 2,

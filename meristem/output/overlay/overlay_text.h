@@ -9,11 +9,12 @@
 
 namespace meristem {
 
-/// Where on the film a position is seen: from -1 to 1, x to the right and y upward; nothing behind the camera.
+/// Returns the position on the film, from -1 to 1, x to the right and y upward. Returns nothing for a position behind
+/// the camera.
 using OnFilm = FunctionRef<std::optional<Vec2>(Vec3 position)>;
 
-/// Writes the labels of overlays into a picture, and their legend into its upper left corner: dark letters with a light
-/// rim, as high as suits the picture.
+/// Writes the labels of overlays into a picture, and their legend into the upper left corner. Letters are dark with a
+/// light rim, and their height suits the picture.
 void write_overlay_text(Image& image, std::span<const OverlayLayer> layers, OnFilm on_film);
 
 }  // namespace meristem

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where plants stand: the sun over them, north, and how large all is.
+// Overlays of the place: the sun over the plants, a compass rose and a scale bar. They depend on the scene and the box
+// around the plants.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +23,7 @@ float longest_of(const Box& box) {
   return std::max({size.x, size.y, size.z, 1e-3F});
 }
 
-/// 1, 2 or 5 times a power of ten, and at most `length`.
+/// Returns 1, 2 or 5 times a power of ten, at most `length`.
 double round_length(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
   const double share = length / power;
@@ -36,7 +37,7 @@ std::string length_text(double metres) {
 
 }  // namespace
 
-/// Parallel arrows of the strongest light onto the plant, and a disc for each of the sun's positions.
+/// Draws parallel arrows of the strongest light onto the plant, and a disc for each position of the sun.
 void show_sun(const OverlaySubject& subject, OverlayLayer& layer) {
   const std::vector<DirectionalLight>& sun = subject.scene.light.sun;
   if (sun.empty()) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What plants are at the step that is shown.
+// Overlays of the plants at the shown step: skeleton, light on buds, resource, hull of the crown. Quantities are shown
+// as colours along the axes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +30,7 @@ constexpr Vec3 kBox{0.42F, 0.2F, 0.6F};
 constexpr std::string_view kLight = "light";
 constexpr std::string_view kResource = "resource";
 
-/// A colour between dark and bright.
+/// Returns a colour between dark and bright.
 Vec3 shade_of(double share) {
   const auto u = static_cast<float>(std::clamp(share, 0.0, 1.0));
   return u < 0.5F ? glm::mix(kDark, kMiddle, 2 * u) : glm::mix(kMiddle, kBright, 2 * u - 1);
@@ -47,7 +48,7 @@ struct Reading {
   double value = 0;
 };
 
-/// The light of each metamer's own open buds, their mean. The column counts what stands beyond as well.
+/// Reads the mean light of each metamer's own open buds. The column also includes the light of later parts.
 void read_buds(const Skeleton& skeleton, std::vector<Reading>& readings) {
   const std::vector<float>& light = skeleton.extra.find(kLight)->second;
   const auto states = [&](const char* name) {
@@ -66,7 +67,7 @@ void read_buds(const Skeleton& skeleton, std::vector<Reading>& readings) {
   }
 }
 
-/// What obstacles leave of the scene's light at each node.
+/// Reads the share of the scene's light that obstacles leave at each node.
 void read_scene(const Skeleton& skeleton, const OverlaySubject& subject, std::vector<Reading>& readings) {
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     if (node % 256 == 0) subject.progress.check();
@@ -142,7 +143,7 @@ void show_resource(const OverlaySubject& subject, OverlayLayer& layer) {
     for (const float value : found->second) most = std::max(most, static_cast<double>(value));
   }
   if (!(most > 0)) return;
-  // Resource thins out toward the tips by powers, so its logarithm makes the colour.
+  // Resource falls toward the tips by powers, so the colour shows its logarithm.
   const double scale = std::log1p(most);
   for (const Stem& stem : subject.plant.stems) {
     const auto found = stem.skeleton.extra.find(kResource);

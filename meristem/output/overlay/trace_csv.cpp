@@ -16,7 +16,8 @@ namespace meristem {
 namespace {
 
 constexpr std::array<const char*, 3> kStates{"free", "used", "removed"};
-constexpr std::size_t kRowBytes = 5 * kCsvNumberBytes + 16;  // of a point, without what it is of
+constexpr std::size_t kRowBytes = 5 * kCsvNumberBytes + 16;  // maximum size of a point's row, without its component and
+                                                             // instance
 
 void append_point(const TracedPlace& point, std::size_t number, std::string& out) {
   append_csv_number(number, out);

@@ -8,10 +8,10 @@
 
 namespace meristem {
 
-/// What becomes of the attraction points of all traced growths, those of placed plants at each place, as a table in
-/// CSV: component, instance, number, x, y, z, state and used_in at the step that the plants stand at. `used_in` is the
-/// step in which a point was used up, 0 where it was not. The file appears whole under its name, or not at all. Throws
-/// InputError where the points were not recorded (GrowthView::wish), MachineError, Cancelled.
+/// Writes the attraction points of all recorded growths as a table in CSV, for placed plants at each of their places.
+/// Columns: component, instance, number, x, y, z, state and used_in, at the present step of the plants. `used_in` is
+/// the step in which a point was used up, or 0. The file appears whole under its name, or not at all. Throws InputError
+/// if the points were not recorded (GrowthView::wish), MachineError, Cancelled.
 void write_points_csv(const GrowthTraces& traces, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -16,7 +16,7 @@ TEST(PointsCsv, IsNoEmptyTableOfAGrowthThatWasNotRecorded) {
   EXPECT_THROW(write_points_csv(GrowthTraces(), folder / "a.csv", progress), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
   GrowthTraces traces;
-  traces.recorded = {TracePart::points};  // of a document without such plants
+  traces.recorded = {TracePart::points};  // for a document without such plants
   write_points_csv(traces, folder / "a.csv", progress);
   EXPECT_TRUE(std::filesystem::exists(folder / "a.csv"));
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Packs numbers for packets. Normals, tints and texture coordinates are quantised, and positions and frames stay
+// floats.
 #include "meristem/output/packet/packet_arrays.h"
 
 #include <algorithm>
@@ -98,7 +100,7 @@ std::vector<float> packed_frames(const std::vector<Frame>& frames) {
 }
 
 Vec3 tint_scale(const std::vector<Vec3>& tints) {
-  Vec3 scale(1e-6F);  // where all are 0
+  Vec3 scale(1e-6F);  // lower bound if all factors are 0
   for (const Vec3 tint : tints) scale = glm::max(scale, tint);
   return scale;
 }

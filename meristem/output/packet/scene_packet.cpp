@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes packets of scene changes. All content has a hash as its key. The keys of the viewer's content are compared with
+// the keys of the new scene, and only missing content is sent.
 #include "meristem/output/packet/scene_packet.h"
 
 #include <algorithm>
@@ -47,14 +49,14 @@ std::uint64_t lines_key(const Skeleton& skeleton, float least_radius) {
       .hash();
 }
 
-/// The keys of `before` that `after` lacks.
+/// Returns the keys of `before` that `after` lacks.
 std::vector<std::uint64_t> missing_keys(const std::set<std::uint64_t>& before, const std::set<std::uint64_t>& after) {
   std::vector<std::uint64_t> missing;
   std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(missing));
   return missing;
 }
 
-/// Adds a list to the head where it is not empty.
+/// Adds a list to the head if it is not empty.
 void add_list(Value::Object& object, const char* name, Value::List list) {
   if (!list.empty()) object.emplace_back(name, std::move(list));
 }
@@ -65,7 +67,7 @@ Value counts_value(const PacketCounts& counts) {
                        {"nodes", number_value(counts.nodes)}};
 }
 
-/// Frames and tints of all instances, place by place.
+/// Returns the frames of all instances, place by place.
 std::vector<Frame> all_frames(const MeshInstances& instances) {
   std::vector<Frame> frames(instances.count());
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = instances.frame(i);
@@ -80,7 +82,7 @@ std::vector<Vec3> all_tints(const MeshInstances& instances) {
 
 }  // namespace
 
-/// One packet in the making: what the viewer has before, what it will have, and the lists of the head.
+/// Builds one packet: the content of the viewer before and after it, and the lists of the head.
 class PacketMaker::Builder {
  public:
   Builder(const Shown& before, const Progress& progress) : before_(before), progress_(progress) {
@@ -96,7 +98,7 @@ class PacketMaker::Builder {
     instances_ = scene.instance_count();
   }
 
-  /// Materials of obstacles stand behind those of plants.
+  /// The materials of obstacles follow the materials of plants.
   void add_obstacles(const MeshScene& scene, const SceneKeys& keys) {
     const std::size_t before = now_.materials.size();
     for (std::size_t m = 0; m < scene.materials.size(); ++m) add_material(scene.materials[m], before + m, keys, m);
@@ -106,7 +108,7 @@ class PacketMaker::Builder {
       bounds_ = Value::List{vector_value(bounds.low), vector_value(bounds.high)};
   }
 
-  /// What of a scene is no mesh.
+  /// Adds the parts of a scene that are not meshes.
   void add_scene(const Scene& scene) {
     const Vec3 sun = unit_vector(scene.sun);
     Fingerprint hash;
@@ -153,7 +155,7 @@ class PacketMaker::Builder {
     return packet_bytes("MSP1", head(number, facts), arrays_);
   }
 
-  /// Has the viewer keep what it will need again.
+  /// Keeps content on the viewer that it will need again.
   void keep(const Held& rest) {
     const auto keep_keys = [](const Keys& keys, const Keys& before, Keys& now) {
       std::set_intersection(keys.begin(), keys.end(), before.begin(), before.end(), std::inserter(now, now.end()));
@@ -171,8 +173,8 @@ class PacketMaker::Builder {
     Value::List pictures, materials, meshes, instances, batches, skeletons;
   };
 
-  /// The key of a texture's picture, which is sent where the viewer has it not. On a screen a JPEG of a third of the
-  /// bytes does, but for holes.
+  /// Returns the key of a texture's picture, and sends the picture if the viewer lacks it. Pictures without holes are
+  /// sent as JPEG, which takes a third of the bytes and suffices on a screen.
   Value add_picture(const Image& image, PixelKind kind, bool has_holes) {
     const std::uint64_t key = picture_key(image, kind);
     if (now_.held.pictures.insert(key).second && !before_.held.pictures.contains(key)) {
@@ -187,7 +189,7 @@ class PacketMaker::Builder {
     return key_value(key);
   }
 
-  /// `index` is that of the viewer, `own` that of the scene which the keys are of.
+  /// Adds a material. `index` is its index for the viewer, and `own` its index in the scene of `keys`.
   void add_material(const Material& material, std::size_t index, const SceneKeys& keys, std::size_t own) {
     now_.materials.push_back(keys.materials[own]);
     Value::Object object{{"index", number_value(index)},
@@ -245,7 +247,7 @@ class PacketMaker::Builder {
     lists_.instances.push_back(std::move(object));
   }
 
-  /// `first` is the index of the viewer for the first material of the scene.
+  /// `first` is the viewer's index of the scene's first material.
   void add_batch(const MeshInstances& instances, const SceneKeys::Batch& keys, std::uint32_t first) {
     add_mesh(*instances.mesh, keys.mesh);
     add_instances(instances, keys.instances);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes as messages to a viewer; each message holds only what has changed since the one before.
+// Scenes as messages to a viewer. Each message contains only the changes since the message before.
 #pragma once
 
 #include <cstddef>
@@ -19,54 +19,55 @@
 
 namespace meristem {
 
-/// What there is of a plant; a packet may show less of it.
+/// Counts of the whole plant. A packet may show less of the plant.
 struct PacketCounts {
   std::uint64_t triangles = 0;  ///< triangles of all instances
   std::uint64_t instances = 0;  ///< instances of meshes
   std::uint64_t nodes = 0;      ///< nodes of skeletons
 };
 
-/// What a packet says besides the scene.
+/// The facts in a packet besides the scene.
 struct PacketFacts {
   std::string hash;       ///< hash of the text that the packet shows
-  bool is_draft = false;  ///< less than there will be once nothing moves; the viewer keeps what it had before drafts
-  bool fits = false;      ///< the camera is to be fitted to it
-  double share = 1;       ///< share of all triangles that was asked of the meshes
-  PacketCounts all{};     ///< what there is in all
+  bool is_draft = false;  ///< true if the packet shows less than it will once nothing moves; the viewer keeps earlier
+                          ///< content during drafts
+  bool fits = false;      ///< if true, the viewer fits its camera to the scene
+  double share = 1;       ///< share of all triangles that was requested for the meshes
+  PacketCounts all{};     ///< counts of the whole plant
 };
 
-/// What a viewer is to show.
+/// The scene for a viewer.
 struct PacketScene {
-  const MeshScene* meshes = nullptr;  ///< null: none; textures must be painted
-  const Plant* skeletons = nullptr;   ///< whose stems are drawn as lines; null: none
-  std::size_t most_segments = 0;      ///< segments that are drawn of all skeletons, the thickest ones; 0: all
-  /// Bodies around the plants, as obstacle_meshes() makes them; null: none. They do not count as what is shown, and the
-  /// bounds are theirs only where there are no plants.
+  const MeshScene* meshes = nullptr;  ///< textures must be painted; may be null
+  const Plant* skeletons = nullptr;   ///< plant whose stems are drawn as lines; may be null
+  std::size_t most_segments = 0;      ///< maximum number of drawn segments of all skeletons, the thickest first; 0: all
+  /// Bodies around the plants, as obstacle_meshes() returns them; may be null. They do not count toward the shown
+  /// triangles, and the bounds include them only if there are no plants.
   const MeshScene* obstacles = nullptr;
-  const Scene* scene = nullptr;  ///< whose sun, lamps and supports are told; null: nothing is said of them
+  const Scene* scene = nullptr;  ///< scene whose sun, lamps and supports are sent; null: nothing is sent
 };
 
 /// Makes the packets for one viewer. They are little-endian:
 ///
 ///   bytes 0 to 3  MSP1
 ///         4 to 7  u32, the bytes of the head, a multiple of 4
-///         8 on    the head, JSON in UTF-8, filled up with blanks; behind it the arrays
+///         8 on    the head, JSON in UTF-8, padded with blanks; after it the arrays
 ///
-/// The head names meshes, sets of instances, pictures and skeletons by keys of their content, what uses them by
-/// component and number, and says what is gone; an array is [bytes from the first array, count of numbers] and begins
-/// at a multiple of 4 bytes, so that a viewer uses it in place. apps/studio/protocol.md describes all members. The same
-/// scenes in turn give the same bytes.
+/// The head identifies meshes, sets of instances, pictures and skeletons by keys of their content. It lists their users
+/// by component and number, and names content that was removed. An array is [bytes from the first array, number of
+/// values] and begins at a multiple of 4 bytes, so that a viewer uses it in place. apps/studio/protocol.md describes
+/// all members. Equal scenes in equal order give equal bytes.
 class PacketMaker {
  public:
-  /// The packet that takes the viewer from the scene of the one before to this one; a whole scene at first. Where it
-  /// throws (Cancelled, MachineError), the viewer's scene stays that of the packet before.
+  /// Returns the packet that changes the viewer's scene from the previous scene to this one. The first packet has a
+  /// whole scene. If this throws (Cancelled, MachineError), the viewer's scene stays the previous one.
   std::string next(const PacketScene& scene, const PacketFacts& facts, const Progress& progress);
   /// Makes the next packet a whole scene.
   void forget() {
     shown_ = {};
     rest_ = {};
   }
-  /// Number of the last packet, from 1; 0 before there was one.
+  /// Returns the number of the last packet, from 1, or 0 if there was none.
   std::uint64_t number() const { return number_; }
 
  private:
@@ -87,18 +88,18 @@ class PacketMaker {
     Keys skeletons;
   };
   struct Shown {
-    bool is_empty = true;  // there was no packet
+    bool is_empty = true;  // true until the first packet
     std::map<BatchName, Batch> batches;
     std::vector<std::uint64_t> materials;
     std::vector<std::uint64_t> lines;
-    std::uint64_t scene = 0;  // hash of what is told of it; 0: nothing
+    std::uint64_t scene = 0;  // hash of the sent scene; 0 if none was sent
     Held held;
   };
   class Builder;
 
   SceneKeyMaker key_maker_;
   Shown shown_;
-  Held rest_;  // what the viewer holds since the last packet that was no draft
+  Held rest_;  // content that the viewer keeps since the last packet that was not a draft
   std::uint64_t number_ = 0;
 };
 

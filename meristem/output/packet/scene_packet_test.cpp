@@ -152,7 +152,7 @@ TEST(ScenePacket, DrawsTheThickestOfTooManySegments) {
     }
     return count;
   };
-  EXPECT_EQ(segments(0), 5U);  // three of the fork, two of the rod
+  EXPECT_EQ(segments(0), 5U);  // three segments of the fork, two of the rod
   EXPECT_LE(segments(3), 3U);
 }
 
@@ -171,7 +171,7 @@ TEST(ScenePacket, LeavesTheViewerWhatDraftsDoNotShow) {
   EXPECT_EQ(viewer, shown(scene));
 }
 
-/// Any change that an edit can bring.
+/// Makes a random change, as any edit could.
 void change(MeshScene& scene, const RandomKey& key) {
   const auto chosen = [&](std::uint64_t index, std::size_t count) {
     return static_cast<std::size_t>(key.uniform(index, 0, static_cast<double>(count)));
@@ -244,10 +244,10 @@ TEST(ScenePacket, ObstaclesStandBehindThePlantsAndDoNotCount) {
   const Value& wall_batch = (*batches.list())[1];
   EXPECT_EQ(*wall_batch.find("component")->text(), "scene.obstacles[0]");
   EXPECT_EQ(*wall_batch.find("material")->number(), static_cast<double>(plants.materials.size()));
-  // The bounds are the plant's.
+  // The bounds are those around the plant.
   const ReadPacket alone(PacketMaker().next({.meshes = &plants}, {.hash = "0"}, progress));
   EXPECT_EQ(*both.head.find("bounds"), *alone.head.find("bounds"));
-  // Without obstacles they are gone.
+  // The obstacles disappear if they are not sent again.
   const ReadPacket without(maker.next({.meshes = &plants}, {.hash = "1"}, progress));
   EXPECT_EQ(without.head.find("gone")->find("batches")->list()->size(), 1U);
 }

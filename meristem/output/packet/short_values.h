@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 32-bit numbers as messages write them.
+// Returns 32-bit numbers as messages write them.
 #pragma once
 
 #include "meristem/base/vec.h"
@@ -7,10 +7,10 @@
 
 namespace meristem {
 
-/// The number with the fewest digits that is read back as the same 32-bit number.
+/// Returns the number with the fewest digits that reads back as the given 32-bit number.
 double short_number(float number);
 
-/// [x, y, z], each a short_number().
+/// Returns [x, y, z], each as a short_number().
 Value vector_value(Vec3 vector);
 
 }  // namespace meristem

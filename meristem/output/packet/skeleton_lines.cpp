@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Selects the nodes of skeletons to draw as lines. The minimum radius is the radius of the node at rank `most_nodes`,
+// found by partial sorting.
 #include "meristem/output/packet/skeleton_lines.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace meristem {
 
 SkeletonLines skeleton_lines(const Skeleton& skeleton, float least_radius) {
   SkeletonLines lines;
-  std::vector<std::uint32_t> number(skeleton.node_count(), kNoNode);  // among those that are drawn
+  std::vector<std::uint32_t> number(skeleton.node_count(), kNoNode);  // index among the drawn nodes
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
     if (skeleton.radius[node] < least_radius || (parent != kNoNode && number[parent] == kNoNode)) continue;
@@ -31,7 +33,7 @@ float least_drawn_radius(const std::vector<const Skeleton*>& skeletons, std::siz
   if (most_nodes == 0) return std::numeric_limits<float>::infinity();
   const auto last = radii.begin() + static_cast<std::ptrdiff_t>(most_nodes - 1);
   std::nth_element(radii.begin(), last, radii.end(), std::greater<>());
-  // Twigs of one radius may be many more than fit: only what is thicker is drawn then.
+  // Many more twigs may have this radius than fit. Then draw only thicker nodes.
   const float radius = *last;
   const auto as_thick =
       static_cast<std::size_t>(std::count_if(radii.begin(), radii.end(), [&](float other) { return other >= radius; }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Framing is exact: once the camera's directions are known, a plant fits if it lies on the inner side of four planes
-// through the camera with known normals. How far the plant reaches along each normal gives the position directly.
+// Places cameras so that a plant exactly fits the picture. Once the camera's directions are known, a plant fits if it
+// lies on the inner side of four planes through the camera with known normals. The extent of the plant along each
+// normal gives the camera's position directly.
 #include "meristem/output/picture/camera.h"
 
 #include <algorithm>
@@ -16,10 +17,10 @@ namespace meristem {
 
 namespace {
 
-// Share of the half picture that stays free on each side.
+// Share of half the picture that stays free on each side.
 constexpr double kMargin = 0.07;
 
-/// How far a set of points reaches along four directions.
+/// The extent of a set of points along four directions.
 struct Reach {
   std::array<float, 4> along;
 
@@ -44,7 +45,7 @@ std::vector<Vec3> corners(const Mesh& mesh) {
   return points;
 }
 
-/// The reach of one part of the scene; of small meshes with many instances, that of the boxes about them.
+/// Returns the extent of one part of the scene. Small meshes with many instances are replaced by their boxes.
 Reach reach_of(const MeshInstances& part, const std::array<Vec3, 4>& directions) {
   const bool is_single = part.count() == 1;
   const std::vector<Vec3> points = is_single ? part.mesh->positions : corners(*part.mesh);
@@ -67,7 +68,7 @@ Reach reach_of(const MeshScene& scene, const std::array<Vec3, 4>& directions) {
   for (const MeshInstances& part : scene.meshes) {
     if (part.triangle_count() > 0) all.add(reach_of(part, directions));
   }
-  if (!std::isfinite(all.along[0])) {  // nothing to be seen: a ball of a metre about the origin
+  if (!std::isfinite(all.along[0])) {  // if nothing is visible, frames a ball of one metre at the origin
     for (int i = 0; i < 4; ++i) all.along[i] = 0.5F * glm::length(directions[i]);
   }
   return all;
@@ -102,7 +103,7 @@ Camera place_camera(const MeshScene& scene, const View& view, double aspect) {
     return {*view.position, box.is_empty() ? Vec3(0) : box.centre(), view.field_of_view, aspect};
   }
 
-  // The camera's directions, and the outward normals of the four planes in which the plant must stay.
+  // The camera's directions, and the outward normals of the four planes that bound the plant.
   const Vec3 backward = unit_vector({view.azimuth, view.altitude});
   const Frame frame = frame_along(Vec3(0), -backward, kUp);
   const Vec3 up = frame.upper();
@@ -114,7 +115,7 @@ Camera place_camera(const MeshScene& scene, const View& view, double aspect) {
                                     y_slope * backward - up};
   const Reach reach = reach_of(scene, normals);
 
-  // Step back from the target until it lies beyond all four planes.
+  // Step back from the target until the plant lies inside all four planes.
   if (view.target) {
     float distance = 0;
     for (int i = 0; i < 4; ++i) {
@@ -124,7 +125,7 @@ Camera place_camera(const MeshScene& scene, const View& view, double aspect) {
     return {*view.target + distance * backward, *view.target, view.field_of_view, aspect};
   }
 
-  // Without one, stand where opposite planes both touch, as far back as the wider of the two directions needs.
+  // Without a target, stand where opposite planes both touch the plant, as far back as the wider direction needs.
   const auto [to_right, to_left, to_top, to_bottom] = reach.along;
   const float back = std::max((to_right + to_left) / (2 * x_slope), (to_top + to_bottom) / (2 * y_slope));
   const Vec3 position = 0.5F * (to_right - to_left) * right + 0.5F * (to_top - to_bottom) * up + back * backward;

@@ -10,7 +10,7 @@
 
 namespace meristem::camera_test {
 
-/// Specks about scattered positions, some of them mirrored or scaled.
+/// Returns small meshes at scattered positions, some of them mirrored or scaled.
 MeshScene specks(int count, Vec3 spread) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0.05F}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // In: a mesh scene with textures. Out: crossed quads with one picture (an atlas of views) that rays through the scene
-// have drawn. A pixel takes the mean of what its rays meet: the colour of the surface as a path tracer has it before
-// any light falls on it, and the normal, turned toward the viewer, in the card's tangent space.
+// have drawn. A pixel is the mean over the hits of its rays: the unlit colour of the surface as a path tracer sees it,
+// and the normal, turned toward the viewer, in the card's tangent space.
 //
 // Based on: P. Maciel, P. Shirley: Visual navigation of large environments using textured clusters (1995), for
 // impostors; I. Castaño: Computing alpha mipmaps (2010), for masks that keep their coverage.
@@ -28,28 +28,28 @@ namespace meristem {
 
 namespace {
 
-constexpr float kLevelCard = 0.6F;   // of the plant's height, at which the level card lies: in the crown
-constexpr int kGutter = 4;           // pixels between views, so that smaller pictures of them do not run together
-constexpr int kSpread = 12;          // pixels that colours go on beyond the mask
-constexpr float kFootShare = 0.02F;  // of the plant's height, that its foot has
+constexpr float kLevelCard = 0.6F;   // height of the level card as a share of the plant's height, inside the crown
+constexpr int kGutter = 4;           // pixels between views, so that they stay separate in downscaled pictures
+constexpr int kSpread = 12;          // number of pixels to which colours are spread beyond the mask
+constexpr float kFootShare = 0.02F;  // height of the plant's foot, as a share of the plant's height
 
-/// One card: where it stands, and where its view lies in the picture.
+/// One card: its position, and the position of its view in the picture.
 struct Card {
-  Vec3 across, up, toward;  // unit; `toward` is where its viewer is
-  Vec3 corner{0};           // lower left
+  Vec3 across, up, toward;  // unit vectors; `toward` points to the viewer
+  Vec3 corner{0};           // lower left corner
   float width = 0, height = 0;
-  int left = 0;               // pixels, of the view's first column in the atlas
-  int columns = 0, rows = 0;  // pixels
+  int left = 0;               // first column of the view in the atlas, pixels
+  int columns = 0, rows = 0;  // size of the view, pixels
 };
 
-/// What rays met about one pixel.
+/// The hits of the rays around one pixel.
 struct Pixel {
-  Vec3 colour{0};  // linear, of what is covered
+  Vec3 colour{0};  // linear colour of the covered part
   Vec3 normal{0};
-  float covered = 0;  // share
+  float covered = 0;  // covered share
 };
 
-/// Where the plant stands: the middle of what is lowest.
+/// Returns the position of the plant: the middle of its lowest parts.
 Vec3 foot_of(const MeshScene& scene, const Box& box) {
   const float top = box.low.y + kFootShare * box.size().y;
   Box foot;
@@ -65,7 +65,7 @@ Vec3 foot_of(const MeshScene& scene, const Box& box) {
   return foot.is_empty() ? box.centre() : foot.centre();
 }
 
-/// A card's width and height so that the plant fits on it: the bounds of what stands in the scene, in its directions.
+/// Sets the size of a card to the extent of the scene in the directions of the card.
 void fit_card(const MeshScene& scene, Vec3 foot, Card& card) {
   float low_x = std::numeric_limits<float>::infinity();
   float low_y = low_x;
@@ -99,14 +99,14 @@ std::vector<Card> plan_cards(const MeshScene& scene, const CardOptions& options)
     const Vec3 across(static_cast<float>(math::cos(turn)), 0, static_cast<float>(math::sin(turn)));
     cards.push_back({across, kUp, glm::cross(across, kUp)});
   }
-  // From above.
+  // The level card shows the view from above.
   cards.push_back({Vec3(1, 0, 0), Vec3(0, 0, -1), kUp});
   float longest = 0;
   for (Card& card : cards) {
     fit_card(scene, foot, card);
     longest = std::max({longest, card.width, card.height});
   }
-  // In the crown, so that it is no plate from the side.
+  // Place it inside the crown, so that it does not look like a plate from the side.
   cards.back().corner.y = box.low.y + kLevelCard * box.size().y;
   int left = kGutter;
   for (Card& card : cards) {
@@ -121,7 +121,7 @@ std::vector<Card> plan_cards(const MeshScene& scene, const CardOptions& options)
   return cards;
 }
 
-/// What of the colours and normals of a scene rays meet.
+/// Computes colours and normals at the hits of rays.
 class Skin {
  public:
   Skin(const MeshScene& scene, Progress& progress) : rays_(scene, progress) {
@@ -135,7 +135,7 @@ class Skin {
     }
   }
 
-  /// Adds what a ray meets, which stands for a beam `width` metres wide.
+  /// Adds the hit of a ray that represents a beam `width` metres wide.
   void add(const Ray& ray, float width, Pixel& pixel) const {
     const auto hit = rays_.first_hit(ray);
     if (!hit) return;
@@ -144,7 +144,7 @@ class Skin {
     Vec3 colour = look.tint * rays_.tint(*hit);
     if (look.texture != nullptr) colour *= textured(look, *hit, width, point);
     pixel.colour += glm::clamp(colour, Vec3(0), Vec3(1));
-    // Sides that are turned away are seen from behind.
+    // Sides that look away are seen from behind.
     const bool is_behind = glm::dot(point.face_normal, ray.direction) > 0;
     pixel.normal += is_behind ? -point.normal : point.normal;
     pixel.covered += 1;
@@ -171,11 +171,12 @@ class Skin {
   }
 
   RayScene rays_;
-  std::map<const Texture*, TextureSampler> textures_;  // only looked up, never walked: addresses have no order
+  std::map<const Texture*, TextureSampler> textures_;  // only for lookup, never iterated, since addresses have no
+                                                       // stable order
   std::vector<Look> looks_;
 };
 
-/// The view of one card, rows from top to bottom.
+/// Returns the view of one card, rows from top to bottom.
 std::vector<Pixel> draw_view(const Skin& skin, const Card& card, float reach, int samples, Progress& progress) {
   std::vector<Pixel> pixels(static_cast<std::size_t>(card.columns) * static_cast<std::size_t>(card.rows));
   const float step_x = card.width / static_cast<float>(card.columns * samples);
@@ -196,7 +197,7 @@ std::vector<Pixel> draw_view(const Skin& skin, const Card& card, float reach, in
         if (pixel.covered == 0) continue;
         const Vec3 normal = normalized_or(pixel.normal, card.toward);
         pixel.normal = {glm::dot(normal, card.across), glm::dot(normal, card.up), glm::dot(normal, card.toward)};
-        // A mean of normals may lean away a little.
+        // A mean of normals can lean slightly away from the viewer.
         pixel.normal.z = std::max(pixel.normal.z, 0.05F);
         pixel.normal = glm::normalize(pixel.normal);
         pixel.colour *= 1 / pixel.covered;
@@ -208,7 +209,7 @@ std::vector<Pixel> draw_view(const Skin& skin, const Card& card, float reach, in
   return pixels;
 }
 
-/// The share of a pixel from which on it is to be seen, so that as many are as the plant covers in the mean.
+/// Returns the minimum covered share of a visible pixel. With it, the number of visible pixels equals the covered area.
 float least_covered(const std::vector<Pixel>& pixels) {
   std::vector<float> shares;
   double sum = 0;
@@ -223,7 +224,8 @@ float least_covered(const std::vector<Pixel>& pixels) {
   return shares[std::min(std::max<std::size_t>(seen, 1), shares.size()) - 1];
 }
 
-/// Pixels beside what was met take its mean colour and normal, ring by ring; those far from it those of the whole.
+/// Spreads the mean colour and normal of hit pixels to their neighbours, ring by ring. Distant pixels get the mean of
+/// the whole view.
 void spread_colours(std::vector<Pixel>& pixels, int columns, int rows) {
   std::vector<std::uint8_t> is_known(pixels.size());
   Pixel mean;
@@ -267,7 +269,7 @@ std::uint8_t byte_of_share(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
 }
 
-/// All views in one picture, which gutters keep apart.
+/// All views in one picture, separated by gutters.
 class Atlas {
  public:
   explicit Atlas(const std::vector<Card>& cards) {
@@ -275,7 +277,7 @@ class Atlas {
       columns_ = std::max(columns_, card.left + card.columns + kGutter);
       rows_ = std::max(rows_, card.rows + 2 * kGutter);
     }
-    // Graphics cards pack blocks of four by four.
+    // Graphics cards compress blocks of four by four pixels.
     columns_ = (columns_ + 3) / 4 * 4;
     rows_ = (rows_ + 3) / 4 * 4;
     pixels_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
@@ -325,7 +327,7 @@ class Atlas {
     return texture;
   }
 
-  /// The uv of a pixel's corner, counted from the picture's upper left.
+  /// Returns the uv of a pixel's corner, where pixels are counted from the picture's upper left.
   Vec2 uv(int column, int row) const {
     return {static_cast<float>(column) / static_cast<float>(columns_),
             1 - static_cast<float>(row) / static_cast<float>(rows_)};

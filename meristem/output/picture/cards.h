@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plant as a few crossed pictures of itself, for a look from very far.
+// A plant as a few crossed pictures of itself, for views from very far.
 #pragma once
 
 #include "meristem/base/progress.h"
@@ -7,20 +7,20 @@
 
 namespace meristem {
 
-/// How many cards there are, and how fine.
+/// Number and resolution of cards.
 struct CardOptions {
-  int cards =
-      3;  ///< upright ones, 1 to kMostCards, turned evenly about the plant's foot; raised, rounder from all sides
-  int size = 256;   ///< pixels along the plant's longest side; raised, finer, and files grow with its square
-  int samples = 4;  ///< rays per pixel along each side; raised, edges and thin leaves are met more evenly
+  int cards = 3;  ///< number of upright cards, 1 to kMostCards, turned evenly about the plant's foot; more look rounder
+                  ///< from all sides
+  int size = 256;   ///< pixels along the plant's longest side; more are finer, and file sizes grow with the square
+  int samples = 4;  ///< rays per pixel along each side; more sample edges and thin leaves more evenly
 };
 
-/// Upright cards that cross above the foot of `whole`, and one level card that shows it from above: two triangles each,
-/// as large as the plant is from there. They share one picture of its colours, without light, with a mask, and one of
-/// its normals: both are what parallel rays meet. As many pixels stay unmasked as the plant covers, so that thin crowns
-/// keep their density. The bytes are equal on any number of threads. Empty for a scene without triangles. Textures of
-/// `whole` must be painted. Begins a stage of `progress`. Throws std::invalid_argument for options out of range,
-/// Cancelled.
+/// Returns upright cards that cross above the foot of `whole`, and one level card with the view from above. A card is
+/// two triangles of the size of the plant in its view. All cards share one picture of unlit colours with a mask, and
+/// one of normals, both drawn by parallel rays. The number of unmasked pixels matches the area that the plant covers,
+/// so that thin crowns keep their density. The bytes are equal on any number of threads. Returns an empty scene for a
+/// scene without triangles. Textures of `whole` must be painted. Begins a stage of `progress`. Throws
+/// std::invalid_argument for options out of range, Cancelled.
 MeshScene make_cards(const MeshScene& whole, const CardOptions& options, Progress& progress);
 
 }  // namespace meristem

@@ -11,7 +11,7 @@
 
 namespace meristem::cards_test {
 
-/// A ball of 1 m that stands on the ground.
+/// Returns a ball of 1 m that stands on the ground.
 MeshScene ball() {
   MeshScene scene;
   scene.materials.resize(1);
@@ -44,7 +44,7 @@ TEST(Cards, MaskKeepsTheAreaOfADisc) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) seen += image.pixel(x, y)[3] >= 128 ? 1 : 0;
   }
-  // One upright card, one level.
+  // One upright card and one level card.
   EXPECT_NEAR(seen / (64.0 * 64), 2 * kPi / 4, 0.02);
 }
 
@@ -57,7 +57,7 @@ TEST(Cards, HaveTheColourWithoutLightAndNormalsOfTheBall) {
   EXPECT_NEAR(colour[1], 0.6 * 255, 2);
   const std::uint8_t* ahead = texture.normals.pixel(middle, middle);
   EXPECT_NEAR(ahead[2], 255, 2);
-  // To the right the ball's surface leans right, above it leans up.
+  // The ball's surface leans right on the right side, and up at the top.
   EXPECT_GT(texture.normals.pixel(middle + 24, middle)[0], 200);
   EXPECT_GT(texture.normals.pixel(middle, middle - 24)[1], 200);
 }

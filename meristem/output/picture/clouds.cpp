@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Noise of several sizes on a plane one unit above; where it is above a bound there is cloud. A cloud is lit where it
-// grows thinner toward the sun, which gives it a bright and a grey side. Clouds light nothing: the light of the sky
-// does not change.
+// Draws clouds as noise of several sizes on a plane one unit above. There is cloud where the noise exceeds a bound. A
+// cloud is lit where it gets thinner toward the sun, which gives it a bright and a grey side. Clouds do not change the
+// light of the sky on surfaces.
 #include "meristem/output/picture/clouds.h"
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace meristem {
 namespace {
 
 constexpr int kOctaves = 6;
-constexpr double kSize = 0.9;     // of the largest clouds, in heights of the layer
-constexpr double kBillow = 0.35;  // how far small shapes push the large ones aside
-constexpr double kEdge = 0.28;    // of the noise from the rim of a cloud to where it hides the sky
+constexpr double kSize = 0.9;     // size of the largest clouds, in heights of the layer
+constexpr double kBillow = 0.35;  // how far small shapes displace large ones
+constexpr double kEdge = 0.28;    // noise from the rim of a cloud to where it hides the sky
 constexpr double kShadeDistance = 0.12;
-constexpr float kLowest = 0.03F, kClear = 0.22F;  // height of directions between which clouds come out of the haze
+constexpr float kLowest = 0.03F, kClear = 0.22F;  // heights of directions between which clouds emerge from the haze
 
 double layered_noise(double x, double z) {
   static const RandomKey key = RandomKey(7).child("clouds");
@@ -47,7 +47,7 @@ Clouds::Clouds(double share, Vec3 sun_direction, Vec3 lit, Vec3 shaded) : share_
   to_sun_z_ = kShadeDistance * level.z;
 }
 
-/// How thick the clouds are over a point of the layer, 0 where there are none, 1 where they hide the sky.
+/// Returns the thickness of the clouds over a point of the layer: 0 for no cloud, 1 if they hide the sky.
 double Clouds::thickness(double x, double z) const {
   const double aside = kBillow * layered_noise(2 * x + 11.3, 2 * z - 4.7);
   const double noise = 0.5 + layered_noise(x / kSize + aside, z / kSize - aside);

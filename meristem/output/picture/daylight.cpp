@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Tabulates the dome of the sky over directions. A direction is mapped to the upper half of an octahedron and
+// interpolated between table entries, which avoids the sky model in every lookup.
 #include "meristem/output/picture/daylight.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr int kCells = 128;
 constexpr std::size_t kRow = kCells + 1;
-// How much of the dome's colour is taken out of the light that falls from it.
+// Share of colour that is removed from the light of the dome on surfaces.
 constexpr float kPaleness = 0.45F;
 
 }  // namespace
@@ -35,7 +37,7 @@ std::vector<Vec3> Daylight::tabulated(FunctionRef<Vec3(Vec3)> dome) {
   table.reserve(kRow * kRow);
   for (int row = 0; row <= kCells; ++row) {
     for (int column = 0; column <= kCells; ++column) {
-      // The octahedron's upper half, turned by 45° so that it fills the square.
+      // The upper half of the octahedron, turned by 45° so that it fills the square.
       const float s = 2.0F * static_cast<float>(column) / kCells - 1;
       const float t = 2.0F * static_cast<float>(row) / kCells - 1;
       const float x = (s + t) / 2;

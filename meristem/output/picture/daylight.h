@@ -9,19 +9,19 @@
 
 namespace meristem {
 
-/// The light that a path tracer asks for millions of times: the sun's disc, and the dome in a table over the upper half
-/// of the octahedron that a direction points at, linear between entries.
+/// Light from the sun and the sky, for millions of lookups by a path tracer. The dome is stored in a table over the
+/// upper half of the octahedron of directions, linear between entries.
 class Daylight {
  public:
-  /// The sun and dome of `sky`, above ground of this (linear) colour, which the sun and dome light evenly.
+  /// The sun and dome of `sky`. The ground has this (linear) colour and is lit evenly by them.
   Daylight(const Sky& sky, Vec3 ground_colour);
-  /// A dome alone, with the same light from below as `below`.
+  /// A dome without a sun. `below` is the light from all directions below.
   Daylight(FunctionRef<Vec3(Vec3 direction)> dome, Vec3 below);
 
-  /// What is seen in a direction: the dome; below the horizon, the horizon.
+  /// Returns the visible light from a direction: the dome, or the horizon for directions below it.
   Vec3 seen(Vec3 direction) const { return looked_up(seen_, direction); }
-  /// What lights surfaces from a direction: the dome, or the ground below the horizon. As a camera set between sun and
-  /// shade sees it: paler than the dome itself, so that shade is not blue.
+  /// Returns the light that falls on surfaces from a direction: the dome, or the ground below the horizon. The light is
+  /// paler than the visible dome, like a camera balanced between sun and shade, so that shade is not blue.
   Vec3 falling(Vec3 direction) const { return direction.y < 0 ? below_ : looked_up(falling_, direction); }
   Vec3 below() const { return below_; }
 

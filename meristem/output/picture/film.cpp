@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Combines the exposures of tiles into pixels. Each pixel adds its direct light to its albedo times the indirect light
+// that the squares around it gather (indirect_light.h).
 #include "meristem/output/picture/film.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tiles of a picture have been exposed to, until their pixels are wanted: these gather indirect light beyond their
-// tile's border, so that no border shows.
+// The film of a picture: it stores the exposures of tiles until their pixels are computed. Pixels gather indirect light
+// beyond the border of their tile, so that borders are invisible.
 #pragma once
 
 #include <vector>
@@ -9,30 +9,30 @@
 
 namespace meristem {
 
-/// What is seen through a pixel.
+/// The light through one pixel.
 struct PixelLight {
-  Vec3 light{0};  ///< weighted by how much of it hides the background
+  Vec3 light{0};  ///< weighted by how much of the background is hidden
   float cover = 0;
-  int samples = 0;  ///< that were taken in its square
+  int samples = 0;  ///< number of samples taken in the pixel's square
 };
 
 class Film {
  public:
   static constexpr int kTile = 64;  ///< pixels along a tile
 
-  /// A film of this many pixels, each as wide as `angle` (radians) is from the camera.
+  /// Creates a film of width x height pixels. `angle` is the width of a pixel as seen from the camera, radians.
   Film(int width, int height, float angle);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
-  /// The pixels of a tile, with fewer in the last column and row.
+  /// Returns the pixels of a tile. Tiles in the last column and row can be smaller.
   Tile tile(int column, int row) const;
 
-  /// Keeps what a tile has been exposed to. Different tiles may be kept at once.
+  /// Stores the exposure of a tile. Different tiles may be stored at the same time.
   void keep(int column, int row, Exposure exposure) { exposures_[row * columns_ + column] = std::move(exposure); }
-  /// The pixels of a tile, row by row; the tiles around it must have been kept.
+  /// Returns the pixels of a tile, row by row. The surrounding tiles must have been stored.
   std::vector<PixelLight> pixels(int column, int row) const;
-  /// Gives back the memory of a row of tiles.
+  /// Frees the memory of a row of tiles.
   void drop(int row);
 
  private:

@@ -10,7 +10,7 @@ namespace meristem::film_test {
 constexpr int kWidth = 150;
 constexpr int kHeight = 100;
 
-/// A surface under light that grows from left to right, with noise: what is seen through a tile of it.
+/// Returns the exposure of a tile of a surface whose light grows from left to right, with noise.
 Exposure exposure(const Tile& tile) {
   Exposure exposed;
   for (int y = tile.top; y < tile.bottom; ++y) {
@@ -51,7 +51,7 @@ TEST(Film, TilesCoverEachPixelOnce) {
 }
 
 TEST(Film, NoBorderOfATileShows) {
-  // The pixels of tiles are those that all squares together have.
+  // The pixels of tiles must equal the pixels of the whole picture.
   const Film film = exposed_film(kWidth, kHeight);
   const Exposure whole = exposure({0, 0, kWidth, kHeight});
   const std::vector<PerLayer<Vec3>> irradiance = gathered_irradiance(whole.indirect, kWidth, 0.001F);

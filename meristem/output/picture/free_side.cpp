@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of the plants is seen from a side is measured by rays from some of their vertices to where the camera would
-// stand. Only obstacles count: plants that hide each other are what a picture of plants shows.
+// Chooses a side from which obstacles hide little of the plants. Rays from some vertices of the plants to the camera's
+// position measure the visible share. Only obstacles count, since plants that hide each other belong to the picture.
 #include "meristem/output/picture/free_side.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kSamples = 500;  // vertices of the plants; more: a finer share, and slower
-constexpr double kEnough = 0.5;        // share of the plants that must be seen
+constexpr std::size_t kSamples = 500;  // number of vertices of the plants; more give a finer share and take longer
+constexpr double kEnough = 0.5;        // share of the plants that must be visible
 constexpr int kSides = 8;
 constexpr std::array<double, 2> kHigherAltitudes{0.5, 1.2};  // radians, above walls that stand all around
 
@@ -28,7 +28,7 @@ std::vector<Vec3> sample_points(const MeshScene& plants) {
   const std::size_t count = std::min(kSamples, vertices);
   std::vector<Vec3> points;
   points.reserve(count);
-  std::size_t before = 0;  // vertices of the parts before
+  std::size_t before = 0;  // vertices of earlier parts
   for (const MeshInstances& part : plants.meshes) {
     const std::size_t each = part.mesh->vertex_count();
     const std::size_t end = before + part.count() * each;
@@ -48,7 +48,7 @@ bool has_own_side(const View& view) {
   return view.position || view.target || view.azimuth != usual.azimuth || view.altitude != usual.altitude;
 }
 
-/// The sides to try, the usual one first, then those nearest to it.
+/// Returns the sides to try: the default side first, then its neighbours by distance.
 std::vector<View> sides(const View& view) {
   std::vector<double> altitudes{view.altitude};
   altitudes.insert(altitudes.end(), kHigherAltitudes.begin(), kHigherAltitudes.end());
@@ -65,7 +65,7 @@ std::vector<View> sides(const View& view) {
   return all;
 }
 
-/// Returns the share of the points that are seen from a position.
+/// Returns the share of the points that are visible from a position.
 double seen_share(const std::vector<Vec3>& points, const RayScene& obstacles, Vec3 position) {
   std::size_t seen = 0;
   for (const Vec3 point : points) {

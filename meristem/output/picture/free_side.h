@@ -8,11 +8,11 @@
 
 namespace meristem {
 
-/// Returns `view` with a side from which the plants are seen past the obstacles. Tries eight sides at three altitudes,
-/// the nearest first, and takes the first one from which half of the plants is seen. If there is none, takes the one
-/// from which most is seen. The view stays as it is if it has a position, a target or a side of its own, or if no
-/// obstacle is visible. `aspect` is the width of the picture over its height. The result does not depend on the number
-/// of threads. Throws Cancelled.
+/// Returns `view` with a side from which the plants are visible past the obstacles. Tries eight sides at three
+/// altitudes, the nearest first, and chooses the first side from which half of the plants is visible. If there is no
+/// such side, chooses the one with the largest visible part. The view stays unchanged if it has a position, a target or
+/// a side of its own, or if no obstacle is visible. `aspect` is the width of the picture divided by its height. The
+/// result does not depend on the number of threads. Throws Cancelled.
 View view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, View view, double aspect,
                          const Progress& progress);
 

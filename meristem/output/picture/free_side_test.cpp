@@ -13,7 +13,7 @@
 
 namespace meristem::free_side_test {
 
-/// A ball of 2 m on the ground, and boxes that are given by their corners.
+/// Returns a ball of 2 m on the ground, and boxes given by their corners.
 Document ball_among(const std::string& boxes) {
   return read_document(fmt::format(R"({{"meristem": 1, "components": {{
       "ball": {{"type": "simple", "shape": "sphere", "size": [2, 2, 2], "frame": {{"translate": [0, 1, 0]}}}}}},
@@ -22,7 +22,7 @@ Document ball_among(const std::string& boxes) {
                        "test.json", builtin_components());
 }
 
-/// The share of the pixels of a ball without obstacles in which it is seen among them.
+/// Returns the visible share of the ball's pixels among the obstacles, relative to a picture without obstacles.
 double seen_share(const Document& document) {
   Progress progress;
   const GrownDocument grown = grow_document(document, progress);
@@ -35,7 +35,7 @@ double seen_share(const Document& document) {
   return pixels(document.scene) / pixels(Scene());
 }
 
-// North is -z, east +x. The camera stands to the south-south-east where it may.
+// North is -z, east +x. The camera stands in the south-south-east if possible.
 constexpr const char* kSouth = R"({"box": [[-20, 0, 3], [20, 15, 6]]})";
 constexpr const char* kEast = R"({"box": [[3, 0, -20], [6, 15, 20]]})";
 constexpr const char* kNorth = R"({"box": [[-20, 0, -6], [20, 15, -3]]})";

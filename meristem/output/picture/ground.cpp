@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Places the ground of a picture below a plant. The distance at which it fades grows with the size of the plant.
 #include "meristem/output/picture/ground.h"
 
 #include <cmath>

@@ -7,16 +7,16 @@
 
 namespace meristem {
 
-/// Level ground that catches shadows and, seen from the camera, fades into the horizon.
+/// Level ground that receives shadows and fades into the horizon.
 struct Ground {
   float height = 0;
   Vec3 colour{0.1F};  ///< linear
   Vec3 centre{0};
-  float fade_distance = 10;  ///< metres from the centre at which half is faded
+  float fade_distance = 10;  ///< distance from the centre at which half has faded, metres
 };
 
-/// The ground of a picture of these meshes: through the origin if the plant stands about there, else through its lowest
-/// point.
+/// Returns the ground of a picture of these meshes. The ground is at y = 0 if the plant's lowest point is near it, and
+/// otherwise at this lowest point.
 Ground ground_below(const MeshScene& meshes, const Scene& scene);
 
 }  // namespace meristem

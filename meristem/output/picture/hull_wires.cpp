@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws the convex hulls of crowns as wires: one cylinder per edge of the hull.
 #include "meristem/output/picture/hull_wires.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-constexpr float kThickness = 1.0F / 400;     // of a wire, against the hull's longest side
+constexpr float kThickness = 1.0F / 400;     // thickness of a wire, as a share of the hull's longest side
 constexpr Vec3 kColour{0.75F, 0.26F, 0.1F};  // sRGB
 
 void add_wires(const Skeleton& tree, const Progress& progress, std::vector<Frame>& wires) {

@@ -9,7 +9,7 @@
 
 namespace meristem::hull_wires_test {
 
-/// Corners of a box of 4 x 2 x 1 m, and points on its faces.
+/// Returns the corners of a box of 4 x 2 x 1 m, and points on its faces.
 std::vector<Vec3> box_points(Vec3 low) {
   const RandomKey key(1);
   std::vector<Vec3> points;
@@ -21,7 +21,7 @@ std::vector<Vec3> box_points(Vec3 low) {
   return points;
 }
 
-/// A trunk of 1 m that forks in twigs to all of `tips`.
+/// Returns a trunk of 1 m that forks into twigs to all of `tips`.
 Skeleton broom(Vec3 root, const std::vector<Vec3>& tips) {
   Skeleton skeleton;
   skeleton.add_node(kNoNode, root, 0);
@@ -72,7 +72,7 @@ TEST(HullWires, OfARoundHullMatchItsEdges) {
   std::vector<Vec3> points;
   for (unsigned k = 0; k < 12; ++k) points.push_back(key.direction(k));
   const Mesh hull = convex_hull(points);
-  // Euler: a closed mesh of triangles has three edges for two of them.
+  // Euler: a closed mesh of triangles has three edges per two triangles.
   EXPECT_EQ(hull_wires(hull).size(), 3 * hull.triangle_count() / 2);
   EXPECT_TRUE(hull_wires(Mesh()).empty());
 }
@@ -87,7 +87,7 @@ TEST(HullWires, SurroundEachTreeOfAPlant) {
   ASSERT_EQ(all.meshes.size(), 2U);
   EXPECT_EQ(all.meshes[0].mesh, meshes.meshes[0].mesh);
   EXPECT_EQ(all.materials[all.meshes[1].material].roughness, 1);
-  // Each crown, what lies past the fork, is a box.
+  // Each crown, which is everything beyond the fork, is a box.
   EXPECT_EQ(all.meshes[1].frames.size(), 36U);
 }
 

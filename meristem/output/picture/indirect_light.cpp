@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Smooths indirect light by an à-trous filter that respects edges: several passes of a small kernel with growing gaps.
+// Weights fall where normals, brightness or depth differ (source in the header).
 #include "meristem/output/picture/indirect_light.h"
 
 #include <algorithm>
@@ -10,26 +12,26 @@ namespace meristem {
 
 namespace {
 
-// Three passes of five squares across and five down, each at twice the step of the one before. After two, plain
-// surfaces still show patches.
+// Three passes of five by five squares, each with twice the step of the pass before. With two passes, plain surfaces
+// still show patches.
 constexpr int kPasses = 3;
 static_assert(kReachOfGathering == 2 * ((1 << kPasses) - 1));
 constexpr float kSpline[] = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};
-// How much less surfaces give that face another way, as a factor on the squared distance of the mean normals; that are
-// brighter or darker, on the square of the difference over the sum; and that lie deeper, on the squared difference in
-// squares: without it light leaks from the outer leaves of a crown into its dark inside.
+// How fast weights fall with differences between surfaces: with the squared distance of the mean normals, with the
+// squared relative difference of brightness, and with the squared difference of depth. Without the last one, light
+// leaks from the outer leaves of a crown into its dark inside.
 constexpr float kFacingAway = 6;
 constexpr float kBrighter = 32;
 constexpr float kDeeper = 0.0006F;
-// The samples after which squares give half as much to one that has had them; after twice the samples, a fifth.
+// Number of own samples at which other squares count half. At twice as many samples they count a fifth.
 constexpr float kManySamples = 48;
 
-/// What decides how much squares have in common.
+/// The data that decide how similar two squares are.
 struct Look {
   Vec3 normal{0};
   float brightness = 0;
-  float depth = 0;   ///< in squares
-  float others = 1;  ///< what others give it, over what they would give to one of few samples
+  float depth = 0;   ///< depth in squares
+  float others = 1;  ///< weight of other squares, relative to their weight for a square with few samples
 };
 
 struct Given {
@@ -57,7 +59,7 @@ float in_common(const Look& a, const Look& b) {
               (1 + kDeeper * deeper * deeper));
 }
 
-/// What each square and those at two steps around it gave.
+/// Returns the sums over each square and its neighbours at one and two steps.
 std::vector<Given> spread(const std::vector<Given>& given, const std::vector<Look>& looks, int width, int step) {
   const int height = static_cast<int>(given.size()) / width;
   std::vector<Given> sums(given.size());

@@ -13,7 +13,7 @@ namespace meristem::indirect_light_test {
 constexpr int kWidth = 24;
 constexpr float kAngle = 0.001F;
 
-/// What a ray sees of a level surface of this albedo, 10 m away, under even light.
+/// Returns what a ray sees of a level surface of this albedo, 10 m away, in even light.
 Seen level_surface(Vec3 albedo, Vec3 light) {
   Seen seen;
   seen.sight = Sight::surface;
@@ -24,7 +24,7 @@ Seen level_surface(Vec3 albedo, Vec3 light) {
   return seen;
 }
 
-/// Squares of samples that are seen so.
+/// Returns squares with samples from `seen`.
 std::vector<IndirectLight> film(int samples, const std::function<Seen(int x, int y, int sample)>& seen) {
   std::vector<IndirectLight> squares(std::size_t{kWidth} * kWidth);
   for (int y = 0; y < kWidth; ++y) {
@@ -38,7 +38,7 @@ std::vector<IndirectLight> film(int samples, const std::function<Seen(int x, int
   return squares;
 }
 
-/// A factor of mean 1 that is noise: 0 for most samples, and 4 for the others.
+/// Returns a noisy factor with mean 1: 0 for most samples, and 4 for the others.
 float chance(int x, int y, int sample) { return RandomKey(5).child(x).child(y).uniform(sample) < 0.25 ? 4 : 0; }
 
 const PerLayer<Vec3>& at(const std::vector<PerLayer<Vec3>>& gathered, int x, int y) { return gathered[y * kWidth + x]; }
@@ -62,7 +62,7 @@ TEST(IndirectLight, NoiseIsGatheredAway) {
   for (const PerLayer<Vec3>& square : gathered) {
     squared += std::pow(square[0].g - 1, 2);
   }
-  // A square by itself has a standard deviation of 0.61.
+  // A square alone has a standard deviation of 0.61.
   EXPECT_LT(std::sqrt(squared / static_cast<double>(gathered.size())), 0.12);
 }
 
@@ -83,7 +83,7 @@ TEST(IndirectLight, SurfacesThatFaceAnotherWayLieDeeperOrAreBrighterGiveLittle) 
 }
 
 TEST(IndirectLight, GroundAndWhatStandsOnItGatherByThemselves) {
-  // Both are seen in every square, as behind grass.
+  // Ground and objects are both visible in every square, as behind grass.
   const auto seen = [](int, int, int s) {
     Seen one = level_surface(Vec3(0.3F), Vec3(s % 2 == 0 ? 1 : 5));
     if (s % 2 == 0) one.sight = Sight::ground;
@@ -96,7 +96,7 @@ TEST(IndirectLight, GroundAndWhatStandsOnItGatherByThemselves) {
 }
 
 TEST(IndirectLight, ManySamplesSpeakForThemselves) {
-  // Light that changes from square to square.
+  // The light changes from square to square.
   const auto found = [](int samples) {
     const auto seen = [](int x, int y, int) { return level_surface(Vec3(0.3F), Vec3((x + y) % 2 == 0 ? 0.5F : 1.5F)); };
     return at(gathered_irradiance(film(samples, seen), kWidth, kAngle), 12, 12)[0].g;

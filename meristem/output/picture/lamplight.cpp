@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Light from lamps for a path tracer. With more than two lamps, one is drawn at random in proportion to its light, and
+// its light is scaled so that the mean is exact.
 #include "meristem/output/picture/lamplight.h"
 
 #include <algorithm>
@@ -7,8 +9,8 @@ namespace meristem {
 
 namespace {
 
-constexpr float kRadius = 0.06F;  // metres: edges of shadows are a little soft
-constexpr float kWidest = 0.3F;   // radians that a lamp is seen under
+constexpr float kRadius = 0.06F;  // metres: shadow edges are slightly soft
+constexpr float kWidest = 0.3F;   // maximum angular radius of a lamp, radians
 // A clear midday sun of 100 klux in the units of Sky, times a warm white of luminance 1.
 const Vec3 kIrradiance = 2.45F * Vec3(1.25F, 0.96F, 0.66F);
 

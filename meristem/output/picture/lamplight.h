@@ -8,25 +8,25 @@
 
 namespace meristem {
 
-/// The lamps of a scene in pictures: warm white spheres the size of a fist. What falls on a surface a metre away that
-/// faces one is its strength times the light of the clear midday sun.
+/// The lamps of a scene in pictures: warm white spheres the size of a fist. A surface that faces a lamp a metre away
+/// receives the lamp's strength times the light of the clear midday sun.
 class Lamplight {
  public:
-  /// From a lamp to a position, as if nothing stood in the way.
+  /// Light from a lamp to a position, without obstacles.
   struct Ray {
     Vec3 toward;      ///< unit vector to a point of the lamp
     float distance;   ///< metres
-    Vec3 irradiance;  ///< on a surface that faces it
+    Vec3 irradiance;  ///< irradiance of a surface that faces the lamp
   };
 
   explicit Lamplight(std::vector<Lamp> lamps = {}) : lamps_(std::move(lamps)) {}
   bool empty() const { return lamps_.empty(); }
 
-  /// On a surface that could face all lamps at once.
+  /// Returns the irradiance of a surface that would face all lamps at once.
   Vec3 irradiance(Vec3 position) const;
 
-  /// Calls `visit(Ray)` for each of one or two lamps. Among more it takes one, drawn in proportion to its light, with
-  /// the light of all. No lamp is taken to be nearer than `nearest` metres.
+  /// Calls `visit(Ray)` for each of one or two lamps. With more lamps, draws one in proportion to its light and visits
+  /// it with the light of all. Lamps that are nearer than `nearest` metres count as if they were at this distance.
   template <class Visit>
   void for_each_ray(Vec3 position, float nearest, SampleStream& samples, Visit visit) const {
     if (lamps_.size() > 2) return visit(drawn_ray(position, nearest, samples));

@@ -9,7 +9,7 @@ namespace meristem::lamplight_test {
 
 constexpr int kSamples = 4096;
 
-/// The mean irradiance that the drawn rays give a position, towards `facing` all in all.
+/// Returns the mean irradiance that the drawn rays give to a position.
 Vec3 mean_irradiance(const Lamplight& lamps, Vec3 position, float nearest = 0) {
   DVec3 sum(0);
   for (std::uint32_t s = 0; s < kSamples; ++s) {

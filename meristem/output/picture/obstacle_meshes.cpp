@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Turns the bodies of a scene into meshes for pictures and files. Each face gets its own vertices, so that it is shaded
+// flat.
 #include "meristem/output/picture/obstacle_meshes.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-/// In floats about one of its vertices, so that nothing is lost far from the origin.
+/// Vertices are floats relative to one vertex of the body, so that no digits are lost far from the origin.
 MeshInstances instances_of(const Obstacle& body, std::uint32_t material) {
   const Vec3 origin(body.mesh.positions[0]);
   Mesh mesh;

@@ -54,7 +54,7 @@ TEST(ObstacleMeshes, StandBehindThePlantInPictures) {
   const Image without = picture(plants, scene);
   scene.obstacles = wall_and_hidden_box();
   const Image with = picture(plants, scene);
-  // The upper corners, where there was sky, are red now; the plant is where it was.
+  // The upper corners, which showed the sky, are red now. The plant has not moved.
   const auto red = [](const Image& image, std::size_t pixel) {
     return image.rgba[4 * pixel] - image.rgba[4 * pixel + 2];
   };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Follows paths of light from the camera through the scene with a fixed maximum of two bounces. Paths that carry little
+// light are stopped at random, and the survivors are scaled up (Russian roulette). Sources are in the header.
 #include "meristem/output/picture/path_tracer.h"
 
 #include <algorithm>
@@ -12,22 +14,22 @@ namespace meristem {
 namespace {
 
 constexpr int kBounces = 2;
-constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures blurred
-// The chance that a path goes on, over the weight it carries. Indirect light is gathered over many pixels, so that few
-// paths need to go on: at 5 the oak takes a quarter more time for the same noise, and at 1.4 plain surfaces show
-// patches.
+constexpr float kBounceSpread = 0.25F;  // spread of rays after a bounce: light from all sides sees blurred textures
+// Probability that a path continues, divided by its weight. Indirect light is gathered over many pixels, so few paths
+// need to continue. At 5, the oak takes a quarter more time for equal noise. At 1.4, plain surfaces show patches.
 constexpr float kKeenness = 2.5F;
-// Metres: the bright spot about a lamp on what it hangs by would come back by a few paths, as specks.
+// Minimum distance of lamps after a bounce, metres. Without it, a few paths would find the bright spot around a lamp on
+// its support and cause specks.
 constexpr float kNearestByBounce = 1;
 constexpr auto kPiF = static_cast<float>(kPi);
 
-/// Colours of thin blades by the light that shines through: yellower, as green absorbs twice.
+/// Returns the colour of light that shines through a thin blade: yellower than the blade, as green absorbs twice.
 Vec3 transmission_tint(Vec3 colour) {
   const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6F});
   return colour * glm::mix(Vec3(1), colour / brightest, Vec3(0.0F, 0.0F, 0.6F)) * Vec3(1.25F, 1.1F, 1.0F);
 }
 
-/// What a rough surface of plant wax mirrors, with the distribution of Trowbridge and Reitz, times the cosine.
+/// Returns the mirror reflection of rough plant wax, with the distribution of Trowbridge and Reitz, times the cosine.
 float gloss(Vec3 normal, Vec3 to_light, Vec3 to_viewer, float width) {
   const float n_l = glm::dot(normal, to_light);
   const float n_v = glm::dot(normal, to_viewer);
@@ -62,10 +64,10 @@ PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight l
   }
 }
 
-/// The colour of the surface's texture there; its normal map turns the point's normal.
+/// Returns the texture's colour at a hit. Its normal map turns the point's normal.
 Vec3 PathTracer::textured(const Look& look, const RayHit& hit, const Ray& ray, SurfacePoint& point) const {
   const TextureMapping place = rays_.texture_mapping(hit);
-  // Seen at a low angle a position is long and narrow; the mean is taken over a square of the same area.
+  // At a low angle, the footprint of a ray is long and narrow. Average over a square of equal area instead.
   const float cosine = std::max(0.05F, std::abs(glm::dot(point.normal, ray.direction)));
   const float width = ray.spread * hit.distance * place.uvs_per_metre / std::sqrt(cosine);
   if (look.texture->has_normals()) {
@@ -91,7 +93,7 @@ PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit)
   if (look.texture != nullptr) colour *= textured(look, hit, ray, point);
   colour = glm::clamp(colour, Vec3(0), Vec3(1));
   vertex.normal = is_behind ? -point.normal : point.normal;
-  // A normal that leans away from the viewer would make a bright rim; it leans back until it is seen edge on.
+  // A normal that leans away from the viewer would make a bright rim. Turn it until it is seen edge on.
   const float away = glm::dot(vertex.normal, ray.direction);
   if (away > 0) vertex.normal = normalized_or(vertex.normal - 1.01F * away * ray.direction, vertex.face_normal);
   vertex.lifted = point.position;
@@ -146,7 +148,7 @@ Vec3 PathTracer::lamplight(const Vertex& vertex, Vec3 to_viewer, bool is_seen, S
   return seen;
 }
 
-/// How much of the light that falls from a direction, from so far away, is seen by the viewer.
+/// Returns the share of the light from a direction and distance that reaches the viewer.
 Vec3 PathTracer::share_seen(const Vertex& vertex, Vec3 to_viewer, Vec3 to_light, float distance) const {
   const bool shines_through = glm::dot(to_light, vertex.face_normal) < 0;
   const float cosine = glm::dot(to_light, vertex.normal) * (shines_through ? -1.0F : 1.0F);
@@ -175,7 +177,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
       seen.cover = vertex->cover;
       weight *= vertex->cover;
       if (air_.haze) {
-        // Haze has the light of the sky at the horizon behind it.
+        // Haze adds the light of the sky at the horizon.
         const float clear = std::exp(-glm::distance(ray.origin, vertex->position) / *air_.haze);
         const Vec3 level = normalized_or(Vec3(ray.direction.x, 0, ray.direction.z), ray.direction);
         seen.direct += (1 - clear) * weight * light_.seen(level);
@@ -186,14 +188,14 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
       seen.normal = vertex->normal;
       seen.distance = glm::distance(ray.origin, vertex->position);
     } else {
-      vertex->gloss_width = 0;  // seen by way of a matt surface, gloss is noise and nothing else
+      vertex->gloss_width = 0;  // when a matt surface reflects the path, gloss adds only noise
     }
     Vec3& light = bounce == 0 ? seen.direct : seen.indirect;
     light += weight * sunlight(*vertex, -ray.direction, samples.next());
     if (!lamps_.empty()) light += weight * lamplight(*vertex, -ray.direction, bounce == 0, samples);
     if (bounce == kBounces) return seen;
 
-    // Go on from one side or the other, as often as light does.
+    // Continue on one side or the other, in proportion to the light.
     const float reflected = luminance(vertex->reflected);
     const float transmitted = luminance(vertex->transmitted);
     if (reflected + transmitted <= 0) return seen;
@@ -202,14 +204,14 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     const bool reflects = sample.x < share;
     sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
     weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
-    // Few of the paths that carry little go on; they take over the weight of those that stop.
+    // Continue only few of the paths that carry little light, and give them the weight of the stopped paths.
     const float survival = std::clamp(kKeenness * luminance(weight), 0.1F, 1.0F);
     if (survival < 1 && samples.next().x >= survival) return seen;
     weight /= survival;
     const float side = reflects ? 1 : -1;
     ray.spread = kBounceSpread;
     ray.direction = glm::normalize(cosine_direction(side * vertex->normal, sample));
-    // Where the interpolated normal lets a direction dip below the triangle, the surface is its own shadow.
+    // If the interpolated normal lets a direction dip below the triangle, the surface shadows itself.
     if (side * glm::dot(ray.direction, vertex->face_normal) <= 0) return seen;
     ray.origin = vertex->position + side * RayScene::clearance(vertex->position) * vertex->face_normal;
   }

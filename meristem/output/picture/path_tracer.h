@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that comes back along one ray: sun and lamps by shadow rays at every surface, sky and other surfaces by
-// following the path on in a direction drawn with the cosine, twice. Matt surfaces with a little gloss in the sun; thin
-// blades let a part of the light through to their other side. Paths end after the second bounce: with leaves that
-// reflect a tenth of the light, the third would add less than a hundredth.
+// Computes the light along one ray. At every surface, shadow rays collect the light of sun and lamps. For the sky and
+// other surfaces, the path continues twice in random directions with a cosine distribution. Surfaces are matt with a
+// slight gloss in the sun, and thin blades let a part of the light through. Paths end after the second bounce: leaves
+// reflect a tenth of the light, so a third bounce would add less than a hundredth.
 //
 // Based on: J. Kajiya: The rendering equation (1986); J. Hanika: Hacking the shadow terminator (Ray Tracing Gems II,
 // 2021); E. Heitz: Understanding the masking-shadowing function (2014) for the gloss.
@@ -23,20 +23,20 @@
 
 namespace meristem {
 
-/// What lies between the camera and what it sees, and behind that.
+/// The air between the camera and the surfaces, and the clouds behind them.
 struct Air {
-  std::optional<float> haze;  ///< metres over which it hides two thirds of what is seen; unset: it is clear
+  std::optional<float> haze;  ///< distance in metres over which haze hides two thirds of the light; unset: clear air
   Clouds clouds;
 };
 
 enum class Sight { nothing, surface, ground };
 
-/// What one ray sees. Light, albedo and cover are weighted by how much of the background is hidden.
+/// The light along one ray. Light, albedo and cover are weighted by how much of the background is hidden.
 struct Seen {
-  Vec3 direct{0};    ///< light that came to what the ray meets straight from sun and lamps, and that of haze before it
-  Vec3 indirect{0};  ///< light that came to it from the sky and from other surfaces
-  Vec3 albedo{0};    ///< the share of indirect light that is given back, on both sides
-  Vec3 normal{0};    ///< of what the ray meets, on the side that is seen
+  Vec3 direct{0};    ///< light directly from sun and lamps to the hit surface, plus the haze before it
+  Vec3 indirect{0};  ///< light from the sky and from other surfaces to the hit surface
+  Vec3 albedo{0};    ///< share of indirect light that is reflected, on both sides
+  Vec3 normal{0};    ///< normal of the hit surface, on the visible side
   float distance = 0;
   float cover = 0;
   Sight sight = Sight::nothing;
@@ -46,13 +46,13 @@ struct Seen {
 
 class PathTracer {
  public:
-  /// `meshes` and `rays` must outlive this.
+  /// `meshes` and `rays` must outlive this object.
   PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground,
              Lamplight lamps = Lamplight(), Air air = {});
 
   /// Follows one path. The background is not part of the light.
   Seen trace(Ray ray, SampleStream& samples) const;
-  /// What is seen where nothing stands.
+  /// Returns the light from a direction in which nothing stands.
   Vec3 background(Vec3 direction) const { return air_.clouds.over(direction, light_.seen(direction)); }
   const Daylight& light() const { return light_; }
 
@@ -62,16 +62,16 @@ class PathTracer {
     float through;      ///< share of the light that passes to the other side
     float gloss_width;  ///< alpha of the microfacet distribution
     bool is_thin;
-    const TextureSampler* texture;  ///< null: one colour
+    const TextureSampler* texture;  ///< null for a single colour
   };
   struct Vertex {
     Vec3 position;
-    Vec3 lifted;       ///< where shadow rays start
-    Vec3 face_normal;  ///< on the side the ray came from
+    Vec3 lifted;       ///< start of shadow rays
+    Vec3 face_normal;  ///< normal on the side from which the ray came
     Vec3 normal;
     Vec3 reflected;
     Vec3 transmitted;
-    float gloss_width;  ///< 0: none
+    float gloss_width;  ///< 0 for no gloss
     float cover;        ///< below 1 where the ground fades
     Sight sight;
   };
@@ -89,7 +89,7 @@ class PathTracer {
   std::optional<Ground> ground_;
   Lamplight lamps_;
   Air air_;
-  std::vector<Look> looks_;  ///< one a part of the scene
+  std::vector<Look> looks_;  ///< one per part of the scene
   std::map<const Texture*, TextureSampler> textures_;
 };
 

@@ -18,7 +18,7 @@ Mesh square(float half) {
   return mesh;
 }
 
-/// A level square of 2 m at the origin.
+/// Returns a level square of 2 m at the origin.
 MeshScene level_square(Material material) {
   MeshScene scene;
   scene.materials = {std::move(material)};
@@ -41,7 +41,7 @@ struct MeanSeen {
   float cover;
 };
 
-/// The mean over paths that start along one ray.
+/// Returns the mean over paths that start along one ray.
 MeanSeen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Ground> ground, const Ray& ray,
                    const Lamplight& lamps = Lamplight()) {
   Progress progress;
@@ -152,7 +152,7 @@ TEST(PathTracer, TheSunLightsWithTheCosine) {
 }
 
 TEST(PathTracer, TheShadowOfARoofLiesWhereTheSunPutsIt) {
-  // A roof 1 m up; the sun in the east at 45° moves its shadow 1 m to the west.
+  // A roof 1 m above. The sun in the east at 45° moves its shadow 1 m to the west.
   MeshScene scene = level_square(white());
   scene.meshes[0].frames[0].origin.y = 1;
   Ground ground;
@@ -181,8 +181,8 @@ TEST(PathTracer, LampsLightWithTheCosineAndTheSquareOfTheDistance) {
     return mean_seen(square, uniform_light(Vec3(0)), std::nullopt, ray, lamps).light.g;
   };
   const float expected = linear_from_srgb(Vec3(0.5F)).g * lamps.irradiance(Vec3(0)).g / static_cast<float>(kPi);
-  EXPECT_NEAR(light_at(0), expected, 0.1 * expected);  // and a little gloss
-  const float squared = 1 + 0.9F * 0.9F / 4;  // of the distance, over that of 2 m; the cosine is its root's inverse
+  EXPECT_NEAR(light_at(0), expected, 0.1 * expected);  // with a little gloss
+  const float squared = 1 + 0.9F * 0.9F / 4;  // squared distance relative to 2 m; the cosine is the inverse of its root
   EXPECT_NEAR(light_at(0.9F), light_at(0) / (squared * std::sqrt(squared)), 0.05 * expected);
 }
 
@@ -229,7 +229,7 @@ TEST(PathTracer, NoSurfaceGivesBackMoreLightThanItGets) {
   EXPECT_LE(seen.light.g, 1.001F);
 }
 
-/// The level square with u to the east, v to the north, and a texture.
+/// Returns the level square with u to the east, v to the north, and a texture.
 MeshScene textured_square(Texture texture) {
   MeshScene scene = level_square(white());
   Mesh mesh = square(1);
@@ -239,7 +239,7 @@ MeshScene textured_square(Texture texture) {
   return scene;
 }
 
-/// A texture of one row of pixels: their red, green, blue and alpha, one after another.
+/// Returns a texture of one row of pixels, given as red, green, blue and alpha in turn.
 Texture row_of(std::vector<std::uint8_t> rgba) {
   Texture texture;
   texture.colour = {static_cast<int>(rgba.size() / 4), 1, std::move(rgba)};
@@ -276,11 +276,12 @@ TEST(PathTracer, TextureMaterialAndInstanceMultiply) {
 TEST(PathTracer, ATextureFarAwayHasTheColourOfItsMean) {
   const MeshScene scene = textured_square(row_of({255, 255, 255, 255, 0, 0, 0, 255}));
   Ray ray = kOnWest;
-  ray.spread = 2;  // 4 m wide where it meets the square of 2 m
+  ray.spread = 2;  // 4 m wide at the square of 2 m
   EXPECT_NEAR(mean_seen(scene, uniform_light(Vec3(1)), std::nullopt, ray).light.g, 0.5, 1e-3);
 }
 
-/// How bright a square looks whose normal map points 60° to the side of u, in the sun from `azimuth_deg` at 60°.
+/// Returns the brightness of a square whose normal map points 60° toward u, in the sun from `azimuth_deg` at 60°
+/// altitude.
 float brightness_with_tilted_normals(double azimuth_deg, bool has_tangents) {
   Texture texture = row_of({255, 255, 255, 255});
   texture.normals = {1, 1, {238, 128, 191, 255}};
@@ -302,9 +303,9 @@ float brightness_with_tilted_normals(double azimuth_deg, bool has_tangents) {
 
 TEST(PathTracer, ANormalMapLightsWithTheCosineOfItsNormal) {
   for (const bool has_tangents : {false, true}) {
-    EXPECT_NEAR(brightness_with_tilted_normals(90, has_tangents), std::cos(radians(30)), 0.03);     // u is to the east
+    EXPECT_NEAR(brightness_with_tilted_normals(90, has_tangents), std::cos(radians(30)), 0.03);     // u points east
     EXPECT_NEAR(brightness_with_tilted_normals(270, has_tangents), 0, 0.03);                        // 90° away from it
-    EXPECT_NEAR(brightness_with_tilted_normals(0, has_tangents), std::sin(radians(60)) / 2, 0.03);  // beside it
+    EXPECT_NEAR(brightness_with_tilted_normals(0, has_tangents), std::sin(radians(60)) / 2, 0.03);  // sideways
   }
 }
 
@@ -429,8 +430,8 @@ TEST(RayScene, StopsBuildingWhenCancelled) {
 }
 
 TEST(PathTracer, HazeTakesItsShareOfWhatIsSeen) {
-  // A white plane under a sky of 1 is as bright as the sky, so one of half its brightness shows the haze: what is left
-  // of the difference is e to minus the distance over that of the haze.
+  // A white plane under a sky of 1 is as bright as the sky, so only a darker plane shows the haze. The remaining
+  // difference to the sky is exp(-distance / haze distance).
   Material grey;
   grey.colour = srgb_from_linear(Vec3(0.5F));
   const MeshScene scene = level_square(grey);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Takes samples adaptively: squares of the film continue until the noise around them is below the accepted noise. The
+// noise of a square is estimated from the difference of two halves of its samples (sources in the header).
 #include "meristem/output/picture/photographer.h"
 
 #include <algorithm>
@@ -12,19 +14,19 @@ namespace meristem {
 
 namespace {
 
-constexpr float kSharpness = 0.6F;  // width of textures' means over a pixel's; samples smooth what is left
-constexpr int kNeighbours = 2;      // squares to each side that decide
-constexpr int kFirstRound = 8;      // the share of the samples that all squares take
+constexpr float kSharpness = 0.6F;  // width of texture averages relative to a pixel; samples smooth the rest
+constexpr int kNeighbours = 2;      // number of deciding squares to each side
+constexpr int kFirstRound = 8;      // divisor: the first round takes this part of the samples
 constexpr int kLeastSamples = 4;
-// The noise that is borne after 16 of 64 samples: variance of brightness from 0 to 1 as it is shown. After 32 twice as
-// much is borne, as one more sample takes half as much away; after 8, half as much among leaves. So crowns do not stop
-// at a few samples while the shade beside them takes all. Grain shows on plain ground and not among leaves, so more is
-// borne where brightness varies from pixel to pixel.
+// The accepted noise after 16 of 64 samples, as a variance of the displayed brightness from 0 to 1. After 32 samples,
+// twice as much is accepted, because each further sample removes half as much. After 8 samples, half as much is
+// accepted among leaves, so that crowns do not stop after a few samples while the shade beside them takes all. Grain is
+// visible on plain ground but not among leaves, so the accepted noise rises with the contrast between pixels.
 constexpr float kUsualSamples = 16;
 constexpr float kNoiseOfPlain = 0.0115F * 0.0115F;
-constexpr float kNoiseByContrast = 0.11F;  // of the variance among squares
+constexpr float kNoiseByContrast = 0.11F;  // accepted noise as a share of the variance among squares
 constexpr float kMostNoise = 0.042F * 0.042F;
-// What gathering leaves of the noise of indirect light.
+// Share of the noise of indirect light that remains after gathering.
 constexpr float kNoiseAfterGathering = 0.4F;
 
 struct Mean {
@@ -36,17 +38,17 @@ struct Mean {
 
 }  // namespace
 
-/// The square of the film that is nearer to the middle of one pixel than to others.
+/// The square of the film that is nearer to the middle of one pixel than to other pixels.
 struct Photographer::Square {
-  /// What its samples add to a pixel, as the sum over them.
+  /// The sum that a square's samples add to one pixel.
   struct Share {
     Vec3 direct{0};
     PerLayer<Vec3> albedo{};
     float cover = 0;
     float weight = 0;
   };
-  std::array<Share, 9> shares;  // for its own pixel and those around it, row by row
-  // Sums over the samples, and over the first half of them.
+  std::array<Share, 9> shares;  // for the own pixel and the pixels around it, row by row
+  // Sums over all samples, and over the first half.
   Vec3 direct{0};
   Vec3 first_direct{0};
   IndirectLight indirect;
@@ -54,7 +56,7 @@ struct Photographer::Square {
   float cover = 0;
   float first_cover = 0;
   int samples = 0;
-  float brightness = 0;  // as it is shown
+  float brightness = 0;  // displayed brightness
   float noise = 0;       // variance of the brightness
   bool goes_on = true;
 };
@@ -66,7 +68,7 @@ Photographer::Photographer(const PathTracer& tracer, const Camera& camera, const
 }
 
 void Photographer::sample(int x, int y, int sample, Square& square) const {
-  // Squares begin beyond the picture, by one.
+  // Squares begin one pixel outside the picture.
   SampleStream samples(pixel_number(x + 1, y + 1), static_cast<std::uint32_t>(sample),
                        static_cast<std::uint32_t>(settings_.samples));
   const Vec2 at = samples.next();
@@ -81,7 +83,7 @@ void Photographer::sample(int x, int y, int sample, Square& square) const {
   square.direct += seen.direct;
   square.indirect.add(seen);
   square.cover += seen.cover;
-  // Share it out among the four pixels whose middles lie around it.
+  // Distribute the sample among the four pixels whose middles lie around it.
   const Vec2 away(std::abs(at.x - 0.5F), std::abs(at.y - 0.5F));
   const int beside = at.x < 0.5F ? -1 : 1;
   const int below = at.y < 0.5F ? -3 : 3;
@@ -98,7 +100,7 @@ void Photographer::sample(int x, int y, int sample, Square& square) const {
   add(4 + beside + below, away.x * away.y);
 }
 
-/// Adds the samples [begin, end) to the squares that go on.
+/// Adds the samples [begin, end) to the squares that continue.
 void Photographer::sample(const Tile& tile, std::vector<Square>& squares, int begin, int end,
                           Progress& progress) const {
   Square* square = squares.data();
@@ -115,16 +117,17 @@ void Photographer::sample(const Tile& tile, std::vector<Square>& squares, int be
   }
 }
 
-/// Brightness about as it is shown, quick to work out.
+/// Returns the approximate displayed brightness, in a fast form.
 float Photographer::shown(Vec3 light, int samples) const {
   const float bright = std::max(0.0F, settings_.exposure * luminance(light) / static_cast<float>(samples));
   return std::sqrt(bright / (1 + bright));
 }
 
-/// Brightness, and its variance by the difference of the halves, which knows how evenly the samples are spread.
+/// Computes the brightness, and its variance from the difference of the halves. This difference reflects how evenly the
+/// samples are spread.
 void Photographer::judge(Square& square) const {
   const int half = square.samples / 2;
-  // Indirect light keeps a share of its noise when it is gathered.
+  // After gathering, indirect light keeps only a share of its noise.
   const Vec3 indirect = square.indirect.sum();
   const Vec3 even = 0.5F * (1 - kNoiseAfterGathering) * indirect;
   const Vec3 first = square.first_direct + even + kNoiseAfterGathering * square.first_indirect;
@@ -135,7 +138,7 @@ void Photographer::judge(Square& square) const {
   square.brightness = shown(all, square.samples);
 }
 
-/// Stops the squares whose neighbours bear the noise; returns whether any goes on.
+/// Stops the squares whose neighbours have accepted noise. Returns true if any square continues.
 bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
   for (Square& square : squares) {
     if (square.goes_on) judge(square);
@@ -147,7 +150,7 @@ bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
     for (int x = 0; x < width; ++x) {
       Square& square = squares[y * width + x];
       if (!square.goes_on) continue;
-      // The mean noise of the squares around it, and how much they differ.
+      // The mean noise of the surrounding squares, and their variance.
       Mean noise;
       Mean brightness;
       Mean squared_brightness;
@@ -173,13 +176,13 @@ bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
 }
 
 Exposure Photographer::expose(const Tile& tile, Progress& progress) const {
-  // The pixels at the tile's border take light from squares beyond it.
+  // Pixels at the tile's border receive light from squares beyond it.
   const Tile around{tile.left - 1, tile.top - 1, tile.right + 1, tile.bottom + 1};
   const int width = around.right - around.left;
   std::vector<Square> squares(static_cast<std::size_t>(width) * (around.bottom - around.top));
 
-  // Take the samples in rounds. Powers of 2 are spread evenly. The first round is taken in halves; each later one is
-  // the second half of all.
+  // Take the samples in rounds. Powers of 2 are spread evenly. The first round is taken in halves, and each later round
+  // is the second half of all samples.
   const int most = settings_.samples;
   const int share = static_cast<int>(std::bit_floor(static_cast<unsigned>(most / kFirstRound)));
   int end = settings_.is_even ? most : std::min(most, std::max(kLeastSamples, share));
@@ -198,7 +201,7 @@ Exposure Photographer::expose(const Tile& tile, Progress& progress) const {
     end = std::min(2 * end, most);
   }
 
-  // Each pixel has its share of its square and those around it.
+  // Each pixel adds up the shares of its own square and of the squares around it.
   Exposure exposure;
   const std::size_t pixels = static_cast<std::size_t>(tile.right - tile.left) * (tile.bottom - tile.top);
   exposure.pixels.reserve(pixels);

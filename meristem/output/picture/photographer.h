@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much light comes to each pixel of a tile. Samples are spread over squares around the pixels' middles, and each
-// counts in the four pixels that it lies between, as much as it is near (a tent): so a pixel is the mean of more than
-// twice the paths that are followed for it. They are taken in rounds, each as many as all before. After a round a
-// square goes on if the first and the second half of the samples of those around it differ, as the eye sees it, by so
-// much that more samples are worth their time: even sky and sunlit ground end early, and crowns take what they need. A
-// square has no say in its own case: one that by chance has missed the few bright paths would stop too early, and the
-// picture would darken. As squares will gather the indirect light of those around them, it counts with a part of its
-// noise only.
+// Exposes the pixels of a tile. Samples are spread over squares around the middles of pixels. Each sample counts in the
+// four nearest pixels by its distance (tent filter), so a pixel is the mean of more than twice the paths that are
+// followed for it. Samples are taken in rounds, each as many as all rounds before. After a round, a square continues if
+// the first and the second half of its neighbours' samples differ visibly, so that more samples are worth their time.
+// Even sky and sunlit ground end early, and crowns take what they need. A square's own samples do not decide. If they
+// did, squares that missed the few bright paths by chance would stop too early, and the picture would darken. Indirect
+// light is gathered later over many squares, so only a part of its noise counts.
 //
 // Based on: F. Rousselle, C. Knaus and M. Zwicker: Adaptive rendering with non-local means filtering (2012) for the two
 // halves; D. Kirk and J. Arvo: Unbiased sampling techniques for image synthesis (1991) for the bias.
@@ -21,17 +20,17 @@
 
 namespace meristem {
 
-/// What a pixel is exposed to but for indirect light, which is its albedo times what its square gathers.
+/// The exposure of a pixel without indirect light. Indirect light is the albedo times what the pixel's square gathers.
 struct PixelExposure {
-  Vec3 direct{0};  ///< weighted by how much of it hides the background, as the others are
+  Vec3 direct{0};  ///< all members are weighted by how much of the background is hidden
   PerLayer<Vec3> albedo{};
   float cover = 0;
 };
 
-/// What a tile is exposed to, row by row.
+/// The exposure of a tile, row by row.
 struct Exposure {
   std::vector<PixelExposure> pixels;
-  std::vector<IndirectLight> indirect;  ///< of the pixels' squares
+  std::vector<IndirectLight> indirect;  ///< of the squares of the pixels
 };
 
 /// The pixels [left, right) x [top, bottom) of a picture.
@@ -42,20 +41,20 @@ struct Tile {
 class Photographer {
  public:
   struct Settings {
-    int width = 0;  ///< pixels of the whole picture
+    int width = 0;  ///< width of the whole picture, pixels
     int height = 0;
-    int samples = 64;       ///< most paths a pixel; the noise that is borne goes down with its root
+    int samples = 64;       ///< maximum number of paths per pixel; the accepted noise falls with its root
     float exposure = 1;     ///< factor on light before it is shown
-    bool shows_sky = true;  ///< behind what is seen; covers are 1 then
-    bool is_even = false;   ///< every pixel takes all samples
+    bool shows_sky = true;  ///< if true, the sky is visible in the background and all covers are 1
+    bool is_even = false;   ///< if true, every pixel takes all samples
   };
 
-  /// `tracer` and `camera` must outlive this.
+  /// `tracer` and `camera` must outlive this object.
   Photographer(const PathTracer& tracer, const Camera& camera, const Settings& settings);
 
-  /// Radians from pixel to pixel in the middle of the picture.
+  /// Returns the angle between pixels in the middle of the picture, radians.
   float pixel_angle() const { return pixel_angle_; }
-  /// A function of the picture and the tile alone. Throws Cancelled.
+  /// Returns the exposure of a tile, which depends only on the picture and the tile. Throws Cancelled.
   Exposure expose(const Tile& tile, Progress& progress) const;
 
  private:

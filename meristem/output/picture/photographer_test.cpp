@@ -14,7 +14,7 @@ namespace meristem::photographer_test {
 
 constexpr int kSize = 40;
 
-/// Two hundred leaves, pale above and dark below, before the sky.
+/// Returns two hundred leaves before the sky, pale above and dark below.
 MeshScene leaves() {
   Mesh leaf;
   leaf.positions = {{-0.05F, 0, -0.08F}, {-0.05F, 0, 0.08F}, {0.05F, 0, 0.08F}, {0.05F, 0, -0.08F}};
@@ -33,7 +33,7 @@ MeshScene leaves() {
   return scene;
 }
 
-/// The pixels of a picture of one tile.
+/// Returns the pixels of a picture of one tile.
 std::vector<PixelLight> pixels(const Photographer& photographer, int size, Progress& progress) {
   Film film(size, size, photographer.pixel_angle());
   film.keep(0, 0, photographer.expose(film.tile(0, 0), progress));
@@ -84,7 +84,7 @@ TEST_F(PhotographedLeaves, SkyTakesFewSamplesAndLeavesTakeMany) {
 }
 
 TEST_F(PhotographedLeaves, StoppingEarlyDoesNotDarken) {
-  // The mean over all pixels strays by some thousandths by chance.
+  // The mean over all pixels varies by some thousandths by chance.
   const double expected = mean_brightness(exposed(512, true));
   for (const int samples : {16, 32, 64, 100}) {
     EXPECT_NEAR(mean_brightness(exposed(samples, false)), expected, 0.01 * expected) << samples << " samples";
@@ -169,7 +169,7 @@ TEST(Photographer, AWhitePlaneUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
 }
 
 TEST(Photographer, AnEdgeIsSmoothedByATentOfTwoPixels) {
-  // A wall to the left of the picture's middle, which lies between the pixels 7 and 8.
+  // A wall to the left of the picture's middle, which lies between pixels 7 and 8.
   Mesh wall;
   wall.positions = {{-90, -90, 0}, {0, -90, 0}, {0, 90, 0}, {-90, 90, 0}};
   wall.triangles = {{0, 1, 2}, {0, 2, 3}};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Takes pictures: adds overlays and hulls to the meshes, places the camera, renders the still, and writes labels over
+// it.
 #include "meristem/output/picture/picture.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace meristem {
 
 namespace {
 
-/// The unit vector along the ground to the right of the picture.
+/// Returns the unit vector along the ground to the right of the picture.
 Vec3 right_of(const View& view) {
   const auto azimuth = view.azimuth;
   Vec3 forward(-static_cast<float>(math::sin(azimuth)), 0, static_cast<float>(math::cos(azimuth)));

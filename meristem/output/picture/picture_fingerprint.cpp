@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Hashes everything that a picture depends on, without drawing it.
 #include "meristem/output/picture/picture_fingerprint.h"
 
 #include <optional>
@@ -12,7 +13,8 @@ namespace meristem {
 
 namespace {
 
-/// Raised by hand when the same scene comes to look otherwise: the camera, the path tracer, the sky, the tone map.
+/// Must be raised when equal scenes look different after a change of the camera, the path tracer, the sky or the tone
+/// map.
 constexpr int kLookOfStills = 1;
 
 void add(const Vec3& vector, Fingerprint& to) { to.add(vector.x).add(vector.y).add(vector.z); }
@@ -60,7 +62,7 @@ std::string picture_fingerprint(const GrownDocument& grown, const Limits& limits
   const View& view = options.view;
   add(view.position, all);
   add(view.target, all);
-  if (!view.position) all.add(view.azimuth).add(view.altitude);  // a position replaces them
+  if (!view.position) all.add(view.azimuth).add(view.altitude);  // a position replaces both
   all.add(view.field_of_view);
   add(view.background, all);
   if (view.haze) all.add_text("haze").add(*view.haze);

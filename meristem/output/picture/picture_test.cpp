@@ -7,7 +7,7 @@
 
 namespace meristem::picture_test {
 
-/// A tree whose crown reaches well past the one small triangle that is to be seen of it.
+/// Returns a tree whose crown reaches well beyond its only visible part, a small triangle.
 GrownDocument crown_about_a_triangle() {
   GrownDocument grown;
   grown.meshes = scene_of(triangle(), {Frame()});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Generates scrambled Sobol points in pairs of dimensions, and maps them to discs, cones and hemispheres (sources in
+// the header).
 #include "meristem/output/picture/sampling.h"
 
 #include <algorithm>
@@ -11,7 +13,8 @@ namespace meristem {
 
 namespace {
 
-/// The angles of disc_point by table, linear between entries: error below 2e-7, four times faster than sine and cosine.
+/// The angles of disc_point come from a table, linear between entries. The error is below 2e-7, and it is four times
+/// faster than sine and cosine.
 constexpr int kDirections = 2048;
 
 struct CircleTable {
@@ -38,7 +41,7 @@ constexpr std::uint32_t reversed_bits(std::uint32_t x) {
   return __builtin_bswap32(x);
 }
 
-/// Flips each bit by a coin that depends on the bits below it: Owen's scrambling of a fraction whose bits are reversed.
+/// Flips each bit at random, depending on the bits below it: Owen scrambling of a fraction with reversed bits.
 constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
@@ -47,8 +50,8 @@ constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
   return x ^ x * 0x53a22864U;
 }
 
-/// Sobol's second dimension of an index, with its bits reversed: its matrix is Pascal's triangle of odd and even, in
-/// which bit j counts all bits whose number has the bits of j.
+/// Returns Sobol's second dimension of an index, with its bits reversed. Its matrix is Pascal's triangle modulo 2: bit
+/// j adds all bits whose number contains the bits of j.
 constexpr std::uint32_t second_dimension(std::uint32_t x) {
   x ^= x >> 1 & 0x55555555U;
   x ^= x >> 2 & 0x33333333U;
@@ -57,7 +60,7 @@ constexpr std::uint32_t second_dimension(std::uint32_t x) {
   return x ^ x >> 16;
 }
 
-/// The lower 16 bits at the even places.
+/// Returns the lower 16 bits at the even positions.
 constexpr std::uint32_t spread_bits(std::uint32_t x) {
   x = (x | x << 8) & 0x00ff00ffU;
   x = (x | x << 4) & 0x0f0f0f0fU;
@@ -76,9 +79,9 @@ SampleStream::SampleStream(std::uint32_t pixel, std::uint32_t sample, std::uint3
 
 Vec2 SampleStream::next() {
   const std::uint32_t seed = mixed_bits(0x9e3779b9U * ++pair_);
-  // Another order of the sequence: blocks of 2^k indices stay blocks.
+  // A different order of the sequence, in which blocks of 2^k indices stay blocks.
   const std::uint32_t index = reversed_bits(scrambled(reversed_index_, seed));
-  // Sobol's first dimension is the index with its bits reversed, and scrambling takes reversed bits.
+  // Sobol's first dimension is the index with reversed bits, and scrambling works on reversed bits.
   const std::uint32_t x = reversed_bits(scrambled(index, mixed_bits(seed ^ 0x68bc21ebU)));
   const std::uint32_t y = reversed_bits(scrambled(second_dimension(index), mixed_bits(seed ^ 0x02e5be93U)));
   return {unit_float(x), unit_float(y)};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the samples of a pixel lie: a function of pixel, sample and dimension alone, so a picture does not depend on
-// threads. All pixels share one sequence: each takes a block of it, and neighbours take neighbouring blocks; every pair
-// of dimensions runs through it in its own order. So the samples of a pixel are spread evenly, the first 1, 2, 4, 8...
-// of them too, and those of neighbours fill each other's gaps, which makes a fine grain of the noise that is left.
+// Sample positions of pixels, as a function of pixel, sample and dimension alone, so a picture does not depend on
+// threads. All pixels share one sequence. Each pixel uses a block of it, and neighbouring pixels use neighbouring
+// blocks. Every pair of dimensions runs through the sequence in its own order. The samples of a pixel are therefore
+// spread evenly, also the first 1, 2, 4, 8... of them. The samples of neighbours fill each other's gaps, so the
+// remaining noise is a fine grain.
 //
 // Based on: B. Burley: Practical hash-based Owen scrambling (2020), of the sequence of I. Sobol; N. Vegdahl: Building a
 // better LK hash (2021); A. Ahmed and P. Wonka: Screen-space blue-noise diffusion of Monte Carlo sampling error via
@@ -15,7 +16,7 @@
 
 namespace meristem {
 
-/// 32 well-mixed bits.
+/// Returns 32 well-mixed bits.
 constexpr std::uint32_t mixed_bits(std::uint32_t x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
@@ -24,18 +25,19 @@ constexpr std::uint32_t mixed_bits(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-/// The number in [0, 1) of the upper 24 bits.
+/// Returns the upper 24 bits as a number in [0, 1).
 constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
-/// The number of a pixel along a curve that keeps neighbours together: the bits of x and y (below 2^16) in turn.
+/// Returns the number of a pixel along a curve that keeps neighbours together: the bits of x and y (below 2^16) in
+/// alternation.
 std::uint32_t pixel_number(int x, int y);
 
-/// The numbers of one path: the `sample`-th of `samples` through the pixel of this number.
+/// The random numbers of one path: sample number `sample` of `samples` through the pixel with this number.
 class SampleStream {
  public:
   SampleStream(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples);
 
-  /// The next two dimensions, each uniform in [0, 1).
+  /// Returns the next two dimensions, each uniform in [0, 1).
   Vec2 next();
 
  private:
@@ -43,13 +45,13 @@ class SampleStream {
   std::uint32_t pair_ = 0;
 };
 
-/// A point of the unit disc, uniform by area for uniform `sample`.
+/// Returns a point of the unit disc, uniform by area for uniform `sample`.
 Vec2 disc_point(Vec2 sample);
 
-/// A direction about the unit vector `normal`, with density cosine / pi.
+/// Returns a direction about the unit vector `normal`, with density cosine / pi.
 Vec3 cosine_direction(Vec3 normal, Vec2 sample);
 
-/// A uniform direction within `angle` (radians, small) of the unit vector `axis`.
+/// Returns a uniform direction within `angle` (radians, small) of the unit vector `axis`.
 Vec3 cone_direction(Vec3 axis, double angle, Vec2 sample);
 
 /// Two unit vectors that make a right-handed frame with the unit vector `normal` (T. Duff and others, 2017).

@@ -8,7 +8,7 @@
 
 namespace meristem::sampling_test {
 
-/// How many points of the third pair of dimensions lie in each of `columns` x `rows` equal cells.
+/// Returns the number of points of the third pair of dimensions in each of `columns` x `rows` equal cells.
 std::vector<int> counts_by_cell(std::uint32_t pixel, std::uint32_t begin, std::uint32_t end, int columns, int rows) {
   std::vector<int> counts(static_cast<std::size_t>(columns) * rows);
   for (std::uint32_t s = begin; s < end; ++s) {
@@ -60,7 +60,7 @@ TEST(Sampling, DimensionsAreUnrelated) {
     const Vec2 b = stream.next();
     product += (a.x - 0.5) * (b.x - 0.5) / kCount;
   }
-  EXPECT_NEAR(product, 0, 0.005);  // 1/12 if they were one; random pairs stray by 0.0013
+  EXPECT_NEAR(product, 0, 0.005);  // 1/12 for equal dimensions; random pairs deviate by 0.0013
 }
 
 TEST(Sampling, PixelsThatAreNumberedNextToEachOtherAreNeighbours) {
@@ -83,7 +83,7 @@ TEST(Sampling, DiscPointsLieOnTheDiscEvenly) {
   }
   EXPECT_NEAR(mean.x, 0, 0.01);
   EXPECT_NEAR(mean.y, 0, 0.01);
-  EXPECT_NEAR(square, 0.5, 0.01);  // the mean of r^2 over a unit disc
+  EXPECT_NEAR(square, 0.5, 0.01);  // mean of r^2 over a unit disc
 }
 
 TEST(Sampling, CosineDirectionsAreUnitAndHaveTheMeanOfTheirDensity) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Renders a picture tile by tile. Rows of tiles are exposed ahead, because a tile's pixels gather indirect light from
+// the tiles around it. The result is tone mapped and dithered to 8 bits.
 #include "meristem/output/picture/still.h"
 
 #include <algorithm>
@@ -27,7 +29,7 @@ namespace {
 
 constexpr int kTilesAtOnce = 1024;  // half a gigabyte
 
-/// Numbers too small to matter count as 0 while it lives, in this thread; Embree asks for that.
+/// While this object exists, denormal numbers count as 0 in this thread, as Embree requires.
 class FlushToZero {
  public:
   FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
@@ -48,12 +50,12 @@ void check_range(const char* path, int value, int most) {
   throw InputError(std::move(fault));
 }
 
-/// A number in [0, 1) that spreads over neighbouring pixels, so that smooth skies show no steps in 8 bits.
+/// Returns a number in [0, 1) that is spread over neighbouring pixels, so that smooth skies show no steps in 8 bits.
 float dither(int x, int y) {
   return unit_float(mixed_bits(static_cast<std::uint32_t>(x) * 0x9E3779B1U ^ mixed_bits(y)));
 }
 
-/// Turns the mean of a pixel's samples into its bytes.
+/// Converts the mean of a pixel's samples to bytes.
 class Developer {
  public:
   Developer(const View& view, const StillOptions& options, float exposure)
@@ -96,8 +98,8 @@ Air air_of(const View& view, const Sky& sky) {
   return air;
 }
 
-/// How brightly lamps light what stands in the picture, half of it turned away or in the shade. The mean is that of the
-/// roots, so that a bright spot beside a lamp leaves the rest to be seen.
+/// Returns the mean brightness of lamps on the visible surfaces, if half of them are turned away or in the shade. Roots
+/// are averaged, so that a bright spot beside a lamp does not hide the rest.
 float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera) {
   constexpr int kRays = 48;  // across the picture and down
   double sum = 0;
@@ -124,7 +126,7 @@ void check_still_options(const StillOptions& options) {
 
 namespace {
 
-/// Where the picture is taken from, and the ground below the plants. It is made for the plants; obstacles stand in it.
+/// The camera of a picture, and the ground below the plants. Both depend on the plants, not on the obstacles.
 struct Framing {
   Camera camera;
   Ground ground;
@@ -134,7 +136,7 @@ bool shows_obstacles(const Scene& scene, const StillOptions& options) {
   return !options.transparent && has_visible(scene.obstacles);
 }
 
-/// Returns the camera and the ground for the plants. Uses the obstacles if there are no plants.
+/// Returns the camera and the ground for the plants, or for the obstacles if there are no plants.
 Framing framing_of(const MeshScene& plants, const Scene& scene, const View& view, const StillOptions& options,
                    const Progress& progress) {
   const bool has_obstacles = shows_obstacles(scene, options);
@@ -145,7 +147,7 @@ Framing framing_of(const MeshScene& plants, const Scene& scene, const View& view
   return {place_camera(framed, seen, aspect), ground_below(framed, scene)};
 }
 
-/// A picture of all that is shown.
+/// Returns a picture of the whole scene.
 Image exposed(const MeshScene& shown, const Framing& framing, const Scene& scene, const View& view,
               const StillOptions& options, Progress& progress) {
   Image image{options.width, options.height, {}};
@@ -169,7 +171,7 @@ Image exposed(const MeshScene& shown, const Framing& framing, const Scene& scene
                                    .shows_sky = developer.shows_sky(),
                                    .is_even = options.even});
 
-  // Expose some rows of tiles and develop those that have the next row beneath them, in turn.
+  // Repeat: expose some rows of tiles, and develop the rows whose next row is exposed.
   Film film(options.width, options.height, photographer.pixel_angle());
   const int columns = film.columns();
   const int rows_at_once = std::max(1, kTilesAtOnce / columns);

@@ -12,7 +12,7 @@
 
 namespace meristem::still_test {
 
-/// A block of 1 m standing on the origin and a few hundred leaves above it.
+/// Returns a block of 1 m that stands at the origin, and a few hundred leaves above it.
 MeshScene block_with_leaves() {
   Mesh block;
   for (int corner = 0; corner < 8; ++corner) {
@@ -79,14 +79,14 @@ TEST(Still, LampsLightTheNightTheSameOnAnyNumberOfThreads) {
   };
   const Image expected = render(1);
   for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads).rgba == expected.rgba) << threads << " threads";
-  // By night what a lamp lights is brighter than the sky.
+  // At night, surfaces near a lamp are brighter than the sky.
   int brightest = 0;
   for (int x = 0; x < 50; ++x) brightest = std::max(brightest, brightness(expected, x, 25));
   EXPECT_GT(brightest, 300);
   EXPECT_LT(brightness(expected, 0, 0), 200);
 }
 
-/// The block with leaves that a texture cuts out and tilts, each in a colour of its own.
+/// Returns the block with leaves that a texture cuts out and tilts, each in its own colour.
 MeshScene block_with_textured_leaves() {
   MeshScene scene = block_with_leaves();
   Mesh leaf = *scene.meshes[1].mesh;

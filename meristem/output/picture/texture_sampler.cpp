@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Builds a pyramid of halved pictures in linear light, and reads means of any width from the nearest level.
 #include "meristem/output/picture/texture_sampler.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr float kOne = 65535;
 
 using ByteTable = std::array<std::uint16_t, 256>;
 
-/// What each byte of a picture stands for, in 16 bits.
+/// Returns the meaning of each byte of a picture, in 16 bits.
 ByteTable decoded_bytes(PixelMeaning meaning) {
   ByteTable table;
   for (int i = 0; i < 256; ++i) {
@@ -26,7 +27,7 @@ ByteTable decoded_bytes(PixelMeaning meaning) {
   return table;
 }
 
-/// Which pixels of `count` the `index`-th of `halves` covers, and how much of the last ones.
+/// The pixels of `count` that the `index`-th of `halves` covers, and the covered share of the last pixels.
 struct Cover {
   int begin;
   int end;
@@ -90,7 +91,7 @@ PixelPyramid::Level PixelPyramid::halved(const Level& level) {
 }
 
 Vec4 PixelPyramid::mean(Vec2 uv, float width) const {
-  // Level n has pixels of 2^n; the nearest power of two is taken, a root of two above it the next.
+  // Level n has pixels of width 2^n. Choose the nearest power of two, on a logarithmic scale.
   const float pixels = std::clamp(1.41421356F * width * pixels_per_uv_, 1.0F, 1e9F);
   const Level& level = levels_[std::min<std::size_t>(std::ilogb(pixels), levels_.size() - 1)];
   const PixelNeighbours columns(uv.x, level.width);
@@ -112,7 +113,7 @@ TextureSampler::TextureSampler(const Texture& texture)
 
 Vec3 TextureSampler::colour(Vec2 uv, float width) const {
   const Vec4 mean = colours_.mean(uv, width);
-  return mean.w > 0.02F ? Vec3(mean) / mean.w : mean_;  // in a hole nothing is seen but the mean
+  return mean.w > 0.02F ? Vec3(mean) / mean.w : mean_;  // in a hole, only the mean is visible
 }
 
 Vec3 TextureSampler::normal(Vec2 uv, float width) const {

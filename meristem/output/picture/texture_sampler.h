@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures as a path tracer reads them: linear light, means over any width from a pyramid of halved pictures.
+// Textures for a path tracer: linear light, with means over any width from a pyramid of halved pictures.
 //
 // Based on: L. Williams: Pyramidal parametrics (1983).
 #pragma once
@@ -14,21 +14,21 @@
 
 namespace meristem {
 
-/// What the pixels of a picture are.
+/// The meaning of a picture's pixels.
 enum class PixelMeaning {
-  colour,         ///< sRGB, alpha without a meaning
-  masked_colour,  ///< sRGB; pixels count in means as far as their alpha says
+  colour,         ///< sRGB; alpha has no meaning
+  masked_colour,  ///< sRGB; pixels are weighted by their alpha in means
   direction,      ///< from -1 at 0 to 1 at 255
 };
 
-/// A picture that repeats, at full size and halved down to one pixel. Every level has the same mean.
+/// A repeating picture at full size, and halved down to one pixel. Every level has the mean of the picture.
 class PixelPyramid {
  public:
-  /// `image` is not empty. Takes 8 bytes per pixel and a third more for the halves.
+  /// `image` must not be empty. Uses 8 bytes per pixel, and a third more for the halved pictures.
   PixelPyramid(const Image& image, PixelMeaning meaning);
 
-  /// The mean over a square of `width` about `uv`: bilinear in the level whose pixels are about that wide. The
-  /// channels in [0, 1]; of masked colours, multiplied by the fourth.
+  /// Returns the mean over a square of `width` about `uv`: bilinear in the level whose pixels are about as wide.
+  /// Channels are in [0, 1]. For masked colours they are multiplied by the fourth channel.
   Vec4 mean(Vec2 uv, float width) const;
 
  private:
@@ -41,23 +41,23 @@ class PixelPyramid {
   static Level halved(const Level& level);
 
   std::vector<Level> levels_;
-  float pixels_per_uv_;  // of the full size, the geometric mean of both ways
+  float pixels_per_uv_;  // pixels of the full size per uv, geometric mean of both directions
 };
 
-/// One texture, ready for any number of threads.
+/// A prepared texture, for any number of threads.
 class TextureSampler {
  public:
   explicit TextureSampler(const Texture& texture);
 
-  /// The linear colour about `uv`, a mean over a square of `width` in uvs.
+  /// Returns the linear colour about `uv`, a mean over a square of `width` in uvs.
   Vec3 colour(Vec2 uv, float width) const;
   bool has_normals() const { return !normals_.empty(); }
-  /// The unit normal in the surface's tangent space: x along u, y along v, z outward.
+  /// Returns the unit normal in the surface's tangent space: x along u, y along v, z outward.
   Vec3 normal(Vec2 uv, float width) const;
 
  private:
   PixelPyramid colours_;
-  std::vector<PixelPyramid> normals_;  // one, or none
+  std::vector<PixelPyramid> normals_;  // one entry, or none
   Vec3 mean_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace meristem::texture_sampler_test {
 
-/// Pixels that differ from one another, with alpha too.
+/// Returns a picture in which all pixels differ, also in alpha.
 Image motley(int width, int height) {
   Image image{width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height)};
   const RandomKey key(5);
@@ -20,7 +20,7 @@ Image motley(int width, int height) {
 
 Vec3 light_of(const std::uint8_t* rgba) { return linear_from_srgb(Vec3(rgba[0], rgba[1], rgba[2]) / 255.0F); }
 
-/// Where the middle of a pixel lies.
+/// Returns the uv of the middle of a pixel.
 Vec2 middle(const Image& image, int x, int y) {
   return {(static_cast<float>(x) + 0.5F) / static_cast<float>(image.width),
           1 - (static_cast<float>(y) + 0.5F) / static_cast<float>(image.height)};

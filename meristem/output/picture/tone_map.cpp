@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve is that of an exposed film, 1 - exp(-x), which keeps shadows open and rolls highlights off. It acts on a
-// mix of luminance and channels, because channels alone turn bright leaves yellow and luminance alone keeps glare
-// coloured.
+// Maps exposed light to display colours. The curve describes an exposed film, 1 - exp(-x), which keeps shadows open and
+// rolls highlights off. It acts on a mix of luminance and channels: with channels alone, bright leaves turn yellow, and
+// with luminance alone, glare stays coloured.
 #include "meristem/output/picture/tone_map.h"
 
 #include <algorithm>

@@ -6,12 +6,13 @@
 
 namespace meristem {
 
-/// How much a camera would open for the light of `sky`, and of lamps that give what it sees this illuminance, so that
-/// noon and dusk both make a picture: full adaptation would turn night into day, so only most of the change is made up
-/// for.
+/// Returns the brightening factor of a camera for the light of `sky`, and of lamps that cause this illuminance, so that
+/// both noon and dusk give a usable picture. Only most of the difference is compensated, since full adaptation would
+/// turn night into day.
 float exposure(const Sky& sky, float lamplight = 0);
 
-/// The sRGB colour, in [0, 1], of exposed linear light: contrast of film, highlights that roll off and lose colour.
+/// Returns the sRGB colour, in [0, 1], of exposed linear light. The contrast imitates film, and highlights roll off and
+/// lose colour.
 Vec3 tone_mapped(Vec3 light);
 
 }  // namespace meristem

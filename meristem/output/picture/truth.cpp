@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes depth, normals and object masks of a picture with one ray per pixel. Rays run in parallel, and objects are
+// then numbered in the order of the pixels, so the numbers do not depend on threads.
 #include "meristem/output/picture/truth.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ namespace {
 
 constexpr float kSky = std::numeric_limits<float>::infinity();
 
-/// What a pixel's ray has met: an instance of a part of the plants.
+/// The hit of a pixel's ray: an instance of a part of the plants.
 struct Met {
   static constexpr std::uint32_t kNothing = 0xffffffffU;
   std::uint32_t part = kNothing;
@@ -30,7 +32,7 @@ struct Met {
   SurfaceLabel label;
 };
 
-/// Numbers what is seen, each thing once. `Key` says which thing it is.
+/// Numbers the visible objects, each once. `Key` identifies an object.
 template <class Key>
 class Numbers {
  public:
@@ -51,7 +53,7 @@ class Numbers {
   std::map<Key, std::uint32_t> numbers_;
 };
 
-/// Numbers what is seen on all levels.
+/// Numbers the visible objects on all levels.
 class Census {
  public:
   Census(const MeshScene& meshes, const SurfaceLabels& labels, Truth& truth)
@@ -61,7 +63,7 @@ class Census {
         shoots_(truth.masks[static_cast<int>(TruthLevel::shoot)]),
         organs_(truth.masks[static_cast<int>(TruthLevel::organ)]) {}
 
-  /// Writes the numbers of what was met into the masks. To be called pixel by pixel, in order.
+  /// Writes the numbers of a hit into the masks. Must be called pixel by pixel, in order.
   void add(const Met& met, Truth& truth, std::size_t pixel) {
     const SurfaceLabel& label = met.label;
     const std::optional<PlantKey> key = plant_of(met);
@@ -90,7 +92,7 @@ class Census {
   }
 
  private:
-  /// What a plant is told by: an individual, a tree among plants that stand in several places, or else such a place.
+  /// What identifies a plant: an individual, a tree of a plant that stands in several places, or the place itself.
   enum class PlantBy { individual, tree, place };
   using PlantKey = std::tuple<PlantBy, std::uint32_t, std::uint32_t>;
   using OrganKey = std::tuple<int, std::uint32_t, std::uint32_t>;
@@ -112,7 +114,7 @@ class Census {
     if (std::get<0>(key) == PlantBy::individual && number < meshes_.individuals.size()) {
       return meshes_.individuals[number].component;
     }
-    // A component of a placed plant is called by what places it, and then by itself: "oak.leaf".
+    // The component of a placed plant begins with the id of its placing component: "oak.leaf".
     const std::string& component = meshes_.meshes[met.part].component;
     return component.substr(0, component.find('.'));
   }
@@ -129,7 +131,7 @@ class Census {
 Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& scene, const View& view,
                 const TruthOptions& options, Progress& progress) {
   check_still_options({.width = options.width, .height = options.height});
-  // The scene and the camera are those of the picture.
+  // Use the scene and the camera of the picture.
   const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
   const MeshScene meshes_around = shows_obstacles ? with_obstacles(grown.meshes, scene.obstacles) : MeshScene();
   const MeshScene& shown = shows_obstacles ? meshes_around : grown.meshes;
@@ -150,7 +152,7 @@ Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& s
   const SurfaceLabels labels(grown.plant, limits, shown, progress);
   Census census(shown, labels, truth);
 
-  // Each pixel's surface.
+  // Find the surface of each pixel.
   progress.begin("looking", options.height);
   std::vector<Met> met(pixels);
   parallel_for(static_cast<std::size_t>(options.height), 4, [&](std::size_t begin, std::size_t end) {
@@ -182,7 +184,7 @@ Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& s
     }
   });
 
-  // What is seen is numbered in the order of the pixels, so that the numbers depend on no thread.
+  // Number objects in the order of the pixels, so that the numbers do not depend on threads.
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     if (met[pixel].part != Met::kNothing) census.add(met[pixel], truth, pixel);
   }

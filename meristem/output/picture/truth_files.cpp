@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run-length text: differences to the run before the last, five bits per character with a bit that says whether more
-// follow. Based on: P. Dollár, T.-Y. Lin: maskApi.c of the COCO API (2015).
+// Writes the ground truth of a picture as PNG, PFM and COCO JSON. Run-length text stores the difference to the run
+// before the last, with five bits per character and one bit that says if more follow.
+//
+// Based on: P. Dollár, T.-Y. Lin: maskApi.c of the COCO API (2015).
 #include "meristem/output/picture/truth_files.h"
 
 #include <algorithm>
@@ -47,7 +49,7 @@ std::string depth_png(const Truth& truth) {
   return encode_grey_png(truth.width, truth.height, grey);
 }
 
-/// Portable float map: rows from the bottom, little-endian.
+/// Returns a portable float map: rows from the bottom, little-endian.
 std::string pfm(const Truth& truth, int channels, const float* numbers) {
   std::string bytes = fmt::format("{}\n{} {}\n-1.0\n", channels == 1 ? "Pf" : "PF", truth.width, truth.height);
   const std::size_t row = sizeof(float) * channels * truth.width;
@@ -82,18 +84,18 @@ Image mask_image(const Truth& truth, const TruthMask& mask) {
   return image;
 }
 
-/// What is seen of a thing in the picture.
+/// The extent of an object in the picture.
 struct Extent {
   int left = std::numeric_limits<int>::max();
   int top = std::numeric_limits<int>::max();
   int right = -1;
   int bottom = -1;
   std::size_t area = 0;
-  std::vector<std::uint32_t> runs;  // of other pixels and of its own in turn, column by column
-  std::uint32_t counted = 0;        // pixels in the runs so far
+  std::vector<std::uint32_t> runs;  // alternating runs of other pixels and of its own, column by column
+  std::uint32_t counted = 0;        // number of pixels in the runs so far
 };
 
-/// The extents of all things of a mask in one pass over it.
+/// Returns the extents of all objects of a mask in one pass over it.
 std::vector<Extent> extents_of(const TruthMask& mask, int width, int height) {
   std::vector<Extent> extents(mask.things.size() + 1);
   std::uint32_t place = 0;
@@ -139,7 +141,7 @@ std::string text_of_runs(const std::vector<std::uint32_t>& runs) {
   return text;
 }
 
-/// The category of a thing: its level and the component that it is of.
+/// The category of an object: its level and its component.
 using Category = std::pair<int, std::string>;
 
 Category category_of(int level, const SeenThing& thing) { return {level, thing.component}; }

@@ -60,12 +60,13 @@ TEST(Truth, HasTheDepthAndNormalsOfABall) {
   const std::size_t middle = 50 * 101 + 50;
   EXPECT_NEAR(truth.depth[middle], 9, 0.002);
   EXPECT_NEAR(truth.normal[middle].z, 1, 1e-3);
-  // Above the middle the normal leans up, and the surface lies farther back.
+  // Above the middle, the normal leans up and the surface is farther away.
   const std::size_t above = 35 * 101 + 50;
   EXPECT_GT(truth.normal[above].y, 0.3F);
   EXPECT_NEAR(truth.normal[above].x, 0, 0.05);
   EXPECT_GT(truth.depth[above], 9.02F);
-  // A ball fills the share of the film that its cone does: half a cone's tangent over that of the view.
+  // A ball fills a disc on the film. Its radius is the tangent of half the cone's angle, divided by the tangent of half
+  // the view's angle.
   std::size_t pixels = 0;
   for (const std::uint32_t number : truth.mask(TruthLevel::organ).number) pixels += number == 1 ? 1 : 0;
   const double radius = 50.5 * std::tan(std::asin(0.1)) / std::tan(radians(10));
@@ -120,14 +121,14 @@ TEST(Truth, TellsOrgansShootsAndPlantsApart) {
   }
   EXPECT_EQ(wood, 2);
   EXPECT_GE(leaves, 8);
-  // Masks nest: an organ lies on one shoot and in one plant, in all of its pixels.
+  // Masks are nested: an organ lies on one shoot and in one plant, in all of its pixels.
   for (std::size_t pixel = 0; pixel < organs.number.size(); ++pixel) {
     if (organs.number[pixel] == 0) continue;
     const SeenThing& thing = organs.things[organs.number[pixel] - 1];
     EXPECT_EQ(shoots.number[pixel], thing.shoot);
     EXPECT_EQ(plants.number[pixel], thing.plant);
   }
-  // The one to the left is not the one to the right.
+  // The plant on the left differs from the plant on the right.
   EXPECT_NE(shoots.things[0].plant, shoots.things[1].plant);
 }
 

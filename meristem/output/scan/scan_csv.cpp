@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes scans as CSV, one row per point, with the names of components and shoots as texts.
 #include <string_view>
 
 #include "meristem/output/scan/scan_writer.h"
@@ -62,7 +63,7 @@ class ScanCsv : public ScanWriter {
 
   AtomicFile file_;
   const SurfaceLabels& labels_;
-  std::vector<std::string> components_;  // as fields
+  std::vector<std::string> components_;  // as CSV fields
 };
 
 }  // namespace

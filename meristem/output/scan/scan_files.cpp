@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs a scan once and passes each block of points to the writers of all files. The table of scan formats stands here.
 #include "meristem/output/scan/scan_files.h"
 
 #include <memory>

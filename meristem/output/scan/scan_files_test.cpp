@@ -18,7 +18,7 @@
 
 namespace meristem::scan_files_test {
 
-/// The bytes at an offset, as a number.
+/// Returns the bytes at an offset as a number.
 template <class Number>
 Number number_at(const std::string& bytes, std::size_t offset) {
   Number number{};
@@ -36,7 +36,7 @@ class ScanFiles : public testing::Test {
     scanner.lowest = radians(-25);
     scanner.highest = radians(20);
     scanner.farthest = 5;
-    // Wide beams, so that some ray meets the thin vine, and a return of its own before the ground.
+    // Wide beams, so that some ray hits the thin vine and gives a return of its own before the ground.
     scanner.resolution = 0.05;
     scanner.rays = 7;
     scanner.divergence = 25;
@@ -97,7 +97,7 @@ TEST_F(ScanFiles, PlyHasAllPointsAndTheLabelsOfTheirShoots) {
   EXPECT_EQ(shoots, std::string("\0\0\0\0\4main\1\0\0\0\6main.1\2\0\0\0\4main", 3 * 5 + 14));
 }
 
-/// By the tables of the specification, not by the writer.
+/// Checks the bytes against the tables of the specification, not against the writer.
 TEST_F(ScanFiles, LasIsAsTheSpecificationSays) {
   const std::string bytes = written("a.las");
   ASSERT_EQ(bytes.substr(0, 4), "LASF");

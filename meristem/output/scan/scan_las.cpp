@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A header of 375 bytes, one variable length record that describes the extra bytes, points of format 6, and after them
-// two extended records of `meristem`: 1 with the components and 2 with the labels of shoots, as lines "number,text".
-// The pulse stands as the time of the point, a microsecond for each, so that returns of one pulse share it.
+// Writes LAS files: a header of 375 bytes, one variable length record that describes the extra bytes, and points of
+// format 6. Two extended records of `meristem` follow: 1 with the components and 2 with the labels of shoots, as lines
+// "number,text". The pulse number is stored as the time of the point, a microsecond each, so that all returns of one
+// pulse have equal times.
 //
 // Based on: ASPRS, LAS specification 1.4, revision 15 (2019): tables 3 (header), 16 (format 6), 24 (extra bytes).
 #include <array>
@@ -20,13 +21,13 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLasScale = 1e-4;  // metres: of the whole numbers that positions are
+constexpr double kLasScale = 1e-4;  // unit of the whole numbers that store positions, metres
 constexpr std::size_t kLasHeaderBytes = 375;
-constexpr std::size_t kRecordHead = 54;   // of a variable length record
-constexpr std::size_t kDescriptor = 192;  // of a dimension in extra bytes
+constexpr std::size_t kRecordHead = 54;   // bytes of the head of a variable length record
+constexpr std::size_t kDescriptor = 192;  // bytes of the description of one extra dimension
 constexpr std::uint8_t kPointFormat = 6;
 constexpr std::size_t kPointBytes = 30;    // without extra bytes
-constexpr std::uint16_t kWktBit = 1 << 4;  // demanded of this format, also without a system of coordinates
+constexpr std::uint16_t kWktBit = 1 << 4;  // required by this format, also without a coordinate system
 constexpr std::uint64_t kNoneInLas = 0xffffffffU;
 
 /// A dimension in extra bytes.
@@ -56,13 +57,13 @@ constexpr std::size_t extra_size() {
 constexpr std::size_t kRecordBytes = kPointBytes + extra_size();
 constexpr std::size_t kPointsBegin = kLasHeaderBytes + kRecordHead + kExtraBytes.size() * kDescriptor;
 
-/// A text in a field of a fixed width, the rest zeros.
+/// Appends a text in a field of fixed width, padded with zeros.
 void append_field(std::string_view text, std::size_t width, std::string& out) {
   out += text.substr(0, width);
   out.append(width - std::min(width, text.size()), '\0');
 }
 
-/// ASPRS classes: ground 2, high vegetation 5, building 6.
+/// Returns the ASPRS class: ground 2, high vegetation 5, building 6.
 std::uint8_t class_of(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::ground:
@@ -90,7 +91,7 @@ std::string extra_bytes_record() {
     append_field(extra.name, 32, out);
     append_field("", 4, out);
     append_bytes(out, std::array{extra.has_none ? kNoneInLas : 0, std::uint64_t{0}, std::uint64_t{0}});
-    append_field("", 96, out);  // least, greatest, scale and offset are not used
+    append_field("", 96, out);  // minimum, maximum, scale and offset are unused
     append_field(extra.doc, 32, out);
   }
   return out;
@@ -136,7 +137,7 @@ class ScanLas : public ScanWriter {
   }
 
  private:
-  /// An extended variable length record.
+  /// Returns an extended variable length record.
   static std::string record(std::uint16_t id, std::string_view doc, const std::string& content) {
     std::string out;
     append_bytes(out, std::uint16_t{0});
@@ -147,15 +148,15 @@ class ScanLas : public ScanWriter {
     return out + content;
   }
 
-  /// `records` is where the extended records begin.
+  /// `records` is the offset of the extended records.
   std::string header(std::uint64_t records) const {
     std::string out = "LASF";
     append_bytes(out, std::array<std::uint16_t, 2>{0, kWktBit});
-    append_field("", 16, out);  // project
+    append_field("", 16, out);  // project id
     append_bytes(out, std::array<std::uint8_t, 2>{1, 4});
     append_field("simulated", 32, out);
     append_field("Meristem " + head_.provenance.version, 32, out);
-    append_bytes(out, std::array<std::uint16_t, 2>{0, 0});  // the same bytes on any day
+    append_bytes(out, std::array<std::uint16_t, 2>{0, 0});  // no date, so that the bytes are equal on any day
     append_bytes(out, static_cast<std::uint16_t>(kLasHeaderBytes));
     append_bytes(out, static_cast<std::uint32_t>(kPointsBegin));
     append_bytes(out, std::uint32_t{1});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A comment of blanks in the header takes up what the numbers of points and shoots need, which are known at the end.
+// Writes scans as binary PLY. A comment of blanks in the header reserves space for the numbers of points and shoots,
+// which are known only at the end.
 #include <limits>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kRoomForCounts = 40;
 constexpr std::size_t kLongestLabel = 255;
 
-/// A number that is none where it is the greatest of its kind.
+/// Returns -1 for the largest number, which marks a missing object, and for all numbers that do not fit.
 std::int32_t or_minus_one(std::uint32_t number) {
   return number > static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max())
              ? -1

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads requests for scans with tables of parameters, which check names, types and ranges.
 #include "meristem/output/scan/scan_request.h"
 
 #include <string>
@@ -23,7 +24,7 @@ const std::vector<std::string>& class_names() {
   return names;
 }
 
-/// The class that a request names, so that what it does not say is as in instrument_of.
+/// Returns the class that a request names. Its values are the defaults of the instrument.
 ScannerClass class_in(const Value& request) {
   const Value* const instrument = request.find("instrument");
   const Value* const kind =
@@ -32,7 +33,7 @@ ScannerClass class_in(const Value& request) {
   for (std::size_t k = 0; k < class_names().size(); ++k) {
     if (class_names()[k] == *kind->text()) return static_cast<ScannerClass>(k);
   }
-  return ScannerClass::terrestrial;  // the table reports it
+  return ScannerClass::terrestrial;  // the table reports the error
 }
 
 void check_instrument(const Instrument& instrument, const DocumentPath& path, ParameterReader& reader) {

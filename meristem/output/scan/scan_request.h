@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests for scans, as command lines and Python make them: one table says what is in them.
+// Requests for scans from command lines and Python. One table lists their members.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@
 
 namespace meristem {
 
-/// What a request means.
+/// The meaning of a request.
 struct ScanPlan {
   ScanOptions options{};  ///< instrument, stations and noise
-  bool obstacles = true;  ///< whether the scene's visible obstacles are seen as well
+  bool obstacles = true;  ///< whether the scene's visible obstacles are scanned as well
 };
 
-const ParameterTable& instrument_table();  ///< of Instrument
-const ParameterTable& scan_table();        ///< of ScanPlan
+const ParameterTable& instrument_table();  ///< table of Instrument
+const ParameterTable& scan_table();        ///< table of ScanPlan
 
-/// Reads a request, an object of scan_table or null for none. `instrument` may be a class by its name; what it does not
-/// say is as in instrument_of. The noise has `seed` unless the request has one. Throws one InputError with all faults,
-/// each with a path from the request on, such as instrument.step.
+/// Reads a request, which is an object of scan_table, or null for no request. `instrument` may be the name of a class.
+/// Members that it does not set come from instrument_of. The noise uses `seed` unless the request has one. Throws one
+/// InputError with all errors, each with a path within the request, such as instrument.step.
 ScanPlan plan_scan(const Value& request, std::uint64_t seed);
 
-/// Whether such a scan sees any of the scene's obstacles.
+/// Returns true if such a scan sees any of the scene's obstacles.
 bool sees_obstacles(const Obstacles& obstacles, const ScanPlan& plan);
-/// The meshes that such a scan sees: those of the plant, and the obstacles if they are wanted.
+/// Returns the meshes that such a scan sees: the plant's meshes, and the obstacles if requested.
 MeshScene scanned_meshes(MeshScene meshes, const Obstacles& obstacles, const ScanPlan& plan);
 
 }  // namespace meristem

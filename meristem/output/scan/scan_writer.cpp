@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Common parts of scan writers: parallel formatting of points, and files whose head is written last.
 #include "meristem/output/scan/scan_writer.h"
 
 #include <algorithm>

@@ -14,18 +14,18 @@
 
 namespace meristem {
 
-/// What the head of a file says.
+/// The facts in the head of a scan file.
 struct ScanHead {
   const Scanner* scanner = nullptr;
   Provenance provenance{};
 };
 
-/// Takes the points of a scan as they come.
+/// Receives the points of a scan block by block.
 class ScanWriter {
  public:
   virtual ~ScanWriter() = default;
   virtual void add(std::span<const ScanPoint> points) = 0;
-  /// Writes what is known only now, and puts the file in place.
+  /// Writes the parts that are known only at the end, and puts the file in place.
   virtual void finish() = 0;
 };
 
@@ -33,14 +33,15 @@ std::unique_ptr<ScanWriter> make_scan_ply(const std::string& path, ScanHead head
 std::unique_ptr<ScanWriter> make_scan_las(const std::string& path, ScanHead head);
 std::unique_ptr<ScanWriter> make_scan_csv(const std::string& path, ScanHead head);
 
-/// Appends the bytes of each point to a text, made on all threads and joined in the points' order.
+/// Appends the bytes of each point to a text. The bytes are made on all threads and joined in the order of the points.
 void append_points(std::span<const ScanPoint> points, std::string& out,
                    FunctionRef<void(const ScanPoint& point, std::string& out)> append);
 
-/// A file whose head is known when its end is. A stream, in which nothing can be written over, gets all at the end.
+/// A file whose head is known only at its end. A stream cannot be overwritten, so its content is held and written at
+/// the end.
 class HeadedFile {
  public:
-  /// `head` has the length of the final one.
+  /// `head` must have the length of the final head.
   HeadedFile(const std::string& path, std::string head);
   void write(const std::string& bytes);
   std::size_t size() const { return file_.is_stream() ? held_.size() : file_.size(); }
@@ -48,7 +49,7 @@ class HeadedFile {
 
  private:
   AtomicFile file_;
-  std::string held_;  // of a stream
+  std::string held_;  // held content of a stream
 };
 
 }  // namespace meristem

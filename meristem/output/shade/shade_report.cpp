@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reports shade as CSV, JSON values or a picture with axes. The picture is a grid of coloured cells with labels in
+// small letters.
 #include "meristem/output/shade/shade_report.h"
 
 #include <algorithm>
@@ -14,13 +16,13 @@
 namespace meristem {
 namespace {
 
-constexpr int kMapSize = 720;  // pixels of a map's longer side, about
+constexpr int kMapSize = 720;  // approximate size of a map's longer side, pixels
 constexpr int kMapMargin = 20;
-constexpr int kScale = 2;  // pixels of a dot of the letters
+constexpr int kScale = 2;  // size of a dot of the letters, pixels
 constexpr Pixel kInk = {40, 40, 40};
-constexpr Pixel kNone = {190, 190, 190};  // night, and where an obstacle stands
+constexpr Pixel kNone = {190, 190, 190};  // night, and cells with an obstacle
 
-/// From full sun (0) to full shade (1).
+/// Returns the colour of a share, from full sun (0) to full shade (1).
 Pixel colour_of(double share) {
   constexpr std::array<std::array<double, 3>, 4> kStops = {
       {{255, 243, 176}, {244, 178, 86}, {125, 95, 136}, {24, 40, 78}}};
@@ -34,7 +36,7 @@ Pixel colour_of(double share) {
   return pixel;
 }
 
-/// Shares in cells, row 0 below.
+/// Shares in cells, row 0 at the bottom.
 struct Cells {
   int columns = 0;
   int rows = 0;
@@ -118,7 +120,7 @@ class MapPicture {
   int left_;
 };
 
-/// A length of 1, 2 or 5 times a power of ten, about a fifth of the map.
+/// Returns a length of 1, 2 or 5 times a power of ten, about a fifth of the map.
 double scale_length(double width) {
   const double decade = std::pow(10, std::floor(std::log10(width / 5)));
   for (const double times : {5.0, 2.0}) {
@@ -133,7 +135,7 @@ Image ground_picture(const ShadePlan& plan, const ShadeOfSurface& shade) {
   const int cell = std::max(1, kMapSize / std::max(cells.columns, cells.rows));
   constexpr int kBelow = kMapMargin + kSmallTextHeight * kScale + kMapMargin;
   MapPicture map(cells, cell, cell, kMapMargin, kBelow);
-  // Cells are equally wide, and as many as have points make the area.
+  // Cells have equal widths, and the cells with points have the total area of the surface.
   const double cell_area = surface.area / static_cast<double>(surface.positions.size());
   const double width = cells.columns * std::sqrt(cell_area);
   const double length = scale_length(width);
@@ -149,7 +151,7 @@ Image moments_picture(const ShadePlan& plan, const ShadeOfSurface& shade) {
   const int letters = kSmallTextHeight * kScale;
   const int left = kMapMargin + small_text_width("00:00", kScale) + 8;
   MapPicture map(cells, width, height, left, kMapMargin + letters);
-  // Label as many hours and days as have room.
+  // Label as many hours and days as there is room for.
   const auto hours = static_cast<int>(plan.hours.size());
   const int every_hours = std::max(1, (letters + 6 + height - 1) / height);
   for (int k = 0; k < hours; k += every_hours) {
@@ -165,7 +167,7 @@ Image moments_picture(const ShadePlan& plan, const ShadeOfSurface& shade) {
   return map.take();
 }
 
-/// Appends a number and what comes after it; nothing before that by night.
+/// Appends a number and the following character. The number is left out at night.
 void append(double number, char after, std::string& out) {
   if (std::isfinite(number)) append_csv_number(static_cast<float>(number), out);
   out += after;

@@ -13,7 +13,7 @@ struct Case {
   ShadeOfSurface shade;
 };
 
-/// Ground of two by two cells at midnight and at noon; an obstacle takes one cell.
+/// Returns ground of two by two cells at midnight and at noon. An obstacle occupies one cell.
 Case small_case() {
   Scene scene;
   scene.latitude = radians(50);

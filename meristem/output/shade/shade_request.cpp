@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads requests for shade: parses days and hours, reads the surface with tables of parameters, and computes the sun's
+// positions.
 #include "meristem/output/shade/shade_request.h"
 
 #include <algorithm>
@@ -44,7 +46,7 @@ InputError fault(std::string path, std::string message, std::string expected, st
                                .path = std::move(path)});
 }
 
-/// A finite number that is all of a text.
+/// Returns the finite number that a whole text represents.
 std::optional<double> number_of(std::string_view text) {
   double number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -65,7 +67,7 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   }
 }
 
-/// How many steps lead from a begin to an end; a last one that rounding has carried past it still counts.
+/// Returns the number of steps from a beginning to an end. A last step that passes the end only by rounding counts.
 std::size_t steps_between(double from, double to, double step, const char* path, std::string_view text) {
   const char* const wanted = "FROM:TO:STEP, with a step above 0 and an end that is not before the start";
   if (!(step > 0) || !(to >= from)) throw fault(path, fmt::format("'{}' is not a row of numbers", text), wanted);
@@ -137,12 +139,12 @@ void add_hours(std::string_view part, std::vector<double>& hours) {
   hours.push_back(*hour);
 }
 
-/// A struct by its table.
+/// Reads a struct by its table.
 template <class Parameters>
 Parameters read_parameters(const ParameterTable& table, const Value& value, std::string_view name) {
   Parameters parameters;
   ParameterReader reader({}, Limits());
-  // A bare value goes by its row's name, so that the table's rules are asked as well.
+  // A bare value gets the name of its row, so that the rules of the table apply.
   const Value whole = value.object() != nullptr ? value : Value(Value::Object{{table.shorthand, value}});
   const DocumentPath top;
   reader.read(table, &parameters, table.shorthand.empty() ? value : whole, DocumentPath(top, name));
@@ -150,7 +152,7 @@ Parameters read_parameters(const ParameterTable& table, const Value& value, std:
   return parameters;
 }
 
-/// Obstacles may be named by their numbers, which need not be written as texts.
+/// Obstacles may be named by number, which need not be a text.
 Value with_text_names(const Value& value) {
   const auto as_text = [](const Value& name) {
     return name.number() != nullptr ? Value(fmt::format("{:.12g}", *name.number())) : name;
@@ -161,7 +163,7 @@ Value with_text_names(const Value& value) {
   return copy;
 }
 
-/// The obstacles of that name, or the one of that number.
+/// Returns the obstacles of that name, or the obstacle of that number.
 std::vector<std::size_t> obstacles_called(const std::string& name, const Obstacles& obstacles) {
   const std::vector<Obstacle>& bodies = obstacles.bodies();
   std::vector<std::size_t> found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests for shade: which surface, on which days, at which hours.
+// Requests for shade: the surface, the days and the hours.
 #pragma once
 
 #include <optional>
@@ -15,56 +15,58 @@
 
 namespace meristem {
 
-/// Shade as a command line or Python asks for it. Exactly one of the surfaces is not null; facade_table, panels_table
-/// and ground_table say what is in them.
+/// A request for shade from a command line or Python. Exactly one of the surfaces must not be null. facade_table,
+/// panels_table and ground_table list their members.
 struct ShadeRequest {
   Value facade{};         ///< an object of facade_table(), or null
   Value panels{};         ///< an object of panels_table(), or null
   Value ground{};         ///< an object of ground_table(), or null
-  double spacing = 0.25;  ///< metres between points; lowered, shares are finer and take longer by its square
-  /// Days between commas: numbers of days of the year, dates (2026-06-21), and FROM:TO:STEP of either.
+  double spacing = 0.25;  ///< metres between points; smaller values give finer shares, and the time grows with the
+                          ///< inverse square
+  /// Days separated by commas: numbers of days of the year, dates (2026-06-21), and FROM:TO:STEP of either.
   std::string days{};
-  /// Hours between commas: numbers, times (15:30), and FROM:TO:STEP of numbers.
+  /// Hours separated by commas: numbers, times (15:30), and FROM:TO:STEP of numbers.
   std::string hours = "0:23:1";
-  std::optional<double> latitude{};    ///< degrees; unset: the scene's
-  std::optional<double> longitude{};   ///< degrees; with `utc_offset` hours are clock time; unset: the scene's
+  std::optional<double> latitude{};    ///< degrees; unset: latitude of the scene
+  std::optional<double> longitude{};   ///< degrees; if `utc_offset` is set as well, hours are clock time; unset:
+                                       ///< longitude of the scene
   std::optional<double> utc_offset{};  ///< hours
 };
 
-/// A day of a request; without a date any year's.
+/// A day of a request. Without a date, it is a day of any year.
 struct ShadeDay {
   int day = 1;                 ///< day of the year
-  std::optional<Date> date{};  ///< unset: the day of any year
+  std::optional<Date> date{};  ///< unset: a day of any year
 
   /// Returns the date, or the number of the day.
   std::string text() const { return date ? date_text(*date) : std::to_string(day); }
 };
 
-/// What a request means in a scene.
+/// The meaning of a request in a scene.
 struct ShadePlan {
-  ShadeSurface surface;        ///< the surface that is shaded
+  ShadeSurface surface;        ///< the surface whose shade is measured
   std::vector<ShadeDay> days;  ///< days, in their order
   std::vector<double> hours;   ///< hours of each day
   bool is_clock_time = false;  ///< false: true solar time
-  /// Positions of the sun at all hours of each day, one day after another, with the true solar hours.
+  /// Positions of the sun at all hours of each day, day by day, with the true solar hours.
   std::vector<SkyDirection> sun;
   std::vector<double> solar_hours;  ///< true solar hour of each of `sun`
 };
 
-/// Returns the rows of a facade: a wall that is shaded.
+/// Returns the table of a facade: a wall of an obstacle.
 const ParameterTable& facade_table();
-/// Returns the rows of a field of solar panels.
+/// Returns the table of a field of solar panels.
 const ParameterTable& panels_table();
-/// Returns the rows of a rectangle of ground.
+/// Returns the table of a rectangle of ground.
 const ParameterTable& ground_table();
 
-/// The days and hours of such texts, in their order. Throw InputError.
+/// Read the days in such a text, in their order. Throws InputError.
 std::vector<ShadeDay> parse_shade_days(std::string_view text);
 /// Reads hours, as parse_shade_days() reads days.
 std::vector<double> parse_shade_hours(std::string_view text);
 
-/// The plan of a request. Throws one InputError with its faults, each at a path that begins with facade, panels,
-/// ground, spacing, days, hours, latitude, longitude or utc_offset.
+/// Returns the plan of a request. Throws one InputError with all errors. Each has a path that begins with facade,
+/// panels, ground, spacing, days, hours, latitude, longitude or utc_offset.
 ShadePlan plan_shade(const ShadeRequest& request, const Scene& scene);
 
 }  // namespace meristem

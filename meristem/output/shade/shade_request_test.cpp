@@ -124,7 +124,7 @@ TEST(ShadeRequest, ClockHoursNeedDatesAndAZone) {
   EXPECT_NE(fault_of(request).find("day 172 has no year"), std::string::npos);
   request.longitude = 181;
   EXPECT_NE(fault_of(request).find("longitude: it cannot be 181"), std::string::npos);
-  // What the document's sun says counts where nothing else does.
+  // The document's settings of the sun apply if the request does not set them.
   Scene scene = street();
   scene.clock = ClockZone{radians(13.4), 2};
   const ShadePlan same =

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes cylinders as rows of CSV in the columns of TreeQSM (source in the header). Cylinders of one tree are grouped
+// together.
 #include "meristem/output/skeleton/cylinder_csv.h"
 
 #include <string_view>
@@ -19,7 +21,7 @@ constexpr std::string_view kCylinderHeader =
     "BranchOrder,PositionInBranch\n";
 constexpr std::size_t kCylinderColumns = 17;
 
-/// Rows are counted from 1; 0 is none.
+/// Rows are counted from 1, and 0 marks a missing cylinder.
 std::uint32_t row_number(std::uint32_t cylinder) { return cylinder == kNoCylinder ? 0 : cylinder + 1; }
 
 void append_cylinder(const Cylinder& cylinder, std::string& out) {

@@ -20,7 +20,7 @@ std::string text_of(const std::filesystem::path& path) {
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-/// The table of a plant, and what it reads as.
+/// The table of a plant, and the result of reading it.
 class CylinderTables : public testing::Test {
  protected:
   std::string csv(const Plant& plant) {
@@ -42,7 +42,7 @@ class CylinderTables : public testing::Test {
   Progress progress_;
 };
 
-/// The volume of a skeleton as cones between its nodes; laterals begin as thick as their first node.
+/// Returns the volume of a skeleton as cones between its nodes. Laterals begin with the thickness of their first node.
 double volume_of(const Skeleton& skeleton) {
   double volume = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -56,7 +56,7 @@ double volume_of(const Skeleton& skeleton) {
   return volume;
 }
 
-/// The volume of cylinders that end in the nodes.
+/// Returns the volume of the cylinders that end in the nodes.
 double volume_of_cylinders(const Skeleton& skeleton) {
   double volume = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -109,7 +109,7 @@ TEST_F(CylinderTables, TreeFilesHaveALinePerTree) {
             "3,0,0,0.01,-1,2,0, 3,0,0.1,0.01,0,2,0, 3,0,0.33333334,0.0057735313,1,2,0\n");
 }
 
-/// Nodes of two trees in turn in one skeleton.
+/// Nodes of two trees alternate in one skeleton.
 TEST_F(CylinderTables, TreesOfOneSkeletonDoNotMix) {
   Plant plant;
   Stem stem{.parts = {{.component = "pair"}}};

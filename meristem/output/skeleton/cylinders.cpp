@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Turns the segments of skeletons into cylinders of equal volume, linked by parent and next cylinder.
 #include "meristem/output/skeleton/cylinders.h"
 
 #include <cmath>
@@ -23,7 +24,7 @@ std::vector<Cylinder> cylinders_of(const Plant& plant) {
   std::vector<Cylinder> cylinders;
   cylinders.reserve(plant.node_count());
   std::uint32_t first_axis = 0;
-  std::vector<std::uint32_t> number;  // of the cylinder that ends in each node of a stem
+  std::vector<std::uint32_t> number;  // number of the cylinder that ends in each node of a stem
   for (const Stem& stem : plant.stems) {
     const Skeleton& skeleton = stem.skeleton;
     number.assign(skeleton.node_count(), kNoCylinder);

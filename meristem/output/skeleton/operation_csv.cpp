@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the records of operations as rows of CSV.
 #include "meristem/output/skeleton/operation_csv.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 constexpr std::string_view kOperationHeader =
     "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,bud_position_x,bud_position_y,"
     "bud_position_z,diameter,metamers,length,wood,light\n";
-constexpr std::size_t kOperationNumbers = 18;  // of a row
+constexpr std::size_t kOperationNumbers = 18;  // numbers in a row
 
 void append_operation_row(const OperationRecord& record, std::string& out) {
   const auto number = [&](auto value) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes organs with the light on them as rows of CSV. The numbers of organs within their component are found in one
+// pass.
 #include "meristem/output/skeleton/organ_csv.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ namespace meristem {
 namespace {
 
 constexpr std::string_view kHeader = "component,instance,tree,x,y,z,area,exposure,irradiance\n";
-constexpr std::size_t kNumbers = 8;  // of a row
+constexpr std::size_t kNumbers = 8;  // numbers in a row
 
 void append_row(const std::string& component, std::uint32_t instance, std::uint32_t tree, Vec3 position,
                 const LitOrgan& lit, std::string& out) {
@@ -41,7 +43,7 @@ void append_row(const std::string& component, std::uint32_t instance, std::uint3
 
 std::vector<std::uint32_t> organ_instances(const Plant& plant) {
   std::map<std::string_view, std::uint32_t> of_component;
-  std::vector<std::uint32_t*> next;  // of each prototype
+  std::vector<std::uint32_t*> next;  // for each prototype
   for (const OrganPrototype& prototype : plant.prototypes) next.push_back(&of_component[prototype.component]);
   std::vector<std::uint32_t> numbers;
   numbers.reserve(plant.organs.size());
@@ -55,7 +57,7 @@ void write_organ_csv(const Plant& grown, const Limits& limits, std::span<const L
   require_finite(*expanded);
   const Plant& plant = *expanded;
   if (lit.size() != plant.organs.size()) throw std::invalid_argument("there must be one light per organ");
-  std::vector<std::string> components;  // of each prototype, as fields
+  std::vector<std::string> components;  // for each prototype, as CSV fields
   std::size_t longest = 0;
   for (const OrganPrototype& prototype : plant.prototypes) {
     components.push_back(csv_field(prototype.component));

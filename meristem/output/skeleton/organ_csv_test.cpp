@@ -14,7 +14,7 @@
 
 namespace meristem::organ_csv_test {
 
-/// Organs of two prototypes of one component and one of another, by turns.
+/// Returns organs of two prototypes of one component and of one prototype of another, in alternation.
 Plant organs(std::size_t count) {
   Plant plant;
   plant.prototypes = {{"leaf", 0, nullptr}, {"a \"b\", c", 0, nullptr}, {"leaf", 0, nullptr}};

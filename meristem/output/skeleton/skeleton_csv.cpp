@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes skeletons as rows of CSV from SkeletonTable, formatted in blocks on all threads.
 #include "meristem/output/skeleton/skeleton_csv.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ class CsvRows {
   }
 
   const SkeletonTable& table_;
-  std::vector<std::string> components_;  // as fields
+  std::vector<std::string> components_;  // as CSV fields
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 
 namespace meristem {
 
-/// Writes the skeletons of `plant` as a table in CSV (RFC 4180, lines ended by a line feed): a line with the names of
-/// the columns, then one per node, in the order and under the names of SkeletonTable. `component` is the id; a field is
-/// empty where a node has no parent or a value is not known; numbers have the digits that give the same float when
-/// read. Streams: memory beyond the plant and the labels of its axes stays below 64 MB. The file appears whole or not
-/// at all; "-" is standard output. Throws MachineError (path, disk), Cancelled.
+/// Writes the skeletons of `plant` as a table in CSV (RFC 4180, lines end with a line feed): a line with the names of
+/// the columns, then one line per node, in the order and with the names of SkeletonTable. `component` is the id. A
+/// field is empty if a node has no parent or a value is unknown. Numbers have enough digits to restore the exact float.
+/// Streams: memory beyond the plant and the labels of its axes stays below 64 MB. The file appears whole or not at all.
+/// "-" is standard output. Throws MachineError (path, disk), Cancelled.
 void write_skeleton_csv(const Plant& plant, const Limits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

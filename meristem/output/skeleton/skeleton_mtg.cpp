@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Based on: the MTG user guide, section "File syntax". What programs make of MTG files is heeded in these points:
-// - OpenAlea.mtg puts the cells of a line into one code and parts it at `+ < / [ ] ( ) , =` again: so no text and no
-//   number has these. It knows laterals by a column more than their bearer's, and takes the first word behind the
-//   topmost one as the first feature's column.
-// - MultiScaleTreeGraph.jl wants the sections' heads word by word, features in the order of their declaration, both
-//   relations in DESCRIPTION, and ends lines at `;` as at `#`.
+// Writes multiscale tree graphs, one line per entity.
+//
+// Based on: the MTG user guide, section "File syntax". The output respects these properties of other programs:
+// - OpenAlea.mtg joins the cells of a line into one code and splits it again at `+ < / [ ] ( ) , =`, so no text and
+//   no number may contain them. It recognises laterals by one more column than their bearer, and takes the first word
+//   after the topmost one as the column of the first feature.
+// - MultiScaleTreeGraph.jl requires the heads of sections word by word, features in the order of their declaration,
+//   and both relations in DESCRIPTION. It ends lines at `;` as well as at `#`.
 #include "meristem/output/skeleton/skeleton_mtg.h"
 
 #include <algorithm>
@@ -49,14 +51,15 @@ constexpr const char* kClasses =
     "S\tS\t+\t?\n"
     "\n";
 
-/// A text that no reader takes apart.
+/// Returns a text that no reader splits.
 std::string mtg_word(const std::string& text) {
   std::string word = text;
   std::replace_if(word.begin(), word.end(), is_mtg_sign, '_');
   return word;
 }
 
-/// Whether axes and orders are those that a reader finds: a successor continues its parent's axis, all else begins one.
+/// Returns true if a reader derives equal axes and orders: a successor continues its parent's axis, and every other
+/// node begins one.
 bool has_plain_axes(const Skeleton& skeleton) {
   const std::vector<bool> is_successor = find_successors(skeleton);
   AxisIndex axes = 0;
@@ -69,7 +72,7 @@ bool has_plain_axes(const Skeleton& skeleton) {
   return true;
 }
 
-/// What every node has: a column of the table, or what a factor makes of it.
+/// A feature that every node has: a column of the table, or a column times a factor.
 struct NodeFeature {
   std::string name;
   std::size_t column = 0;
@@ -108,7 +111,7 @@ class MtgWriter {
     return skeletons;
   }
 
-  /// One of those that every table has.
+  /// Returns the index of a column that every table has.
   std::size_t column_of(std::string_view name) const {
     std::size_t column = 0;
     while (table_.columns()[column].name != name) ++column;
@@ -141,7 +144,7 @@ class MtgWriter {
     }
   }
 
-  /// Numbers nodes on their axes, and finds the lines on which trees begin.
+  /// Numbers nodes on their axes, and finds the lines at which trees begin.
   void number_nodes() {
     numbers_.reserve(table_.row_count());
     for (const Stem& stem : plant_.stems) {
@@ -179,7 +182,7 @@ class MtgWriter {
   }
 
   std::size_t most_row_bytes() const {
-    constexpr std::size_t kCodes = 64;  // of a plant, an axis and a segment, with their ends of lines
+    constexpr std::size_t kCodes = 64;  // maximum size of the codes of a plant, an axis and a segment, with line ends
     std::size_t longest = 0;
     for (const std::string& text : components_) longest = std::max(longest, text.size());
     std::size_t longest_label = 0;
@@ -187,7 +190,7 @@ class MtgWriter {
     return kCodes + longest + longest_label + 2 * layout_.column_count() + (2 * features_.size() + 3) * kCsvNumberBytes;
   }
 
-  /// The entity of a line, with the plant and the axis that begin with it.
+  /// Appends the entity of a line, preceded by the plant and the axis that begin with it.
   void append(const SkeletonRow& line, std::string& out) const {
     const MtgEntry& place = layout_.places()[line.row];
     const SkeletonRow row{line.row - line.node + place.node, line.stem, place.node};
@@ -236,7 +239,7 @@ class MtgWriter {
     } else if (std::isfinite(value)) {
       const std::size_t begin = out.size();
       append_csv_number(static_cast<float>(value), out);
-      // A plus would be a branch.
+      // A plus sign would mean a branch.
       const std::size_t plus = out.find('+', begin);
       if (plus != std::string::npos) out.erase(plus, 1);
     }
@@ -255,8 +258,8 @@ class MtgWriter {
   std::size_t component_column_ = column_of("component");
   std::size_t instance_column_ = column_of("instance");
   std::vector<NodeFeature> features_;
-  std::vector<std::string> components_;  // as words; empty where stems are of none
-  std::vector<std::uint32_t> numbers_;   // of all nodes on their axes
+  std::vector<std::string> components_;  // as words; empty if stems belong to no component
+  std::vector<std::uint32_t> numbers_;   // for all nodes, their number on the axis
   std::vector<std::size_t> root_lines_;
 };
 

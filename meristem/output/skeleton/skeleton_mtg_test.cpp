@@ -44,10 +44,10 @@ Skeleton read(const std::string& text, const MtgGeometry& geometry = {}) {
   return skeleton_of(read_mtg(text, "plant.mtg", {}), "plant.mtg", geometry, {}).skeleton;
 }
 
-/// The text from the line that names the columns on.
+/// Returns the text from the line that names the columns.
 std::string codes_of(const std::string& text) { return text.substr(text.find("ENTITY-CODE")); }
 
-/// Written and read, it is the same; written again, the bytes are.
+/// Checks that a written and read skeleton is equal, and that writing it again gives equal bytes.
 void check_round_trip(const Skeleton& skeleton) {
   const std::string text = written(plant_of(skeleton));
   const Skeleton again = read(text);
@@ -56,7 +56,7 @@ void check_round_trip(const Skeleton& skeleton) {
   EXPECT_TRUE(written(plant_of(again)) == text);
 }
 
-/// A skeleton of any shape: axes that go on late, several roots, positions and columns of all magnitudes.
+/// Returns a skeleton of random shape: axes that continue late, several roots, positions and columns of all magnitudes.
 Skeleton random_skeleton(const RandomKey& key, NodeIndex nodes) {
   Skeleton skeleton;
   std::vector<bool> goes_on(nodes, false);
@@ -173,7 +173,7 @@ TEST(SkeletonMtg, WhatASkeletonHasComesBackExactly) {
 
 TEST(SkeletonMtg, AxesThatNoReaderWouldFindComeBackToo) {
   Skeleton skeleton = random_skeleton(RandomKey(3), 50);
-  // An axis that forks, and orders that leap.
+  // An axis that forks, and orders that jump.
   for (NodeIndex node = 0; node < 50; ++node) skeleton.axis[node] = std::min<AxisIndex>(skeleton.axis[node], 3);
   for (std::uint16_t& order : skeleton.order) order = static_cast<std::uint16_t>(3 * order);
   check_round_trip(skeleton);
@@ -226,7 +226,8 @@ TEST(SkeletonMtg, ColumnsWhoseNamesAFileCannotHaveAreRefused) {
   }
 }
 
-/// A stem whose every node bears a branch, which does the same: orders as high as there are nodes.
+/// Returns a stem whose every node bears a branch, which again bears branches: orders are as high as the number of
+/// nodes.
 Skeleton stairs(NodeIndex steps) {
   Skeleton skeleton;
   skeleton.add_node(kNoNode, Vec3(0), 0);
@@ -262,7 +263,7 @@ struct DigitisedTree {
   MtgGeometry geometry;
 };
 
-/// Two of them have no coordinates: other features stand for these, since how entities are joined is what they test.
+/// Two trees have no coordinates. Other features replace them, since these tests check how entities are joined.
 const std::vector<DigitisedTree>& digitised_trees() {
   static const std::vector<DigitisedTree> kTrees{
       {"trees/noylum2.mtg", {.length_unit = 0.01, .diameter_unit = 0.001}},
@@ -294,14 +295,14 @@ TEST(SkeletonMtg, TreesWithoutCoordinatesHaveNoSkeleton) {
   }
 }
 
-/// What a plant's file gives is its stems as one skeleton.
+/// Checks that a plant's file restores its stems as one skeleton.
 void check_grown(const Document& document) {
   Progress progress;
   const GrownDocument grown = grow_document(document, progress);
   Skeleton all;
   for (const Stem& stem : grown.plant.stems) all.append(stem.skeleton);
   Skeleton forest = read(written(grown.plant));
-  // What a stem does not have is not known here, and 0 in a skeleton to which it is appended.
+  // An attribute that a stem lacks is unknown here, but 0 in a skeleton to which the stem was appended.
   for (auto& [name, values] : forest.extra) {
     const auto is_unknown = [](float value) { return std::isnan(value); };
     std::replace_if(values.begin(), values.end(), is_unknown, 0.0F);

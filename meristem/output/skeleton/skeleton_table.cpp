@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Numbers rows and axes over all stems of a plant and finds the columns, without copying values.
 #include "meristem/output/skeleton/skeleton_table.h"
 
 #include <array>

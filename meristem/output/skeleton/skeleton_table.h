@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The skeletons of a plant as one table, a row per node: what every export of skeletons shows, under the same names.
+// The skeletons of a plant as one table with a row per node. All exports of skeletons show these columns under these
+// names.
 #pragma once
 
 #include <algorithm>
@@ -23,9 +24,9 @@ struct SkeletonColumn {
   /// The meaning of a column's numbers.
   enum class Kind {
     component,  ///< a whole number that indexes SkeletonTable::components()
-    label,      ///< one that indexes SkeletonTable::labels()
-    index,      ///< a whole number; kNoRow where there is none
-    number,     ///< a float; NaN where not known
+    label,      ///< a whole number that indexes SkeletonTable::labels()
+    index,      ///< a whole number; kNoRow for a missing row
+    number,     ///< a float; NaN if unknown
   };
   std::string name;          ///< name in the head of a table
   Kind kind = Kind::number;  ///< meaning of the numbers
@@ -35,13 +36,13 @@ struct SkeletonColumn {
 ///
 /// | column | meaning |
 /// | --- | --- |
-/// | `component`, `instance` | whose stem it is, and which of that component's |
-/// | `node`, `parent` | the row's number, and that of the parent's row |
+/// | `component`, `instance` | component of the stem, and number of the instance |
+/// | `node`, `parent` | number of the row, and number of the parent's row |
 /// | `x`, `y`, `z`, `radius` | metres |
-/// | `axis` | counted on through the stems, so that no two stems share one |
+/// | `axis` | number of the axis, unique over all stems |
 /// | `order`, `birth` | branching order, growth step |
-/// | others | what some skeleton has in `extra`, by name |
-/// | `label` | that of the axis (axis_labels), where some skeleton numbers its metamers |
+/// | others | columns of `extra` in any skeleton, by name |
+/// | `label` | label of the axis (axis_labels), if some skeleton numbers its metamers |
 class SkeletonTable {
  public:
   static constexpr double kNoRow = -1;  ///< marks a missing row
@@ -51,10 +52,10 @@ class SkeletonTable {
 
   std::size_t row_count() const { return first_row_.back(); }              ///< number of nodes of all stems
   const std::vector<SkeletonColumn>& columns() const { return columns_; }  ///< columns in the order above
-  /// Ids of components with stems, in the plant's order.
+  /// Returns the ids of components with stems, in the plant's order.
   const std::vector<std::string>& components() const { return components_; }
 
-  /// The label of each axis; empty where there is no column of them.
+  /// Returns the label of each axis. Empty if there is no column of labels.
   const std::vector<std::string>& labels() const { return labels_; }
 
   /// Returns the node of a row.
@@ -68,9 +69,10 @@ class SkeletonTable {
       for (; row.row < std::min(end, first_row_[row.stem + 1]); ++row.row, ++row.node) body(row);
     }
   }
-  /// The number of the parent's row, or kNoRow.
+  /// Returns the number of the parent's row, or kNoRow.
   double parent(const SkeletonRow& row) const;
-  /// The value of a column, an index into columns(). Exact: a double holds every float and every index.
+  /// Returns the value of a column, an index into columns(). Exact, since a double represents every float and every
+  /// index.
   double value(const SkeletonRow& row, std::size_t column) const;
 
  private:
@@ -79,7 +81,7 @@ class SkeletonTable {
   std::vector<std::string> components_;
   std::vector<std::string> labels_;
   std::vector<std::vector<std::size_t>> component_;  // for each stem's parts, indices into components_
-  std::vector<std::size_t> first_row_;               // first row of each stem, and the end
+  std::vector<std::size_t> first_row_;               // first row of each stem, and last the number of rows
   std::vector<std::size_t> first_axis_;              // first axis of each stem
   std::vector<std::vector<const std::vector<float>*>>
       extra_;  // values of each stem for each further column; may be null

@@ -61,7 +61,7 @@ TEST(SkeletonTable, LabelsAxesWhereMetamersAreNumbered) {
 
 TEST(SkeletonTable, AnyPartOfTheRowsIsThatPartOfAll) {
   Plant plant = two_stems();
-  plant.stems.insert(plant.stems.begin() + 1, Stem{});  // without nodes
+  plant.stems.insert(plant.stems.begin() + 1, Stem{});  // a stem without nodes
   plant.stems.emplace_back();
   const SkeletonTable table(plant);
   for (std::size_t begin = 0; begin <= 7; ++begin) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes of several trees may stand in turn in one skeleton, so the nodes are first put in the order of their trees.
+// Writes tree files, one line per tree. Nodes of several trees may alternate in one skeleton, so the nodes are first
+// sorted by tree.
 //
 // Based on: the tree files of T. Lowe, treetools (CSIRO), which describe branches as chains of cylinders.
 #include "meristem/output/skeleton/tree_file.h"
@@ -21,12 +22,12 @@ namespace {
 
 constexpr std::size_t kTreeFileNumbers = 7;
 
-/// A node on its way into a line.
+/// A node prepared for its line.
 struct TreeFileNode {
   Vec3 position{0};
   float radius = 0;
   std::uint32_t branch = 0;
-  std::int32_t parent = -1;  // number in its tree
+  std::int32_t parent = -1;  // number within its tree
   std::uint16_t order = 0;
   bool begins_line = false;
 };
@@ -34,14 +35,14 @@ struct TreeFileNode {
 /// Appends the nodes of a skeleton tree by tree.
 void append_trees(const Skeleton& skeleton, std::uint32_t first_axis, std::vector<TreeFileNode>& nodes) {
   std::vector<std::uint32_t> tree(skeleton.node_count());
-  std::vector<std::uint32_t> number(skeleton.node_count());  // of each node in its tree
+  std::vector<std::uint32_t> number(skeleton.node_count());  // for each node, its number within its tree
   std::vector<std::uint32_t> sizes;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     if (skeleton.is_root(node)) sizes.push_back(0);
     tree[node] = skeleton.is_root(node) ? static_cast<std::uint32_t>(sizes.size() - 1) : tree[skeleton.parent[node]];
     number[node] = sizes[tree[node]]++;
   }
-  std::vector<std::size_t> first;  // of each tree among all nodes
+  std::vector<std::size_t> first;  // for each tree, its first index among all nodes
   std::size_t next = nodes.size();
   for (const std::uint32_t size : sizes) {
     first.push_back(next);

@@ -12,8 +12,8 @@ namespace meristem {
 
 static_assert(std::endian::native == std::endian::little, "records are written as they lie in memory");
 
-/// Appends the bytes of a number or of an array of numbers, the lowest byte of each first. Throws an InputError if one
-/// is not finite.
+/// Appends the bytes of a number or of an array of numbers, little-endian. Throws an InputError if a number is not
+/// finite.
 template <class Value>
 void append_bytes(std::string& out, const Value& value) {
   require_finite_value(value);

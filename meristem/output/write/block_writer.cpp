@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Formats blocks of elements on all threads and writes them in order, so that the bytes do not depend on the number of
+// threads.
 #include "meristem/output/write/block_writer.h"
 
 #include "meristem/base/parallel.h"

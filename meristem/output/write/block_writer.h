@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How text and records stream into a file: blocks are made on all threads, a bounded number at a time, and written in
+// Streams text and records into a file. Blocks are made on all threads, a limited number at a time, and written in
 // their order.
 #pragma once
 
@@ -16,13 +16,13 @@
 
 namespace meristem {
 
-/// True for frames that turn triangles inside out: their winding has to be swapped.
+/// Returns true for frames that mirror triangles, whose winding must then be swapped.
 inline bool is_mirrored(const Frame& frame) {
   return glm::dot(glm::cross(frame.axes[0], frame.axes[1]), frame.axes[2]) < 0;
 }
 
-/// Elements `first` to `last` of frame number `frame` are elements `begin` and following of all frames' together.
-/// Calls `body(frame, first, last)` for each frame that has elements in [begin, end), in order.
+/// The elements of all frames are numbered consecutively. Calls `body(frame, first, last)` for each frame that has
+/// elements in [begin, end), in order. `first` to `last` are numbers of elements within the frame.
 template <class Body>
 void for_each_run(std::size_t begin, std::size_t end, std::size_t per_frame, Body body) {
   while (begin < end) {
@@ -35,27 +35,27 @@ void for_each_run(std::size_t begin, std::size_t end, std::size_t per_frame, Bod
 
 class BlockWriter {
  public:
-  static constexpr std::size_t kBlocks = 64;          ///< held at a time
-  static constexpr std::size_t kMostElements = 4096;  ///< of one block
+  static constexpr std::size_t kBlocks = 64;          ///< number of blocks in memory at a time
+  static constexpr std::size_t kMostElements = 4096;  ///< maximum number of elements of one block
   static constexpr std::size_t kBlockBytes = 400'000;
 
-  /// Appends the bytes of elements `begin` to `end` to `out`; called from any thread.
+  /// Appends the bytes of elements `begin` to `end` to `out`. Called from any thread.
   using Fill = FunctionRef<void(std::size_t begin, std::size_t end, std::string& out)>;
 
   BlockWriter(AtomicFile& file, Progress& progress) : file_(file), progress_(progress) {}
 
-  /// Writes `count` elements and counts them as done. Elements have `element_bytes` at most; the blocks are as small as
-  /// keeps all that are held below 26 MB.
+  /// Writes `count` elements and counts them as progress. An element has at most `element_bytes`. Blocks are small
+  /// enough that all blocks in memory stay below 26 MB.
   void write(std::size_t count, std::size_t element_bytes, Fill fill);
 
  private:
   AtomicFile& file_;
   Progress& progress_;
-  std::vector<std::string> blocks_;  // kept, so that their memory is used again
+  std::vector<std::string> blocks_;  // kept, so that their memory is reused
 };
 
-/// Writes `per_frame` elements for each of `frames`. `fill(frame, first, last, out)` appends the bytes of those from
-/// `first` to `last` of one frame.
+/// Writes `per_frame` elements for each of `frames`. `fill(frame, first, last, out)` appends the bytes of the elements
+/// from `first` to `last` of one frame.
 template <class Fill>
 void write_for_frames(BlockWriter& writer, std::size_t frames, std::size_t per_frame, std::size_t element_bytes,
                       Fill fill) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Splits colours into a factor per material and a factor per instance. The material's factor is the maximum over its
+// instances, so that no instance needs a factor above 1.
 #include "meristem/output/write/colour_factors.h"
 
 namespace meristem {
@@ -10,7 +12,7 @@ Vec3 within_one(Vec3 factor) { return glm::clamp(factor, Vec3(0), Vec3(1)); }
 }  // namespace
 
 Vec3 ColourFactors::instance(Vec3 tint) const {
-  // A channel in which no instance gives light back keeps 0 by its base.
+  // A channel that is 0 in all instances stays 0 through its base.
   constexpr float kDark = 1e-6F;
   return within_one(within_one(material * tint) / glm::max(base, Vec3(kDark)));
 }

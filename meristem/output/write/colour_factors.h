@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours as files can hold them: a factor on the whole material and one on each instance, none above 1.
+// Colours in the form of files: a factor for the whole material and one for each instance, none above 1.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace meristem {
 
-/// The light that comes back is texture * base * instance(tint), linear.
+/// The reflected light is texture * base * instance(tint), linear.
 struct ColourFactors {
   Vec3 material{1};     ///< Material::tint()
-  Vec3 base{1};         ///< the most that any instance needs, at most 1
-  Vec3 mean{1};         ///< of all instances, at most 1
-  bool varies = false;  ///< some instances have tints of their own
+  Vec3 base{1};         ///< maximum over all instances, at most 1
+  Vec3 mean{1};         ///< mean over all instances, at most 1
+  bool varies = false;  ///< true if some instances have tints of their own
 
-  /// The factor on `base` for an instance of this tint, in [0, 1].
+  /// Returns the factor on `base` for an instance of this tint, in [0, 1].
   Vec3 instance(Vec3 tint) const;
 };
 
-/// The colour factors of each of the scene's materials.
+/// Returns the colour factors of each of the scene's materials.
 std::vector<ColourFactors> colour_factors(const MeshScene& scene);
 
-/// The same, with all that instances need at any time.
+/// Returns the colour factors of a moving scene, which cover all tints of instances at any time.
 std::vector<ColourFactors> colour_factors(const MovingScene& moving);
 
 }  // namespace meristem

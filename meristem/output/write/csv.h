@@ -12,12 +12,12 @@
 
 namespace meristem {
 
-inline constexpr std::size_t kCsvNumberBytes = 24;  ///< that a number and the comma after it take at most
+inline constexpr std::size_t kCsvNumberBytes = 24;  ///< maximum size of a number and the comma after it, bytes
 
-/// A text as one field of a table in CSV: in quotes where it holds what would end the field.
+/// Returns a text as one field of a CSV table, in quotes if it contains characters that end a field.
 std::string csv_field(const std::string& text);
 
-/// Appends a number with the digits that give the same one when read. Throws an InputError if it is not finite.
+/// Appends a number with enough digits to restore it exactly. Throws an InputError if it is not finite.
 template <class Number>
 void append_csv_number(Number value, std::string& out) {
   require_finite_value(value);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Encodes pictures of textures as PNG, each once. New pictures run in parallel, and a failure removes all of them
+// again.
 #include "meristem/output/write/encoded_pictures.h"
 
 #include <algorithm>

@@ -17,7 +17,7 @@ struct TexturePicture {
   enum class Kind {
     colour,
     normals,
-    mask,  ///< the colours' alpha in all four channels: readers look for it in its alpha or in its green
+    mask,  ///< alpha of the colours in all four channels: readers use the alpha or the green channel
   };
   const Texture* texture = nullptr;  ///< must outlive the picture; not null
   Kind kind = Kind::colour;          ///< which of the texture's pictures
@@ -25,12 +25,12 @@ struct TexturePicture {
   bool operator==(const TexturePicture&) const = default;
 };
 
-/// Pictures as the bytes of PNG files, each encoded once for all files that are written with it: levels of detail and
-/// formats share them.
+/// Pictures as the bytes of PNG files. Each picture is encoded once for all files that are written together: levels of
+/// detail and formats share it.
 class EncodedPictures {
  public:
-  /// The bytes of each of `pictures`, in their order; new pictures are encoded side by side. Their textures stay where
-  /// they are for as long as this is used. Throws Cancelled, std::invalid_argument for sketches.
+  /// Returns the bytes of each of `pictures`, in their order. New pictures are encoded in parallel. Their textures must
+  /// not move while this object is used. Throws Cancelled, std::invalid_argument for sketches.
   std::vector<std::shared_ptr<const std::string>> encode(std::span<const TexturePicture> pictures,
                                                          const Progress& progress);
 

@@ -13,7 +13,7 @@ namespace meristem::encoded_pictures_test {
 
 using Kind = TexturePicture::Kind;
 
-/// Colours and normals as textures have them: smooth, with some noise.
+/// Returns colours and normals as textures have them: smooth, with some noise.
 Texture some_texture() {
   Texture texture;
   texture.masked = true;
@@ -28,7 +28,7 @@ Texture some_texture() {
   return texture;
 }
 
-/// What a reader makes of the bytes of a PNG.
+/// Returns the picture that a reader decodes from the bytes of a PNG.
 Image read_back(const std::string& bytes) { return parse_image(bytes, "test.png", Limits()); }
 
 TEST(EncodedPictures, EveryPixelReadsBackAsItWas) {

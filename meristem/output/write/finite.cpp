@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks that numbers are finite. A bound on the effect of all frames replaces a check of every vertex of every
+// instance.
 #include "meristem/output/write/finite.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace meristem {
 
 namespace {
 
-// What instances are moved to must stay below: the largest float, less room for what writers add up.
+// Maximum coordinate of moved instances: the largest float, with room for the additions of writers.
 constexpr double kLargest = 1e38;
 constexpr const char* kExpected = "finite numbers; smaller lengths, radii and scales in the document";
 
@@ -37,7 +39,7 @@ bool are_finite(const std::vector<Vector>& vectors) {
   return std::all_of(vectors.begin(), vectors.end(), [](const Vector& vector) { return is_finite(vector); });
 }
 
-/// The most that frames do to the coordinates of a point; infinite if a frame is not finite.
+/// The maximum effect of frames on the coordinates of a point. Infinite if a frame is not finite.
 struct Stretch {
   double factor = 0;
   double shift = 0;
@@ -55,7 +57,7 @@ struct Stretch {
     }
   }
 
-  /// The largest coordinate of what has coordinates up to `most`.
+  /// Returns the largest coordinate that points with coordinates up to `most` can reach.
   double of(double most) const { return factor * most + shift; }
 };
 

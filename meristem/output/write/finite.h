@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// No file holds a NaN or an infinity. Writers check what they are given before a file appears, and every number once
-// more as it is written, in all builds. Two values are meant and documented: the NaN of an unknown value in the columns
-// of `.skeleton.ply`, and the infinite depth of the sky in `.pfm`.
+// No file may contain a NaN or an infinity. Writers check their input before a file appears, and check every number
+// again when it is written, in all builds. There are two documented exceptions: the NaN of an unknown value in the
+// columns of `.skeleton.ply`, and the infinite depth of the sky in `.pfm`.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@
 
 namespace meristem {
 
-/// Throws an InputError that names the component, if a number of the scene is not finite or if the place of an instance
-/// would make it infinite. Cost linear in vertices and instances, without their product.
+/// Throws an InputError that names the component if a number of the scene is not finite, or if the place of an instance
+/// would make it infinite. The cost is linear in vertices plus instances, not in their product.
 void require_finite(const MeshScene& scene);
-/// Throws an InputError that names the component, if a number of the plant's skeletons or organs is not finite. Further
-/// columns of a skeleton may be NaN, which means that the value is not known.
+/// Throws an InputError that names the component if a number of the plant's skeletons or organs is not finite. Further
+/// columns of a skeleton may be NaN, which marks an unknown value.
 void require_finite(const Plant& plant);
 
-/// Throws the InputError of a number that is not finite and belongs to no component.
+/// Throws the InputError for a number that is not finite and belongs to no component.
 [[noreturn]] void throw_not_finite();
 
-/// Throws an InputError if a number is not finite. Whole numbers pass.
+/// Throws an InputError if a number is not finite. Whole numbers always pass.
 template <class Number>
 requires std::is_arithmetic_v<Number>
 void require_finite_value(Number number) {

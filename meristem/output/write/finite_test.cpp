@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every format of the table in formats.cpp is given a plant with numbers that are not finite: each refuses it and
-// leaves no file. A new format is among them as soon as it is in the table.
+// Gives every format of the table in formats.cpp a plant with numbers that are not finite. Each format must refuse it
+// and leave no file. New formats in the table are tested automatically.
 #include "meristem/output/write/finite.h"
 
 #include <array>
@@ -57,7 +57,7 @@ MeshInstances& part_of(GrownDocument& grown, const std::string& component) {
   throw std::logic_error("no such component");
 }
 
-/// A record of an operation, and the points of a plant that stands at infinity.
+/// Adds a record of an operation, and the points of a plant that stands at infinity.
 void spoil_records(GrownDocument& grown) {
   OperationRecord record;
   record.act = "cut";
@@ -69,7 +69,7 @@ void spoil_records(GrownDocument& grown) {
   grown.traces.placed.push_back({"far", {far}, std::move(traces)});
 }
 
-/// The fault with which a format refuses a plant; nothing may stand in the folder then.
+/// Returns the error with which a format refuses a plant. The folder must be empty afterwards.
 std::string refusal(const Format& format, const GrownDocument& spoilt) {
   const TemporaryFolder folder;
   Progress progress;
@@ -133,7 +133,7 @@ TEST(Finite, InstancesThatWouldBecomeInfiniteAreRefused) {
   GrownDocument spoilt = grown();
   MeshInstances& leaf = part_of(spoilt, "leaf");
   for (Vec3& position : mesh_of(leaf).positions) position *= 1e20F;
-  leaf.frames[0].axes *= 1e20F;  // both are finite, their product is not
+  leaf.frames[0].axes *= 1e20F;  // both are finite, but their product is not
   for (const Format& format : formats()) {
     if (format.needs < GrownPart::meshes || format.is_whole) continue;
     EXPECT_NE(refusal(format, spoilt).find("an instance of 'leaf' is not finite"), std::string::npos) << format.ending;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Encodes JPEG with libjpeg-turbo. For a maximum size, a bisection finds the highest quality that fits.
 #include "meristem/output/write/jpeg.h"
 
 #include <memory>
@@ -13,10 +14,10 @@ namespace meristem {
 
 namespace {
 
-/// Above this quality colours keep the resolution of the brightness; below it nobody sees the difference.
+/// Above this quality, colours have the full resolution of the brightness. Below it, nobody sees the difference.
 constexpr int kFullColourQuality = 95;
 
-/// An encoder that is set up once for the several tries of a size.
+/// An encoder that is set up once for several attempts at a size.
 class JpegEncoder {
  public:
   explicit JpegEncoder(const Image& image) : image_(image) {
@@ -26,7 +27,7 @@ class JpegEncoder {
   std::string encode(int quality) {
     unsigned char* bytes = nullptr;
     unsigned long size = 0;  // NOLINT(google-runtime-int): libturbojpeg's type
-    // The accurate transform gives the same bytes with and without vector instructions.
+    // The accurate transform gives equal bytes with and without vector instructions.
     const int done = tjCompress2(encoder_.get(), image_.rgba.data(), image_.width, 0, image_.height, TJPF_RGBX, &bytes,
                                  &size, quality >= kFullColourQuality ? TJSAMP_444 : TJSAMP_420, quality,
                                  TJFLAG_ACCURATEDCT | TJFLAG_PROGRESSIVE);
@@ -58,7 +59,7 @@ std::string encode_jpeg(const Image& image, const JpegOptions& options) {
   JpegEncoder encoder(image);
   std::string best = encoder.encode(options.quality);
   if (!options.max_bytes || best.size() <= *options.max_bytes) return best;
-  // Halve the qualities between one that is small enough and one that is too large.
+  // Bisect the qualities between one that fits and one that is too large.
   int small_enough = 0;
   int too_large = options.quality;
   while (too_large - small_enough > 1) {

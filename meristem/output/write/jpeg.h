@@ -9,17 +9,19 @@
 
 namespace meristem {
 
-/// The default quality of JPEG files: noise and thin twigs look as they do in a PNG.
+/// The default quality of JPEG files, at which noise and thin twigs look as in a PNG.
 inline constexpr int kUsualJpegQuality = 90;
 
 /// Quality and size of a JPEG file.
 struct JpegOptions {
-  int quality = kUsualJpegQuality;         ///< 1 to 100; higher: closer to the picture, and larger
-  std::optional<std::uint64_t> max_bytes;  ///< a larger file gets the highest quality at which it is no larger
+  int quality = kUsualJpegQuality;         ///< 1 to 100; higher values are closer to the picture and give larger files
+  std::optional<std::uint64_t> max_bytes;  ///< maximum file size; a larger file is encoded again at the highest quality
+                                           ///< that fits
 };
 
-/// The bytes of a JPEG file; the same picture and options give the same bytes. JPEG has no transparency: alpha is left
-/// out. Throws InputError for a quality out of range and where even quality 1 has more than `max_bytes`; MachineError.
+/// Returns the bytes of a JPEG file. Equal pictures and options give equal bytes. JPEG has no transparency, so alpha is
+/// left out. Throws InputError for a quality out of range, and if even quality 1 needs more than `max_bytes`. Throws
+/// MachineError.
 std::string encode_jpeg(const Image& image, const JpegOptions& options = {});
 
 }  // namespace meristem

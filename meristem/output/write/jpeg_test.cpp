@@ -12,7 +12,7 @@
 
 namespace meristem::jpeg_test {
 
-/// Waves with a little grain, as pictures of leaves have.
+/// Returns waves with a little grain, like pictures of leaves.
 Image waves(int width, int height) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes names valid and unique for text formats.
 #include "meristem/output/write/names.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-/// True for the second and later bytes of a character in UTF-8.
+/// Returns true for the second and later bytes of a UTF-8 character.
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 }  // namespace
@@ -56,7 +57,7 @@ std::vector<std::string> distinct_words(std::span<const std::string> names) {
   for (const std::string& name : names) {
     const std::string plain = single_word(name);
     std::string word = plain;
-    // The next number is remembered, so that a thousand equal names do not ask half a million times.
+    // The next number is remembered, so that a thousand equal names do not need half a million lookups.
     while (!taken.insert(word).second) {
       int& number = last_number.try_emplace(plain, 1).first->second;
       word = fmt::format("{}_{}", plain, ++number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names as text formats can hold them.
+// Names in the forms of text formats.
 #pragma once
 
 #include <span>
@@ -9,20 +9,20 @@
 
 namespace meristem {
 
-/// `text` as one line: control characters become spaces, and what is longer than 200 bytes is cut between characters,
-/// since readers of PLY know lines of 1024 bytes at most.
+/// Returns `text` as one line. Control characters become spaces. Texts over 200 bytes are cut between characters, since
+/// some readers of PLY accept lines of at most 1024 bytes.
 std::string single_line(std::string_view text);
 
-/// `text` as one word: white space, control characters, `#` and `\` become `_`; "_" for an empty text.
+/// Returns `text` as one word: white space, control characters, `#` and `\` become `_`. Returns "_" for an empty text.
 std::string single_word(std::string_view text);
 
-/// `text` as a part of a file's name: `single_word`, and `/` becomes `_`, too.
+/// Returns `text` as a part of a file name: like `single_word`, and `/` also becomes `_`.
 std::string file_word(std::string_view text);
 
-/// `text` with the letters A to Z as small ones.
+/// Returns `text` with the letters A to Z in lower case.
 std::string lower_case(std::string_view text);
 
-/// One word a name, no two alike: a word that is taken gets `_2`, `_3`, ... behind it.
+/// Returns one unique word per name. A word that exists already gets the suffix `_2`, `_3`, ...
 std::vector<std::string> distinct_words(std::span<const std::string> names);
 
 }  // namespace meristem

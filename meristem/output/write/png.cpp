@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Encodes PNG with libpng. The compression level and filters are fixed, so that equal pictures give equal bytes.
 #include "meristem/output/write/png.h"
 
 #include <csetjmp>
@@ -17,7 +18,8 @@ namespace meristem {
 
 namespace {
 
-/// What libpng's callbacks share. libpng is C and leaves by longjmp; exceptions wait here until its frames are gone.
+/// The data that libpng's callbacks share. libpng is written in C and reports errors by longjmp, so exceptions are
+/// stored here until its frames are gone.
 struct PngTarget {
   FunctionRef<void(const void* data, std::size_t size)> write;
   std::exception_ptr failure;
@@ -53,27 +55,27 @@ bool is_opaque(const Image& image) {
   return true;
 }
 
-/// What libpng is given: rows of bytes, from the top.
+/// The input of libpng: rows of bytes, from the top.
 struct PngRows {
   int width, height;
-  int bits;         // per channel
-  int colour_type;  // of libpng
+  int bits;         // bits per channel
+  int colour_type;  // colour type of libpng
   const std::uint8_t* bytes;
   std::size_t row_bytes;
-  bool skips_alpha;  // every fourth byte
+  bool skips_alpha;  // if true, every fourth byte is skipped
 };
 
-/// Nothing with a destructor may live here: libpng leaves it by longjmp.
+/// No object with a destructor may exist here, because libpng leaves this function by longjmp.
 void write_rows(png_structp png, png_infop info, const PngRows& rows, PixelKind kind, PngPacking packing) {
   if (setjmp(png_jmpbuf(png)) != 0) return;
   png_set_IHDR(png, info, static_cast<png_uint_32>(rows.width), static_cast<png_uint_32>(rows.height), rows.bits,
                rows.colour_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (kind == PixelKind::srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  // Named, so that the bytes do not change with libpng's defaults.
+  // Set explicitly, so that the bytes do not change with libpng's defaults.
   png_set_compression_level(png, 6);
   if (packing == PngPacking::quick) {
-    // Pictures that chance has painted repeat nothing: looking for what repeats takes five sixths of the time for 5 %
-    // of the bytes. Among the filters these two alone give files as small as all do.
+    // Random textures repeat nothing: searching for repetitions takes five sixths of the time for 5 % of the bytes.
+    // These two filters give files as small as all filters together.
     png_set_compression_strategy(png, Z_RLE);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP | PNG_FILTER_PAETH);
   } else {
@@ -85,7 +87,7 @@ void write_rows(png_structp png, png_infop info, const PngRows& rows, PixelKind 
   png_write_end(png, info);
 }
 
-/// Gives the bytes of the PNG to `write`, in order.
+/// Passes the bytes of the PNG to `write`, in order.
 void stream_rows(const PngRows& rows, PixelKind kind, PngPacking packing,
                  FunctionRef<void(const void* data, std::size_t size)> write) {
   PngTarget target{write, nullptr};

@@ -26,7 +26,7 @@ std::string temporary_path() {
   return testing::TempDir() + "png_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
 }
 
-/// What libpng's simple reader makes of the file.
+/// Returns the picture that libpng's simple reader decodes from the file.
 Image read_back(const std::string& path, bool* has_alpha) {
   png_image reader{};
   reader.version = PNG_IMAGE_VERSION;

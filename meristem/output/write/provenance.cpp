@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the origin of a plant as comment lines, including the command that grows it again.
 #include "meristem/output/write/provenance.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-/// As a shell takes it: in single quotes where it has other characters than words and numbers.
+/// Returns a text for a shell: in single quotes if it contains characters other than letters, digits and similar marks.
 std::string quoted(const std::string& text) {
   const auto is_plain = [](char c) {
     return ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') ||
@@ -42,7 +43,7 @@ std::vector<std::string> provenance_lines(const Provenance& provenance, std::str
   lines.push_back(fmt::format("seed: {}", provenance.seed));
   std::string again = fmt::format("meristem grow DOCUMENT -o FILE --seed {}", provenance.seed);
   for (const std::string& set : provenance.sets) again += " --set " + quoted(set);
-  lines.push_back("to grow it again: " + again);  // whole, however long
+  lines.push_back("to grow it again: " + again);  // never shortened
   lines.push_back(fmt::format("units: {}", units));
   return lines;
 }

@@ -8,17 +8,17 @@
 
 namespace meristem {
 
-/// The origin of a file: enough to grow its plant again.
+/// The origin of a file, with everything that is needed to grow its plant again.
 struct Provenance {
-  std::string name;                 ///< the document's
+  std::string name;                 ///< name of the document
   std::string author;               ///< author of the document, or empty
   std::string licence;              ///< licence of the document, or empty
   std::uint64_t seed = 0;           ///< seed of the plant
   std::string version;              ///< version of the program
-  std::vector<std::string> sets{};  ///< the values that were set for it, each as `--set` takes it: "age=20"
+  std::vector<std::string> sets{};  ///< values that were set for the document, in the form of `--set`: "age=20"
 };
 
-/// The provenance and the units as comments of a file, for people: one line each, without the mark of a comment.
+/// Returns the provenance and the units as comments for people: one line each, without the comment mark of the file.
 std::vector<std::string> provenance_lines(const Provenance& provenance, std::string_view units = "metres, y up");
 
 }  // namespace meristem

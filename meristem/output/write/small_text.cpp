@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws text with a small built-in font of 5 by 7 dots, so that pictures do not depend on installed fonts.
 #include "meristem/output/write/small_text.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ constexpr int kWidth = 5;
 constexpr int kAdvance = 6;
 constexpr std::string_view kLetters = "0123456789%:-.mabcdefghijklnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_[](),/+=";
 
-/// Seven rows of each letter from above; the highest of a row's five bits is the left dot.
+/// Seven rows of each letter from the top. The highest of a row's five bits is the left dot.
 constexpr std::array<std::array<std::uint8_t, 7>, 75> kDots = {{
     {0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110},
     {0b00100, 0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110},

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Meshes blended stems and crowns. All parts of a stem with one component, material and deformation form one implicit
+// body. Its isosurface is simplified to the wanted number of triangles, then shaded and deformed.
 #include "meristem/shape/body_meshes.h"
 
 #include <algorithm>
@@ -25,15 +27,18 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kToldOneByOne = 8;  // bodies that each tell their stages; more are meshed at once
+constexpr std::size_t kToldOneByOne = 8;  // up to this number, bodies are meshed one by one with their own progress;
+                                          // more are meshed in parallel
 constexpr std::size_t kFewestQuickTriangles = 60;
-constexpr int kFewestQuickCells = 24;          // along a body's longest side; with fewer, branches were clubs
-constexpr double kTrianglesPerSquare = 4;      // of a tree, for each square of its longest side in cells; about
-constexpr double kQuickOversampling = 2;       // triangles made for each one that stays
-constexpr std::size_t kFewestTriangles = 200;  // of a body in any level; with a quarter of that crowns were boulders
+constexpr int kFewestQuickCells = 24;          // minimum number of cells along a body's longest side; with fewer,
+                                               // branches looked like clubs
+constexpr double kTrianglesPerSquare = 4;      // triangles of a tree per square of its longest side in cells,
+                                               // approximately
+constexpr double kQuickOversampling = 2;       // triangles that are made per triangle that is kept
+constexpr std::size_t kFewestTriangles = 200;  // minimum for a body at any level; with a quarter of this number, crowns
+                                               // looked like boulders
 
-/// One body to mesh: of all parts of a stem that one component has made of one material and one deformation deforms,
-/// whatever their tints.
+/// One body to mesh: all parts of a stem with one component, material and deformation, whatever their tints.
 struct BodyTask {
   const Stem* stem = nullptr;
   std::vector<const StemPart*> parts;
@@ -44,16 +49,16 @@ struct BodyTask {
   const Surface& surface() const { return first().surface; }
   int resolution() const { return is_crown ? surface().crown->resolution : surface().resolution; }
   std::optional<int> wanted_triangles() const { return is_crown ? surface().crown->triangles : surface().triangles; }
-  /// From where the body's mesh counts: floats are finer near it.
+  /// Returns the origin of the body's mesh. Floats are more precise near it.
   Vec3 origin() const { return stem->skeleton.position[0]; }
-  /// From where it counts until it is deformed.
+  /// Returns the origin of the body's mesh before the deformation.
   Vec3 undeformed_origin() const { return stem->skeleton_of_surface().position[0]; }
   std::vector<AxisIndex> axes() const {
     std::vector<AxisIndex> all;
     for (const std::vector<AxisIndex>& axes : axes_of_part) all.insert(all.end(), axes.begin(), axes.end());
     return all;
   }
-  /// The tint of all parts, or none where their tints differ.
+  /// Returns the tint of all parts, or no tint if their tints differ.
   Vec3 tint() const {
     const auto has_first = [this](const StemPart* part) { return part->tint == first().tint; };
     return std::all_of(parts.begin(), parts.end(), has_first) ? first().tint : Vec3(1);
@@ -63,7 +68,7 @@ struct BodyTask {
   }
 };
 
-/// A stem's parts with their axes, those of one component and material together.
+/// Groups a stem's parts and their axes by component and material.
 std::vector<BodyTask> groups_of(const Stem& stem) {
   std::vector<std::vector<AxisIndex>> axes_of_part(stem.parts.size());
   AxisIndex axes = 0;
@@ -99,7 +104,7 @@ std::vector<BodyTask> tasks_of(const Plant& plant) {
   return tasks;
 }
 
-/// The body of a task whose longest side has `resolution` cells.
+/// Returns the body of a task with `resolution` cells along its longest side.
 ImplicitBody body_of(const BodyTask& task, int resolution) {
   const Skeleton& skeleton = task.stem->skeleton_of_surface();
   Surface surface = task.surface();
@@ -119,20 +124,21 @@ ImplicitBody body_of(const BodyTask& task, int resolution) {
   return body;
 }
 
-/// How many triangles a body of `made` triangles is to have where the document wants at most `wanted`.
+/// Returns the wanted number of triangles for a body of `made` triangles. `wanted` is the maximum that the document
+/// sets.
 std::size_t triangles_of(std::size_t made, const std::optional<int>& wanted, const Detail& detail) {
   const std::size_t whole = wanted ? std::min(made, static_cast<std::size_t>(*wanted)) : made;
   const auto wanted_at_level = static_cast<std::size_t>(detail.kept() * static_cast<double>(whole));
   return std::max(wanted_at_level, std::min(whole, detail.is_quick ? kFewestQuickTriangles : kFewestTriangles));
 }
 
-/// About how many triangles a body has that the document wants with at most `wanted`.
+/// Returns about how many triangles a body has if the document allows at most `wanted`.
 double about_triangles(int resolution, const std::optional<int>& wanted) {
   const double made = kTrianglesPerSquare * resolution * resolution;
   return wanted ? std::min(made, static_cast<double>(*wanted)) : made;
 }
 
-/// Cells along the longest side of a body. A quick level has as many as its triangles need.
+/// Returns the number of cells along the longest side of a body. A quick level has as many as its triangles need.
 int resolution_of(const BodyTask& task, const std::optional<int>& wanted, const Detail& detail) {
   const int whole = task.resolution();
   if (!detail.is_quick || detail.level == 0) return whole;
@@ -151,7 +157,7 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
   options.normals = !is_flat;
   Mesh mesh = extract_isosurface(body_of(task, options.resolution), options, limits, task.path(), progress);
   if (detail.work != nullptr) detail.work->triangles += mesh.triangle_count();
-  // A body that was made of larger cells has the share of the triangles already.
+  // A body made of larger cells already has the share of the triangles.
   const double cells = static_cast<double>(options.resolution) / task.resolution();
   const auto whole = static_cast<std::size_t>(static_cast<double>(mesh.triangle_count()) / (cells * cells));
   const std::size_t target = triangles_of(whole, triangles, detail);
@@ -167,7 +173,7 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
   return mesh;
 }
 
-/// Meshes those tasks that are `missing`.
+/// Meshes the tasks whose indices are in `missing`.
 void mesh_bodies(const std::vector<BodyTask>& tasks, const std::vector<std::size_t>& missing, const Detail& detail,
                  const Limits& limits, Progress& progress, std::vector<std::shared_ptr<const Mesh>>& meshes) {
   const auto mesh_one = [&](std::size_t task, Progress& told) {
@@ -187,7 +193,7 @@ void mesh_bodies(const std::vector<BodyTask>& tasks, const std::vector<std::size
   });
 }
 
-/// Hash of all that shapes a body.
+/// Returns the hash of everything that shapes a body.
 std::uint64_t key_of(const BodyTask& task, const Detail& detail, const Limits& limits) {
   static_assert(std::has_unique_object_representations_v<Limits>);
   Fingerprint key;
@@ -201,7 +207,7 @@ std::uint64_t key_of(const BodyTask& task, const Detail& detail, const Limits& l
   return key.hash();
 }
 
-/// The number of a material among `materials`, appended if it is not among them.
+/// Returns the number of a material in `materials`, and appends it if it is new.
 std::uint32_t number_of(const Material& material, std::vector<Material>& materials) {
   const auto found = std::find(materials.begin(), materials.end(), material);
   if (found != materials.end()) return static_cast<std::uint32_t>(found - materials.begin());
@@ -284,9 +290,9 @@ std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& de
     made[k].frames = {Frame{.origin = tasks[k].origin()}};
     made[k].origin = std::make_shared<const MeshOrigin>(
         MeshOrigin{.stem = static_cast<std::uint32_t>(tasks[k].stem - plant.stems.data())});
-    // One body of several plants belongs to none of them.
+    // A body of several plants belongs to none of them.
     if (tasks[k].stem->individual() != 0) made[k].individuals = {tasks[k].stem->individual()};
-    // A crown has its own colour; the shade that tells its stem from others is its, too.
+    // A crown has its own colour, but shares the tint that distinguishes its stem from others.
     if (tasks[k].tint() != Vec3(1)) made[k].tints = {tasks[k].tint()};
   }
   return made;

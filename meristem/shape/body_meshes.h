@@ -18,24 +18,25 @@ void add_thickening(const Plant& plant, Thickening& whole);
 /// Returns true if any stem has a blended body or a visible crown body.
 bool has_bodies(const Plant& plant);
 
-/// About how many triangles the blended bodies and crowns of a plant have. A guess by their resolution, unless the
-/// document says how many. Linear in nodes.
+/// Returns about how many triangles the blended bodies and crowns of a plant have. This is an estimate from their
+/// resolution, unless the document sets the number. Linear in nodes.
 double about_body_triangles(const Plant& plant);
 
-/// The box about a body's solids, and one side of the cells in which its surface is sought, in metres.
+/// The box around a body's solids, and the side length of the cells in which its surface is sought, in metres.
 struct BodyCells {
   Box box;
   double cell = 0;
 };
-/// Those of the blended bodies and crown bodies of all stems, in their order, before any deformation. Throws Cancelled.
+/// Returns the cells of the blended bodies and crown bodies of all stems, in their order, before any deformation.
+/// Throws Cancelled.
 std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progress);
 
-/// The blended bodies and crown bodies of all stems, in their order; a body's material has no texture, as bodies have
-/// no uvs, and a crown's is its component's with the crown's colour: those that are new are appended to `materials`.
-/// Beyond level 0 of `detail` they are simplified to its share of their triangles, but to no fewer than 200. A quick
-/// detail makes them of larger cells first, and of no fewer than 60 triangles. Begins
-/// stages of `progress` where there are any. Bodies that are among the `results` are not made anew. Throws as
-/// extract_isosurface does, at the component's surface.
+/// Returns the meshes of the blended bodies and crown bodies of all stems, in their order. A body's material has no
+/// texture, since bodies have no uvs. A crown's material is its component's material with the crown's colour. New
+/// materials are appended to `materials`. Beyond level 0 of `detail`, bodies are simplified to its share of their
+/// triangles, but to no fewer than 200. A quick detail first makes them of larger cells, and keeps at least 60
+/// triangles. Begins stages of `progress` if there are bodies. Bodies found in `results` are not made again. Throws
+/// like extract_isosurface, at the component's surface.
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
                                             std::vector<Material>& materials, Progress& progress, CacheRun& results);
 

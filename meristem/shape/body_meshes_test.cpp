@@ -13,7 +13,7 @@ namespace meristem::body_meshes_test {
 
 CacheRun uncached(nullptr, {});
 
-/// One fork of component "tree" in that surface.
+/// Returns one fork of component "tree" with that surface.
 Plant fork_in(const Surface& surface) {
   Plant plant;
   plant.materials.resize(1);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes the cache keys of stems. A key covers the skeleton, the deformation and everything else that shapes the
+// meshes of a stem.
 #include "meristem/shape/cached_meshes.h"
 
 #include <optional>
@@ -35,9 +37,9 @@ std::uint64_t VariantMeshes::bytes() const {
 }
 
 void add_skeleton(const Stem& stem, Fingerprint& to) {
-  // What people did to it (`operations`) leaves no trace in its surface besides.
+  // The records of operations do not affect the surface.
   const auto& [parent, position, radius, axis, order, birth, extra, operations] = stem.skeleton_of_surface();
-  // Which rings a tube has depends on where the deformed nodes lie, too.
+  // The choice of a tube's rings also depends on the positions of the deformed nodes.
   to.add(stem.undeformed != nullptr);
   if (stem.undeformed != nullptr) to.add_array(stem.skeleton.position);
   DeformationHashes hashes;

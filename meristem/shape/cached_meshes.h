@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a mesh scene leaves in a cache for the next one of the same or a changed plant.
+// Results that a mesh scene leaves in a cache for the next scene of the same or a changed plant.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace meristem {
 
-/// The tubes of one stem, by its looks.
+/// The tubes of one stem, grouped by looks.
 struct StemTubes {
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::vector<TubeSize> sizes;
-  std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes{};  ///< of each mesh
+  std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes{};  ///< for each mesh
 
   std::uint64_t bytes() const;
 };
@@ -32,7 +32,7 @@ struct BodyMesh {
   std::uint64_t bytes() const { return mesh->bytes(); }
 };
 
-/// A mesh with tangents, and its original without them, which stays so that it can be found by its address.
+/// A mesh with tangents. Its original without tangents is kept, because it is found by its address.
 struct TangentMesh {
   std::shared_ptr<const Mesh> plain;
   std::shared_ptr<const Mesh> mesh;
@@ -43,12 +43,12 @@ struct TangentMesh {
 /// The meshes of a plant that stands in several places.
 struct VariantMeshes {
   MeshScene scene;
-  bool is_whole = true;  ///< false: a coarser level
+  bool is_whole = true;  ///< false for a coarser level
 
   std::uint64_t bytes() const;
 };
 
-/// Adds all that shapes a stem's meshes, but for what clothes it.
+/// Adds everything that shapes a stem's meshes except its surface.
 void add_skeleton(const Stem& stem, Fingerprint& to);
 void add_surface(const Surface& surface, Fingerprint& to);
 void add_detail(const Detail& detail, Fingerprint& to);

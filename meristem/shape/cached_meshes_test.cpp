@@ -8,7 +8,7 @@
 
 namespace meristem::cached_meshes_test {
 
-/// A pole with a branch of another component.
+/// Returns a pole with a branch of another component.
 Stem forked(float height, Surface surface = {}) {
   Stem stem;
   stem.parts.resize(2);
@@ -34,7 +34,7 @@ Surface blended() {
   return surface;
 }
 
-/// Two stems with tubes and one blended, with a sphere as organ.
+/// Returns two stems with tubes and one blended stem, with a sphere as organ.
 Plant small_plant() {
   Plant plant;
   plant.materials.resize(1);
@@ -49,7 +49,7 @@ MeshScene scene_of(const Plant& plant, Cache& cache, const Detail& detail = {}) 
   return make_mesh_scene(plant, Limits(), progress, detail, &cache);
 }
 
-/// Expects the scene that is made without a cache, mesh for mesh.
+/// Expects a scene that equals the scene made without a cache, mesh for mesh.
 void expect_as_without(const MeshScene& scene, const Plant& plant, const Detail& detail = {}) {
   Progress progress;
   const MeshScene plain = make_mesh_scene(plant, Limits(), progress, detail);
@@ -92,7 +92,7 @@ TEST(CachedMeshes, WhatClothesAStemTellsItApart) {
     return cache.reuse<StemTubes>().made;
   };
   EXPECT_EQ(made_after(plain), 0U);
-  EXPECT_EQ(made_after(plain, {.level = 1}), 0U);  // levels of a small plant are made of its whole meshes
+  EXPECT_EQ(made_after(plain, {.level = 1}), 0U);  // levels of a small plant are made from its whole meshes
   Plant changed = plain;
   changed.stems[0].parts[1].surface.sides = 5;
   EXPECT_EQ(made_after(changed), 1U);
@@ -108,7 +108,7 @@ TEST(CachedMeshes, WhatClothesAStemTellsItApart) {
   changed.materials[0].texture = texture;
   EXPECT_EQ(made_after(changed), 3U);
   changed = plain;
-  changed.stems[0].parts[0].tint = Vec3(0.5F);  // no shape
+  changed.stems[0].parts[0].tint = Vec3(0.5F);  // does not change the shape
   EXPECT_EQ(made_after(changed), 0U);
 }
 

@@ -9,10 +9,10 @@
 
 namespace meristem {
 
-/// Hashes of the deformations of a stem's parts, most of which have the same one. Each is worked out once.
+/// Hashes of the deformations of a stem's parts. Most parts share one deformation, and each is hashed only once.
 class DeformationHashes {
  public:
-  /// 0 where there is none.
+  /// Returns the hash of a deformation, or 0 for null.
   std::uint64_t of(const std::shared_ptr<const Deformation>& deformation) {
     if (deformation == nullptr) return 0;
     const auto [known, is_new] = hashes_.try_emplace(deformation.get());

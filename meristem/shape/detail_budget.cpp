@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seen from afar, a plant is area, so triangles are worth the area that they cover. A tube counts by its whole surface,
-// twice as much as a leaf of equal visible area: leaves that are left out make others larger, tubes that are left out
-// do not.
+// Divides triangles among tubes and organs in proportion to area, since a plant far away is seen as area. A tube counts
+// with its whole surface, twice as much as a leaf of equal visible area: removed leaves make others larger, but removed
+// tubes do not.
 #include "meristem/shape/detail_budget.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ double triangle_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& trian
   return 0.5 * glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner));
 }
 
-/// Parts of a plant that keep one share of their triangles.
+/// The parts of a plant that keep one share of their triangles.
 struct Part {
   double triangles = 0;
   double area = 0;  // square metres
@@ -26,7 +26,7 @@ struct Part {
   double triangles_per_area() const { return triangles / std::max(area, 1e-30); }
 };
 
-/// About what all tubes have.
+/// Returns the approximate sums of all tubes.
 Part tubes_of(const Plant& plant) {
   Part tubes;
   for (const Stem& stem : plant.stems) {
@@ -42,9 +42,9 @@ Part tubes_of(const Plant& plant) {
   return tubes;
 }
 
-constexpr std::size_t kSampledTriangles = 64;  // of a mesh whose area is estimated
+constexpr std::size_t kSampledTriangles = 64;  // number of triangles that are sampled to estimate the area of a mesh
 
-/// About the area of a mesh, in bounded time: of a large mesh, evenly chosen triangles stand for all.
+/// Returns the approximate area of a mesh in bounded time. For a large mesh, evenly chosen triangles represent all.
 double about_area_of(const Mesh& mesh) {
   const std::size_t count = mesh.triangle_count();
   if (count <= kSampledTriangles) return area_of(mesh);
@@ -55,8 +55,8 @@ double about_area_of(const Mesh& mesh) {
   return area * static_cast<double>(count) / kSampledTriangles;
 }
 
-/// Sets what each part keeps, so that all together have `wanted` triangles: as many per area, and none more than it
-/// has.
+/// Sets the share of each part, so that all parts together have `wanted` triangles: equally many per area, but no more
+/// than a part has.
 void divide(std::vector<Part>& parts, double wanted, int level) {
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return a.triangles_per_area() < b.triangles_per_area(); });
@@ -65,7 +65,7 @@ void divide(std::vector<Part>& parts, double wanted, int level) {
   for (const Part& part : parts) {
     const double most = area > 0 ? wanted * part.area / area : wanted;
     const double kept = std::min(part.triangles, most);
-    // A level shows nothing that the one before does not.
+    // A level shows nothing that the level before does not show.
     double& share = (*part.shares)[static_cast<std::size_t>(level)];
     share =
         std::min((*part.shares)[static_cast<std::size_t>(level) - 1], part.triangles > 0 ? kept / part.triangles : 1);
@@ -99,7 +99,7 @@ DetailBudget::DetailBudget(const Plant& plant, const Detail& detail) {
   for (const Organ& organ : plant.organs) {
     Part& part = of_prototypes[organ.prototype];
     part.triangles += 1;
-    part.area += glm::length(glm::cross(organ.frame.axes[0], organ.frame.axes[1]));  // of a blade's plane
+    part.area += glm::length(glm::cross(organ.frame.axes[0], organ.frame.axes[1]));  // area in the plane of a blade
   }
   std::map<std::string_view, Part> of_components;
   for (std::size_t k = 0; k < of_prototypes.size(); ++k) {

@@ -9,7 +9,8 @@ namespace meristem::detail_budget_test {
 
 constexpr int kLevels = 4;
 
-/// A pole of two nodes with leaves of 32 triangles that have its size and beads of 180 that are hardly seen.
+/// Returns a pole of two nodes with leaves and beads. The leaves have 32 triangles and the size of the pole. The beads
+/// have 180 triangles and are hardly visible.
 Plant beaded_pole() {
   Plant plant;
   plant.materials.resize(1);

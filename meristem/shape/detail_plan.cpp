@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level of detail is made of the grown plant, not of its meshes: tubes and bodies are meshed coarser, organs are
-// coarsened, then thinned by lot among neighbours (each level a part of the one before) and enlarged so that their
-// area stays.
+// Makes a level of detail from the grown plant and not from its meshes. Tubes and bodies are meshed coarser. Organs are
+// coarsened, then thinned out at random among neighbours and enlarged so that their area stays. Each level is a subset
+// of the level before.
 #include "meristem/shape/detail_plan.h"
 
 #include <algorithm>
@@ -19,14 +19,18 @@
 namespace meristem {
 namespace {
 
-constexpr float kLeastError = 0.03F;  // radii; from here on errors are doubled
-constexpr float kMostError = 0.5F;    // radii; beyond, bends would be lost that are longer than the branch is thick
-constexpr std::uint32_t kLongestQuickRun = 100;  // nodes that one ring of a quick detail may stand for
-constexpr float kMostQuickError = 4;             // radii
-constexpr std::size_t kFewOrgans = 16;  // organs of a component that are always shown: they may be a tree's fruits
-constexpr double kTrianglesOfFew = 8;   // of the kept ones for each of these in a quick detail
-constexpr float kMostEnlarged = 3;      // raised, crowns stay full farther, of leaves that are plainly too large
-constexpr float kLargest = 0.15F;       // of the plant's size: no leaf is enlarged beyond it, as it would be a sheet
+constexpr float kLeastError = 0.03F;  // in radii; errors are doubled from this value on
+constexpr float kMostError = 0.5F;    // in radii; larger errors would remove bends that are longer than the thickness
+                                      // of the branch
+constexpr std::uint32_t kLongestQuickRun = 100;  // maximum number of nodes per ring in a quick detail
+constexpr float kMostQuickError = 4;             // in radii
+constexpr std::size_t kFewOrgans = 16;  // number of organs of a component that are always shown, because they may be a
+                                        // tree's fruits
+constexpr double kTrianglesOfFew = 8;   // kept triangles per always shown organ, in a quick detail
+constexpr float kMostEnlarged = 3;      // maximum enlargement; more keeps crowns full at a larger distance, but leaves
+                                        // look too large
+constexpr float kLargest = 0.15F;       // maximum size of an enlarged leaf as a share of the plant's size; larger ones
+                                        // look like sheets
 
 std::uint64_t triangle_count(const TubePlan& plan) {
   std::uint64_t count = 0;
@@ -34,7 +38,7 @@ std::uint64_t triangle_count(const TubePlan& plan) {
   return count;
 }
 
-/// The radius at which each axis begins, or that of the thinnest one between it and the root.
+/// Returns the radius at which each axis begins, or the smallest such radius between the axis and the root.
 std::vector<float> thinnest_below(const Skeleton& skeleton, std::size_t axes) {
   std::vector<float> radius(axes, -1);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -47,13 +51,13 @@ std::vector<float> thinnest_below(const Skeleton& skeleton, std::size_t axes) {
   return radius;
 }
 
-/// What the axes of a skeleton wear.
+/// The surfaces of the axes of a skeleton.
 struct AxisWears {
   std::vector<TubeWear> wears;
   std::vector<std::uint32_t> of_axis;
 };
 
-/// Leaves out the thinnest axes, so that no more than `triangles` triangles are left unless a single axis has more.
+/// Leaves out the thinnest axes until at most `triangles` triangles remain, unless a single axis has more.
 /// `triangles_of` returns the triangles of an axis.
 template <class TrianglesOf>
 AxisWears without_thin_axes(const Skeleton& skeleton, std::size_t axes, AxisWears worn, double triangles,
@@ -62,7 +66,7 @@ AxisWears without_thin_axes(const Skeleton& skeleton, std::size_t axes, AxisWear
   std::vector<AxisIndex> order(axes);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](AxisIndex a, AxisIndex b) { return radius[a] > radius[b]; });
-  // Each wear has one beside it that is not to be seen.
+  // Each surface has a copy that is left out.
   const auto seen = static_cast<std::uint32_t>(worn.wears.size());
   for (std::uint32_t k = 0; k < seen; ++k) {
     TubeWear& hidden = worn.wears.emplace_back(worn.wears[k]);
@@ -81,7 +85,7 @@ AxisWears without_thin_axes(const Skeleton& skeleton, std::size_t axes, AxisWear
   return worn;
 }
 
-/// The fewest triangles that the tube of each axis can have.
+/// Returns the minimum number of triangles of each axis's tube.
 std::vector<std::uint32_t> fewest_triangles(const Skeleton& skeleton, const AxisWears& worn) {
   std::vector<std::uint32_t> nodes;
   for (const AxisIndex axis : skeleton.axis) {
@@ -96,14 +100,14 @@ std::vector<std::uint32_t> fewest_triangles(const Skeleton& skeleton, const Axis
   return nodes;
 }
 
-/// How many triangles coarse tubes may have.
+/// The limit of triangles for coarse tubes.
 struct CoarseTubes {
-  double share = 1;               // of the triangles of all
-  std::uint64_t wanted = 0;       // triangles
-  float most_error = kMostError;  // radii
+  double share = 1;               // of all triangles
+  std::uint64_t wanted = 0;       // number of triangles
+  float most_error = kMostError;  // in radii
 };
 
-/// Fewer sides, then fewer rings, then fewer axes, until a plan of `worn` has the wanted triangles.
+/// Reduces sides, then rings, then axes, until a plan of `worn` has the wanted triangles.
 TubePlan plan_coarse_tubes(const Skeleton& skeleton, AxisWears worn, const CoarseTubes& coarse,
                            const std::vector<std::uint32_t>& mesh_of_axis, std::span<const Vec3> deformed) {
   const auto& [share, wanted, most_error] = coarse;
@@ -122,7 +126,7 @@ TubePlan plan_coarse_tubes(const Skeleton& skeleton, AxisWears worn, const Coars
   return {skeleton, std::move(worn.wears), std::move(worn.of_axis), mesh_of_axis, deformed};
 }
 
-/// The numbers of each component's organs, in their order.
+/// Returns the numbers of each component's organs, in their order.
 std::map<std::string_view, std::vector<std::uint32_t>> organs_by_component(const Plant& plant) {
   std::map<std::string_view, std::vector<std::uint32_t>> organs;
   for (std::uint32_t k = 0; k < plant.organs.size(); ++k) {
@@ -131,7 +135,7 @@ std::map<std::string_view, std::vector<std::uint32_t>> organs_by_component(const
   return organs;
 }
 
-/// Sums over all organs of a component, each as large as its prototype.
+/// Sums over all organs of a component, each of the size of its prototype.
 struct OrganSums {
   double triangles_before = 0;  // with the plant's own meshes
   double area_before = 0;
@@ -141,7 +145,7 @@ struct OrganSums {
 
 OrganSums sums_of(const Plant& plant, const std::vector<std::uint32_t>& members,
                   const std::vector<std::shared_ptr<const Mesh>>& meshes) {
-  // A component's prototypes stand together.
+  // Group the organs by prototype.
   const auto prototype_of = [&](std::uint32_t organ) { return plant.organs[organ].prototype; };
   OrganSums sums;
   if (members.empty()) return sums;
@@ -161,7 +165,7 @@ OrganSums sums_of(const Plant& plant, const std::vector<std::uint32_t>& members,
   return sums;
 }
 
-/// The box around all nodes and the feet of all organs.
+/// Returns the box around all nodes and all points of attachment of organs.
 Box box_of(const Plant& plant) {
   Box box;
   for (const Stem& stem : plant.stems) {
@@ -171,7 +175,8 @@ Box box_of(const Plant& plant) {
   return box;
 }
 
-/// The size of the largest organ of each prototype, metres; among those that are `shown`, if it is not empty.
+/// Returns the size of the largest organ of each prototype, in metres. Considers only organs that are `shown`, if it is
+/// not empty.
 std::vector<float> largest_organs(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes,
                                   const std::vector<std::uint8_t>& shown = {}) {
   std::vector<float> size(meshes.size());
@@ -208,16 +213,16 @@ void coarsen_all(const Plant& plant, const DetailBudget& budget, int level,
 /// The organs of one component in a quick detail.
 struct OrganChoice {
   const std::vector<std::uint32_t>* members = nullptr;
-  std::vector<std::uint32_t> order{};  // of members, the first ones are shown; empty: all are
-  double share = 1;                    // of their triangles
-  double kept = 0;                     // triangles
-  std::size_t few = 1;                 // organs that are shown whatever they cost
+  std::vector<std::uint32_t> order{};  // order of members; the first ones are shown; empty: all are shown
+  double share = 1;                    // share of their triangles
+  double kept = 0;                     // number of triangles
+  std::size_t few = 1;                 // number of organs that are always shown
   std::size_t shown = 0;
 
   std::uint32_t organ(std::size_t k) const { return (*members)[order.empty() ? k : order[k]]; }
 };
 
-/// Chooses as many organs as have the kept triangles if each mesh can be made as coarse as it should be.
+/// Chooses as many organs as the kept triangles allow, if each mesh can be coarsened as planned.
 OrganChoice choose_organs(const Plant& plant, std::string_view component, const std::vector<std::uint32_t>& members,
                           double share) {
   OrganChoice choice{.members = &members, .share = share, .shown = members.size()};
@@ -238,7 +243,7 @@ OrganChoice choose_organs(const Plant& plant, std::string_view component, const 
   return choice;
 }
 
-/// Makes the meshes of the chosen organs coarser.
+/// Coarsens the meshes of the chosen organs.
 void coarsen_chosen(const Plant& plant, const std::vector<OrganChoice>& choices, const Detail& detail,
                     std::vector<std::shared_ptr<const Mesh>>& meshes) {
   std::vector<double> share(meshes.size(), 1);
@@ -256,7 +261,7 @@ void coarsen_chosen(const Plant& plant, const std::vector<OrganChoice>& choices,
   });
 }
 
-/// Shows fewer organs if their meshes have more triangles than they should.
+/// Shows fewer organs if their meshes have more triangles than planned.
 void keep_to_budget(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes, OrganChoice& choice) {
   if (choice.share >= 1) return;
   double triangles = 0;
@@ -266,7 +271,7 @@ void keep_to_budget(const Plant& plant, const std::vector<std::shared_ptr<const 
   }
 }
 
-/// How much longer the shown organs must be so that their area is that of all.
+/// Returns the factor on the length of the shown organs that restores the area of all organs.
 float enlargement(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes,
                   const OrganChoice& choice) {
   std::map<std::uint32_t, double> counts;
@@ -345,7 +350,7 @@ OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBu
   std::map<std::string_view, double> shares;
   for (int level = 1; level <= detail.level; ++level) {
     coarsen_all(plant, budget, level, organs.meshes);
-    // What is left to do falls from level to level, so that none shows what one before does not.
+    // The remaining share falls from level to level, so that no level shows more than the level before.
     for (const auto& [component, members] : groups) {
       const OrganSums sums = sums_of(plant, members, organs.meshes);
       double& share = shares.try_emplace(component, 1.0).first->second;

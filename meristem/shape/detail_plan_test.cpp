@@ -16,7 +16,7 @@ namespace meristem::detail_plan_test {
 
 constexpr int kLevels = 3;
 
-/// A trunk with many gnarled branches, thinner from the ground upward.
+/// Returns a trunk with many gnarled branches, which get thinner upward.
 Stem gnarled_tree() {
   const RandomKey key(4);
   Stem stem;
@@ -55,7 +55,7 @@ Plant leafy_tree(int leaves = 4096) {
   return plant;
 }
 
-/// A closed body instead of tubes.
+/// Returns a tree with a closed body instead of tubes.
 Plant blended_tree(Surface::Shading shading) {
   Plant plant;
   plant.materials.resize(1);
@@ -151,7 +151,7 @@ TEST(Detail, BodiesFallByTheShareAndStayClosed) {
       const Detail detail{level};
       const MeshScene scene = scene_of(plant, detail);
       EXPECT_NEAR(triangles_of(scene, "tree"), detail.kept() * whole, 0.02 * whole);
-      // No normal fits all triangles of corners as sharp as these.
+      // No single normal fits all triangles at corners as sharp as these.
       Mesh body = *scene.meshes[0].mesh;
       if (shading == Surface::Shading::smooth) body.normals.clear();
       EXPECT_TRUE(check_mesh(body));

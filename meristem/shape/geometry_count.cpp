@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A placed plant is counted once, and multiplied by its places.
+// Counts the geometry of a plant without making its tubes. A placed plant is counted once and multiplied by its places.
 #include "meristem/shape/geometry_count.h"
 
 #include <cstddef>
@@ -22,7 +22,7 @@
 namespace meristem {
 namespace {
 
-/// The geometry of the parts that show a plant in its own world.
+/// The geometry of the parts that show a plant in its own coordinates.
 struct PartSums {
   GeometryCount geometry;
   std::uint64_t parts = 0;  // a part within placed plants counts once for each place
@@ -64,7 +64,7 @@ PartSums sums_of_tubes(const Stem& stem, const std::vector<Material>& materials)
   return sums;
 }
 
-/// The sums of a plant without its plantings.
+/// Returns the sums of a plant without its plantings.
 PartSums sums_of(const Plant& plant, const Limits& limits, Progress& progress) {
   std::vector<PartSums> of_stem(plant.stems.size());
   parallel_for(of_stem.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -90,13 +90,13 @@ PartSums sums_of(const Plant& plant, const Limits& limits, Progress& progress) {
   return sums;
 }
 
-/// As sums_of, with copies for the plantings that are deformed.
+/// Like sums_of, with copies of the deformed plantings.
 PartSums sums_with_copies(const Plant& plant, const Limits& limits, Progress& progress) {
   if (!has_deformed_plantings(plant)) return sums_of(plant, limits, progress);
   return sums_of(with_deformed_copies(plant, limits, progress), limits, progress);
 }
 
-/// A plant and all plants that stand in it.
+/// Counts a plant and all plants that stand in it.
 class PlantCounter {
  public:
   explicit PlantCounter(const Plant& plant) { gather(plant); }
@@ -125,7 +125,7 @@ class PlantCounter {
     }
   }
 
-  /// Side by side; which of several faults is thrown does not depend on threads.
+  /// Counts in parallel. If several counts fail, the choice of the thrown error does not depend on threads.
   void count_each(const Limits& limits, Progress& progress) {
     own_.resize(plants_.size());
     totals_.resize(plants_.size());
@@ -147,7 +147,7 @@ class PlantCounter {
     }
   }
 
-  /// The sums of a placed plant with all that stands in it. The depth is bounded where documents are read.
+  /// Returns the sums of a placed plant with everything that stands in it. The readers of documents limit the depth.
   const PartSums& total_of(const Plant& plant) {
     const std::size_t number = number_.at(&plant);
     if (totals_[number]) return *totals_[number];

@@ -15,7 +15,7 @@
 
 namespace meristem::geometry_count_test {
 
-/// A fork and a rod, with leaves whose material has a normal map, as has the fork's.
+/// Returns a fork and a rod with leaves. The materials of the leaves and of the fork have a normal map.
 Plant leafy_stems() {
   Plant plant = two_stems();
   plant.materials.resize(2);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes mesh scenes: the plant's own meshes, then the meshes of placed plants, grouped by component. Ownership decides
+// when parts of the plant can be freed.
 #include "meristem/shape/mesh_scene.h"
 
 #include <cstddef>
@@ -45,7 +47,7 @@ Box MeshScene::bounds() const {
   Box box;
   for (const MeshInstances& instances : meshes) {
     const Box mesh_box = box_of(*instances.mesh, Frame{});
-    // Most instances cannot reach beyond those before them; only of the others are all vertices looked at.
+    // Most instances cannot extend the box further. Check all vertices only for the others.
     for (std::size_t i = 0; i < instances.count(); ++i) {
       const Frame frame = instances.frame(i);
       if (!contains(box, box_in(mesh_box, frame))) box.add(box_of(*instances.mesh, frame));
@@ -56,7 +58,8 @@ Box MeshScene::bounds() const {
 
 namespace {
 
-/// Frees the plant when its own meshes are made, and each placed variant when the meshes of the variant are made.
+/// Makes the meshes. Frees the plant after its own meshes were made, and each placed variant after the meshes of the
+/// variant were made.
 MeshScene make_meshes(std::shared_ptr<const Plant> plant, const OwnMeshOptions& options, Progress& progress) {
   const auto& [limits, detail, cache, use] = options;
   check_detail(detail);
@@ -80,7 +83,7 @@ MeshScene make_meshes(std::shared_ptr<const Plant> plant, const OwnMeshOptions& 
   return scene;
 }
 
-/// A plant that somebody else holds.
+/// Returns a pointer to a plant that has another owner.
 std::shared_ptr<const Plant> borrowed(const Plant& plant) { return {std::shared_ptr<const Plant>(), &plant}; }
 
 }  // namespace

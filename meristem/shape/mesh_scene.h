@@ -23,18 +23,20 @@ struct MeshInstances {
   std::shared_ptr<const Mesh> mesh;  ///< not null
   std::uint32_t material = 0;        ///< index into MeshScene::materials
   std::vector<Frame> frames;         ///< one per instance; rotations, uneven scales and mirrors are allowed
-  std::vector<Vec3> tints;           ///< linear factors on the material's colour, one per frame; empty where all are 1
-  /// Index into MeshScene::individuals or kNoIndividual, one per frame; empty where all are of the first.
+  std::vector<Vec3> tints;           ///< linear factors on the material's colour, one per frame; empty if all are 1
+  /// Index into MeshScene::individuals or kNoIndividual, one per frame. Empty if all frames belong to the first
+  /// individual.
   std::vector<std::uint32_t> individuals{};
-  /// Where the plant stands whose part this is, if it stands in several places: each frame is meant in each of them.
-  /// All parts of the plant share the list. Null: in the world, once.
+  /// Places of the plant that has this part, if it stands in several places. Each frame is repeated at each of them.
+  /// All parts of the plant share the list. Null: once in the world.
   std::shared_ptr<const std::vector<Frame>> places{};
-  /// What of the plant it shows; null where that is not known, as in coarser levels of small plants and in obstacles.
+  /// The part of the plant that the mesh shows. Null if it is unknown, as in coarser levels of small plants and in
+  /// obstacles.
   std::shared_ptr<const MeshOrigin> origin{};
 
-  /// Returns the number of places of the plant that the part belongs to.
+  /// Returns the number of places of the plant that has the part.
   std::size_t place_count() const { return places == nullptr ? 1 : places->size(); }
-  /// Instances in all, place by place.
+  /// Returns the number of all instances, place by place.
   std::size_t count() const { return frames.size() * place_count(); }
   /// Returns the frame of an instance in the world.
   Frame frame(std::size_t instance) const {
@@ -44,35 +46,36 @@ struct MeshInstances {
   std::uint64_t triangle_count() const { return mesh->triangle_count() * count(); }  ///< triangles of all instances
   /// Returns the tint of an instance.
   Vec3 tint(std::size_t instance) const { return tints.empty() ? Vec3(1) : tints[instance % frames.size()]; }
-  /// The plant that an instance belongs to.
+  /// Returns the individual of an instance.
   std::uint32_t individual(std::size_t instance) const { return individuals.empty() ? 0 : individuals[instance]; }
 };
 
-/// Meshes, materials and instances of them. Everything that leaves the program is written from it.
+/// Meshes, materials and instances. All exports are written from a mesh scene.
 struct MeshScene {
   std::vector<Material> materials;  ///< materials of all meshes
-  /// The meshes of one component stand together, components in the order in which the plant first names them (stems
-  /// before prototypes), their stems and prototypes in the plant's order. No mesh is without triangles or frames.
+  /// The meshes of one component stand together. Components are in the order of their first occurrence in the plant
+  /// (stems before prototypes), and their stems and prototypes in the plant's order. Every mesh has triangles and
+  /// frames.
   std::vector<MeshInstances> meshes;
-  std::vector<Individual> individuals;  ///< the plant's; empty: all is one
+  std::vector<Individual> individuals;  ///< individuals of the plant; empty: the whole plant is one
 
-  std::uint64_t triangle_count() const;  ///< after instancing
+  std::uint64_t triangle_count() const;  ///< counted after instancing
   std::uint64_t instance_count() const;  ///< instances of all meshes, in all places
-  /// The smallest box around all vertices of all instances.
+  /// Returns the smallest box around all vertices of all instances.
   Box bounds() const;
 };
 
-/// Clothes a plant: every stem gets its surface (blended bodies and crowns: body_meshes.h), every prototype its
-/// instances (in the order of the plant's organs); how coarsely, `detail` says (detail.h). With a `cache`, stems that
-/// it has clothed before keep their meshes (cached_meshes.h). Begins a stage of `progress`, which counts nodes and
-/// organs, and before it those of bodies. Throws InputError where the limits on triangles or geometry would be passed,
-/// before memory is spent: it names the component that has most. Throws Cancelled, and std::invalid_argument for
-/// indices that point nowhere and details out of range.
+/// Makes the meshes of a plant. Every stem gets its surface (blended bodies and crowns: body_meshes.h), and every
+/// prototype its instances, in the order of the plant's organs. `detail` sets the coarseness (detail.h). With a
+/// `cache`, stems that were meshed before keep their meshes (cached_meshes.h). Begins a stage of `progress`, which
+/// counts nodes and organs, after the stages of bodies. Throws InputError before memory is used if limits on triangles
+/// or geometry would be exceeded. The error names the largest component. Throws Cancelled, and std::invalid_argument
+/// for invalid indices and details out of range.
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail = {},
                           Cache* cache = nullptr);
 
-/// Makes the same meshes, and frees the plant while it makes them: first its own stems and organs, then each variant
-/// that nobody else holds. So stands of many different plants take less memory.
+/// Makes equal meshes and frees the plant meanwhile: first its own stems and organs, then each variant without other
+/// owners. Stands of many different plants therefore take less memory.
 MeshScene make_mesh_scene(Plant&& plant, const Limits& limits, Progress& progress, const Detail& detail = {});
 
 }  // namespace meristem

@@ -29,7 +29,7 @@ Stem stem(const std::string& component, float height) {
   return result;
 }
 
-/// Two components of stems and two of organs, one of them the same; organs come mixed.
+/// Returns a plant with two components of stems and two of organs, one of them common to both. The organs are mixed.
 Plant plant_of_all_sorts() {
   Plant plant;
   plant.materials.resize(3);
@@ -168,7 +168,7 @@ TEST(MeshScene, RejectsIndicesThatPointNowhere) {
   rejects([](Plant& plant) { plant.prototypes[0].mesh = nullptr; });
 }
 
-/// A stand of different plants; `alive` knows whether they still exist.
+/// Returns a stand of different plants. `alive` shows whether they still exist.
 Plant stand_of(std::size_t plants, std::vector<std::weak_ptr<const Plant>>& alive) {
   Plant stand = plant_of_all_sorts();
   for (std::size_t k = 0; k < plants; ++k) {

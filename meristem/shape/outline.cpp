@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws two scenes as silhouettes from many directions and compares the covered pixels. Directions run in parallel.
 #include "meristem/shape/outline.h"
 
 #include <algorithm>
@@ -14,10 +15,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kBallMargin = 1.2;  // radii of the ball around the plant to the picture's border: for what sticks out
+constexpr double kBallMargin = 1.2;  // radii of the ball around the plant to the picture's border, with a margin for
+                                     // protruding parts
 constexpr std::size_t kDrawnBetweenChecks = 100'000;
 
-/// The samples of a picture that are covered, as many as pixels times samples along each side.
+/// Returns the covered samples of a picture with as many samples along each side as given by the view.
 std::vector<std::uint8_t> covered_samples(const MeshScene& scene, const OutlineView& view, Progress& progress) {
   const auto side = static_cast<std::size_t>(view.size);
   std::vector<std::uint8_t> samples(side * side);
@@ -44,7 +46,7 @@ std::vector<std::uint8_t> covered_samples(const MeshScene& scene, const OutlineV
   return samples;
 }
 
-/// How many samples of each pixel are covered.
+/// Returns the number of covered samples of each pixel.
 std::vector<int> covered_pixels(const MeshScene& scene, const OutlineView& view, int samples, Progress& progress) {
   const std::vector<std::uint8_t> fine = covered_samples(scene, view, progress);
   const int size = view.size / samples;
@@ -60,8 +62,8 @@ std::vector<int> covered_pixels(const MeshScene& scene, const OutlineView& view,
 }
 
 struct Compared {
-  std::int64_t both = 0;   // of the covered samples of each pixel, the fewer
-  std::int64_t any = 0;    // the more
+  std::int64_t both = 0;   // sum of the smaller number of covered samples of each pixel
+  std::int64_t any = 0;    // sum of the larger number
   std::int64_t whole = 0;  // covered samples
   std::int64_t level = 0;
 };

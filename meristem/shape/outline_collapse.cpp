@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// In: triangles between shared points, few thousand. Out: fewer of them, whose outlines from all around cover the same
-// pixels as far as can be. A point collapses onto a neighbour, or a small piece goes, whichever costs least: pixels of
-// the plant's outlines and of its groups' own, and a little for the distance from the planes of the first faces, so
-// that of two equal outlines the rounder body stays. Pixels count against the outlines of the beginning, not those of
-// the step before, so errors do not add up. How many faces cover a pixel is counted, so a step costs what it touches.
-// Bodies with tunnels need not stay manifold: a tunnel may become a line. Where that is forbidden, crowns with tunnels
-// keep what nobody sees and lose their shape: level 2 of a low-poly oak shared 58 % of its outline, and shares 90 %.
-// Bodies without tunnels stay as they are joined; else faces of theirs could come to look inward.
-// Based on: P. Lindstrom, G. Turk: Image-driven simplification (2000); here outlines take the place of shaded pictures,
-// as a level of detail keeps its materials.
+// In: some thousand triangles between common points. Out: fewer triangles whose outlines from all sides cover nearly
+// equal pixels. In each step, the cheapest of all changes is applied: a point collapses onto a neighbour, or a small
+// piece is removed. The cost is the number of changed pixels of the plant's outlines and of the groups' own outlines. A
+// small part is added for the distance from the planes of the first faces. Between two equal outlines, the rounder body
+// therefore stays. Pixels are compared with the first outlines and not with the step before, so errors do not add up.
+// The number of faces over each pixel is counted, so the cost of a step depends on what it touches.
+//
+// Bodies with tunnels need not stay manifold, because a tunnel may become a line. If this is forbidden, crowns with
+// tunnels keep invisible faces and lose their shape. Level 2 of a low-poly oak then shared 58 % of its outline, and
+// shares 90 % now. Bodies without tunnels keep their connections, since otherwise some of their faces could look
+// inward.
+//
+// Based on: P. Lindstrom, G. Turk: Image-driven simplification (2000). Here outlines replace shaded pictures, because a
+// level of detail keeps its materials.
 #include "meristem/shape/outline_collapse.h"
 
 #include <algorithm>
@@ -30,22 +34,25 @@ namespace meristem {
 namespace {
 
 constexpr int kViews = 20;
-constexpr int kSize = 96;              // pixels
+constexpr int kSize = 96;              // in pixels
 constexpr double kGroupWeight = 0.15;  // weight of a group's outline; other groups may hide much of it
-constexpr double kShapeWeight = 0.08;  // of the volume between old and new faces; raised, rounder, and outlines suffer
-constexpr double kLeastFaceCosine = 0.2;  // cosine of the angle that a face may turn at once
-constexpr std::size_t kTriedTargets = 5;  // of a point's neighbours, those nearest to its planes
-constexpr std::size_t kFewFaces = 8;      // faces, that may go at once
+constexpr double kShapeWeight = 0.08;  // weight of the volume between old and new faces; more keeps bodies rounder, but
+                                       // outlines suffer
+constexpr double kLeastFaceCosine = 0.2;  // minimum cosine of the angle that a face may turn at once
+constexpr std::size_t kTriedTargets = 5;  // number of a point's neighbours that are tried, the nearest to its planes
+constexpr std::size_t kFewFaces = 8;      // maximum number of faces that are removed at once
 constexpr int kFitRounds = 4;
-constexpr std::array kLastReaches = {0.2, 0.08, 0.2, 0.08, 0.2, 0.08};  // of edges: how far points move at the end
-constexpr double kLeastViewWeight = 0.5;  // of a view that fits well; more extreme, and what lies between views suffers
+constexpr std::array kLastReaches = {0.2, 0.08, 0.2, 0.08, 0.2, 0.08};  // share of edges: maximum moves of points at
+                                                                        // the end
+constexpr double kLeastViewWeight = 0.5;  // minimum weight of a view that fits well; lower values harm the directions
+                                          // between views
 constexpr double kMostViewWeight = 2;
-constexpr double kStage = 0.6;       // of the faces, that a stage leaves: points move between stages, too
-constexpr double kLeastGain = 1e-7;  // of the whole outline, for which a point moves
+constexpr double kStage = 0.6;       // share of the faces that remain after a stage; points also move between stages
+constexpr double kLeastGain = 1e-7;  // share of the whole outline: minimum gain that justifies moving a point
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr double kInfiniteCost = std::numeric_limits<double>::infinity();
 
-/// Pixels that a step would change, of one view.
+/// Pixels of one view that a step would change.
 struct Scratch {
   std::vector<std::int16_t> delta = std::vector<std::int16_t>(kSize * kSize);
   std::vector<std::uint32_t> touched;
@@ -53,7 +60,7 @@ struct Scratch {
 
 struct Step {
   double cost = kInfiniteCost;
-  std::uint32_t to = kNone;  // none: the whole piece goes
+  std::uint32_t to = kNone;  // kNone: the whole piece is removed
   bool is_stale = false;
 };
 
@@ -118,7 +125,7 @@ class OutlineCollapse::State {
     for (const Face& face : soup_.faces) first_.push_back(area_vector(face));
   }
 
-  /// Marks the points of pieces that have a tunnel: their points less their edges plus their faces are at most 0.
+  /// Marks the points of pieces that have a tunnel: points minus edges plus faces is at most 0.
   void find_tunnels() {
     std::vector<std::uint32_t> piece(soup_.points.size());
     std::iota(piece.begin(), piece.end(), 0U);
@@ -205,7 +212,7 @@ class OutlineCollapse::State {
 
   DVec3 area_vector(const Face& face) const { return area_vector(face.points, kNone, Vec3(0)); }
 
-  /// Twice the area along the normal of a face whose one point stands elsewhere.
+  /// Returns twice the area vector of a face with one of its points moved.
   DVec3 area_vector(const std::array<std::uint32_t, 3>& points, std::uint32_t moved, Vec3 elsewhere) const {
     DVec3 at[3];
     for (std::size_t k = 0; k < 3; ++k) at[k] = DVec3(points[k] == moved ? elsewhere : soup_.points[points[k]]);
@@ -256,7 +263,7 @@ class OutlineCollapse::State {
     return found;
   }
 
-  /// The faces that hang together with a point, if they are few.
+  /// Returns the faces that are connected with a point, if they are few.
   std::vector<std::uint32_t> small_piece(std::uint32_t point) const {
     std::vector<std::uint32_t> faces;
     std::vector<std::uint32_t> points{point};
@@ -273,15 +280,16 @@ class OutlineCollapse::State {
     return faces;
   }
 
-  /// The volume between faces, as a share of the plant's.
+  /// Returns the cost of a volume between faces, as a share of the plant's.
   double shape_cost(double volume) const { return kShapeWeight * volume / (area_ * radius_); }
 
   double volume_of(const Quadric& quadric, Vec3 at) const {
     return std::sqrt(quadric.at(DVec3(at)) * quadric.weight()) / 6;
   }
 
-  /// How much worse the outlines become, as a share of the whole outline, if those of `faces` that keep three points
-  /// have `moved` at `target`, where the point `onto` is, and the others go.
+  /// Returns the increase of the outlines' error, as a share of the whole outline, if the point `moved` is replaced by
+  /// a point at `target`, where the point `onto` is. Faces in `faces` that keep three points move, and the others are
+  /// removed.
   double outline_cost(const std::vector<std::uint32_t>& faces, std::uint32_t moved, std::uint32_t onto, Vec3 target,
                       Scratch& scratch) const {
     if (faces.empty()) return 0;
@@ -308,7 +316,7 @@ class OutlineCollapse::State {
     return worse;
   }
 
-  /// 1 if a pixel that is as it was in the beginning would no longer be so, -1 if it would be so again, else 0.
+  /// Returns 1 if a pixel becomes wrong that is now as in the beginning, -1 if it becomes right again, and 0 otherwise.
   int change(std::size_t view, std::size_t plane, std::uint32_t pixel, int delta) const {
     const int covered = count(view, plane, pixel);
     const bool is_covered = covered > 0;
@@ -333,7 +341,8 @@ class OutlineCollapse::State {
     });
   }
 
-  /// Whether no face turns over or becomes a line if a point moves; those with `onto` go.
+  /// Returns true if no face turns over or becomes a line when a point moves. Faces with `onto` are removed and do not
+  /// count.
   bool keeps_facing(std::uint32_t point, std::uint32_t onto, Vec3 target) const {
     return std::all_of(around_[point].begin(), around_[point].end(), [&](std::uint32_t f) {
       const Face& face = soup_.faces[f];
@@ -342,13 +351,13 @@ class OutlineCollapse::State {
       const DVec3 after = area_vector(face.points, point, target);
       const double square = glm::length(after);
       if (!(square > 1e-6 * longest_edge(face, point, target))) return false;
-      // Small turns add up: a face that has come to look the other way is inside out.
+      // Small turns add up: a face that finally looks the opposite way is inside out.
       if (!(glm::dot(first_[f], after) > 0)) return false;
       return glm::dot(before, after) > kLeastFaceCosine * glm::length(before) * square;
     });
   }
 
-  /// Squared.
+  /// Returns the squared length of the longest edge.
   double longest_edge(const Face& face, std::uint32_t moved, Vec3 target) const {
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -399,9 +408,9 @@ class OutlineCollapse::State {
     return best;
   }
 
-  /// The point with the cheapest step of all; none: nothing can go. Ties: the first. Nothing changes between the rounds
-  /// but the step of the point that looked cheapest, and a step just found is good: so there are no more rounds than
-  /// points, and one.
+  /// Returns the point with the cheapest collapse, or kNone if no point can be removed. Ties go to the lowest index.
+  /// Each round updates only the step of the point that looked cheapest. A newly found step is valid, so there is at
+  /// most one more round than there are points.
   std::uint32_t cheapest() {
     for (std::size_t round = 0; round <= steps_.size(); ++round) {
       std::uint32_t best = kNone;
@@ -418,14 +427,14 @@ class OutlineCollapse::State {
     return kNone;
   }
 
-  /// Whether a point's step is as it was found: nothing near has changed, and the neighbour is one still.
+  /// Returns true if a point's step is still valid: nothing near it has changed, and the neighbour still exists.
   bool is_good(std::uint32_t point) const {
     const Step& step = steps_[point];
     if (step.is_stale) return false;
     return step.to == kNone ? !small_piece(point).empty() : shared_faces(point, step.to) > 0;
   }
 
-  /// Takes a face out of the pictures, or puts it there.
+  /// Removes a face from the pictures, or adds it.
   void redraw(std::uint32_t f, int by) {
     for (std::size_t view = 0; view < views_.size(); ++view) add_face(view, soup_.faces[f], by);
   }
@@ -436,7 +445,7 @@ class OutlineCollapse::State {
     for (const std::uint32_t point : soup_.faces[f].points) std::erase(around_[point], f);
   }
 
-  /// Takes the step of a point, which is good: at least one face goes, so there are no more steps than faces.
+  /// Applies the valid step of a point. At least one face is removed, so there are no more steps than faces.
   void take(std::uint32_t from) {
     const std::uint32_t to = steps_[from].to;
     if (to == kNone) {
@@ -480,7 +489,7 @@ class OutlineCollapse::State {
     }
   }
 
-  /// What a corner wears that comes to another point: of all that is worn there, what is most like it.
+  /// Returns the corner at `point` whose attributes (normal, UV, material) are closest to the attributes of `corner`.
   std::uint32_t corner_like(std::uint32_t corner, std::uint32_t point, const std::vector<std::uint32_t>& faces) const {
     std::uint32_t best = corner;
     float nearest = std::numeric_limits<float>::infinity();
@@ -500,7 +509,7 @@ class OutlineCollapse::State {
     return best;
   }
 
-  /// Moves points, one after the other, to where the outlines fit better.
+  /// Moves points, one after the other, to positions where the outlines fit better.
   void fit(Progress& progress) {
     double reach = 0.35;
     for (int round = 0; round < kFitRounds; ++round, reach *= 0.6) fit_points(reach, progress);
@@ -515,7 +524,7 @@ class OutlineCollapse::State {
     }
   }
 
-  /// Moves points to where those outlines fit better that fit worst: a level is judged by its worst side.
+  /// Moves points so that the worst fitting outlines fit better, since a level is judged by its worst side.
   void fit_worst_views(Progress& progress) {
     const std::vector<double> even = pixel_share_;
     for (const double reach : kLastReaches) {
@@ -525,7 +534,7 @@ class OutlineCollapse::State {
     pixel_share_ = even;
   }
 
-  /// Gives views weight by what is wrong in them.
+  /// Sets the weight of each view by its error.
   void weigh_views(const std::vector<double>& even) {
     std::vector<double> wrong(views_.size());
     double mean = 0;
@@ -577,18 +586,19 @@ class OutlineCollapse::State {
   FaceSoup soup_;
   std::vector<std::vector<std::uint32_t>> around_;  // faces of each point
   std::vector<DVec3> first_;                        // area vector of each face at the beginning
-  std::vector<std::uint8_t> has_tunnel_;            // by point: its piece has one
+  std::vector<std::uint8_t> has_tunnel_;            // for each point, whether its piece has a tunnel
   std::vector<Quadric> quadrics_;
-  std::vector<std::uint8_t> is_gone_;  // 1 or 0 of each face
-  std::vector<Step> steps_;            // the best of each point
+  std::vector<std::uint8_t> is_gone_;  // 1 or 0 for each face
+  std::vector<Step> steps_;            // the best step of each point
   std::vector<OutlineView> views_;
-  std::size_t planes_ = 1;               // pictures of a view: of all faces, then of each group
-  std::vector<std::uint16_t> counts_;    // faces over each pixel, by view, picture, pixel
+  std::size_t planes_ = 1;               // pictures of a view: one of all faces, then one of each group
+  std::vector<std::uint16_t> counts_;    // number of faces over each pixel, by view, picture, pixel
   std::vector<std::uint8_t> is_wanted_;  // 1 or 0: whether there was a face in the beginning
   Box box_;
   double radius_ = 1;                // metres
-  std::vector<double> pixel_share_;  // for each view, a pixel's share of all outlines, where every outline counts alike
-  double area_ = 1;                  // square metres of the whole outline, in the mean
+  std::vector<double> pixel_share_;  // for each view, the share of a pixel in all outlines, if all outlines count
+                                     // equally
+  double area_ = 1;                  // mean area of the whole outline, square metres
   std::size_t left_ = 0;
   Scratch scratch_;
 };

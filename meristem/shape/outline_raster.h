@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles seen by parallel rays, as runs of pixels.
+// Draws triangles seen by parallel rays as runs of pixels.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace meristem {
 
-/// A parallel view: how positions come to pixels.
+/// A parallel view, which maps positions to pixels.
 struct OutlineView {
-  DVec3 across{1, 0, 0};  ///< unit, to the picture's right
-  DVec3 up{0, 1, 0};      ///< unit, at right angles to it
-  DVec3 centre{0};        ///< in the picture's middle
+  DVec3 across{1, 0, 0};  ///< unit vector to the picture's right
+  DVec3 up{0, 1, 0};      ///< unit vector at right angles to `across`
+  DVec3 centre{0};        ///< position in the picture's middle
   double scale = 1;       ///< pixels per metre
   int size = 1;           ///< pixels along each side of the picture
 
@@ -23,7 +23,7 @@ struct OutlineView {
   }
 };
 
-/// A view along `direction` (unit).
+/// Returns a view along `direction` (unit vector).
 inline OutlineView view_along(Vec3 direction, DVec3 centre, double scale, int size) {
   OutlineView view;
   const DVec3 along(direction);
@@ -37,14 +37,14 @@ inline OutlineView view_along(Vec3 direction, DVec3 centre, double scale, int si
   return view;
 }
 
-/// Calls `visit(row, first, end)` for the pixels of each row whose centres lie in the triangle, either way round.
+/// Calls `visit(row, first, end)` for the pixels of each row whose centres lie in the triangle, in either orientation.
 template <class Visit>
 void cover_triangle(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, int size, const Visit& visit) {
   if (b.y < a.y) std::swap(a, b);
   if (c.y < b.y) std::swap(b, c);
   if (b.y < a.y) std::swap(a, b);
   const double last = size;
-  // Row k's centres are at k + 0.5; one that a corner meets belongs to what is above it.
+  // Row k has its centres at k + 0.5. A centre at the height of a corner belongs to the part above the corner.
   const double from = std::ceil(std::max(a.y, 0.0) - 0.5);
   const double to = std::ceil(std::min(c.y, last) - 0.5);
   for (double row = from; row < to; row += 1) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes the meshes of a plant's own stems and organs. Everything is planned first, so that limits are checked before
+// memory is used. Then tubes are made, and organs become instances of their prototype's mesh.
 #include "meristem/shape/own_meshes.h"
 
 #include <algorithm>
@@ -64,7 +66,7 @@ std::vector<std::size_t> organs_of_prototypes(const Plant& plant, const OrganDet
   return counts;
 }
 
-/// One stem's tubes: those of parts that look alike share a mesh. They are planned where they were not made before.
+/// The tubes of one stem. Parts that look alike share a mesh. Tubes are planned unless they are in the cache.
 struct StemDress {
   StemLooks looks;
   CacheKey key;
@@ -76,7 +78,7 @@ struct StemDress {
   const std::vector<TubeSize>& sizes() const { return tubes != nullptr ? tubes->sizes : plan->sizes(); }
 };
 
-/// Hash of all that shapes a stem's tubes.
+/// Returns the hash of everything that shapes a stem's tubes.
 std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector<Material>& materials, double share,
                      bool is_quick) {
   Fingerprint key;
@@ -88,10 +90,10 @@ std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector
   return key.hash();
 }
 
-constexpr double kFewestStemTriangles = 24;  // of a stem in a quick detail
+constexpr double kFewestStemTriangles = 24;  // minimum for a stem in a quick detail
 
-/// The share of its triangles that each stem keeps. If a quick detail has too few for all stems, an even choice of them
-/// shares the triangles, and the thickest stem stays; the others keep 0.
+/// Returns the share of its triangles that each stem keeps. If a quick detail has too few triangles for all stems, an
+/// even choice of stems and the thickest stem share them, and all other stems get 0.
 std::vector<double> shares_of_stems(const Plant& plant, double share, bool is_quick) {
   const std::size_t count = plant.stems.size();
   std::vector<double> shares(count, share);
@@ -116,7 +118,7 @@ std::vector<double> shares_of_stems(const Plant& plant, double share, bool is_qu
   return shares;
 }
 
-/// Null for stems that are left out.
+/// Returns null for stems that are left out.
 std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double share, bool is_quick, CacheRun& results) {
   std::vector<std::unique_ptr<StemDress>> dresses(plant.stems.size());
   const std::vector<double> shares = shares_of_stems(plant, share, is_quick);
@@ -142,11 +144,11 @@ std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double sh
   return dresses;
 }
 
-/// What a plant's stems and organs will make.
+/// The planned stems and organs of a plant.
 struct ScenePlan {
   std::vector<std::unique_ptr<StemDress>> stems;
   OrganDetail organs;
-  std::vector<std::size_t> organ_counts;  // of each prototype
+  std::vector<std::size_t> organ_counts;  // number of organs of each prototype
 
   ScenePlan(const Plant& plant, const Detail& detail, CacheRun& results)
       : ScenePlan(plant, detail, DetailBudget(plant, detail), results) {}
@@ -158,7 +160,7 @@ struct ScenePlan {
         organ_counts(organs_of_prototypes(plant, organs)) {}
 };
 
-/// Throws where the scene would pass a limit.
+/// Throws InputError if the scene would exceed a limit.
 void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, const ScenePlan& scene,
                   const Limits& limits) {
   SceneTally tally;
@@ -172,7 +174,7 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, 
   tally.check(limits);
 }
 
-/// The tubes of each mesh of a plan, by their first triangles.
+/// Returns the tubes of each mesh of a plan, with their first triangles.
 std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes_of(const TubePlan& plan) {
   std::vector<std::vector<AxisTriangles>> tubes(plan.sizes().size());
   for (std::size_t axis = 0; axis < plan.axis_count(); ++axis) {
@@ -187,7 +189,7 @@ std::vector<std::shared_ptr<const std::vector<AxisTriangles>>> tubes_of(const Tu
   return shared;
 }
 
-/// Removes what rays do not need, and frees its memory.
+/// Removes attributes that rays do not need, and frees their memory.
 void strip_for_rays(Mesh& mesh, const Material& material) {
   std::vector<Vec3>().swap(mesh.normals);
   if (material.texture == nullptr || !material.texture->masked) std::vector<Vec2>().swap(mesh.uvs);
@@ -212,7 +214,7 @@ std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::ve
   return tubes;
 }
 
-/// The tubes of each stem.
+/// Returns the tubes of each stem.
 std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<std::unique_ptr<StemDress>>& dresses,
                                         const OwnMeshOptions& options, CacheRun& results, Progress& progress) {
   std::vector<std::uint8_t> is_new(dresses.size());
@@ -247,7 +249,7 @@ std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<st
   return all;
 }
 
-/// The mesh as a material needs it.
+/// Returns the mesh with the attributes that a material needs.
 std::shared_ptr<const Mesh> with_cached_tangents(const std::shared_ptr<const Mesh>& mesh, const Material& material,
                                                  CacheRun& results) {
   if (!needs_tangents(material) || !mesh->tangents.empty()) return mesh;
@@ -260,10 +262,11 @@ std::shared_ptr<const Mesh> with_cached_tangents(const std::shared_ptr<const Mes
   return found->mesh;
 }
 
-/// Enlarges about a point: about an organ's base the crown's outline would grow by all that leaves become longer.
+/// Returns a frame that enlarges about the middle `about`. Enlarging about an organ's base would extend the crown's
+/// outline by the added length of leaves.
 Frame enlarged(float scale, Vec3 about) { return {Mat3(scale), (1 - scale) * about}; }
 
-/// The frames of each prototype's organs, in the order of the organs.
+/// Returns the instances of each prototype, with frames in the order of the organs.
 std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, MeshUse use, CacheRun& results,
                                         Progress& progress) {
   std::vector<MeshInstances> placed(plant.prototypes.size());
@@ -276,7 +279,7 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
     }
     auto mesh = with_cached_tangents(scene.organs.meshes[i], plant.materials[prototype.material], results);
     placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}, {}};
-    // Where some organs are not shown, frames are no longer the organs in their order.
+    // If some organs are not shown, the frames no longer correspond to all organs in their order.
     if (scene.organs.shown.empty()) {
       placed[i].origin = std::make_shared<const MeshOrigin>(MeshOrigin{.prototype = static_cast<std::uint32_t>(i)});
     }
@@ -305,13 +308,14 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
   for (MeshInstances& instances : placed) {
     const auto is_plain = [](Vec3 tint) { return tint == Vec3(1); };
     if (std::all_of(instances.tints.begin(), instances.tints.end(), is_plain)) {
-      std::vector<Vec3>().swap(instances.tints);  // which frees its memory
+      std::vector<Vec3>().swap(instances.tints);  // also frees its memory
     }
   }
   return placed;
 }
 
-/// Whether a plant's tubes and organs have few triangles; what its bodies will have, nobody knows yet.
+/// Returns true if a plant's tubes and organs have few triangles. The number of triangles of its bodies is still
+/// unknown.
 bool may_be_small(const Plant& plant) {
   std::uint64_t triangles = 0;
   std::size_t nodes = 0;
@@ -343,7 +347,7 @@ MeshScene clothe(const Plant& plant, const OwnMeshOptions& options, Progress& pr
 
 }  // namespace
 
-/// Brings what belongs to one component together, in the order of first appearance; leaves out what is not to be seen.
+/// Groups meshes by component in the order of first appearance, and removes invisible ones.
 std::vector<MeshInstances> grouped(std::vector<MeshInstances> meshes) {
   std::map<std::string, std::size_t> rank;
   for (const MeshInstances& instances : meshes) rank.try_emplace(instances.component, rank.size());

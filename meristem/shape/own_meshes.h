@@ -14,10 +14,10 @@
 
 namespace meristem {
 
-/// What the meshes are for.
+/// The purpose of the meshes.
 enum class MeshUse {
   all,
-  rays,  ///< what only pictures show is left out
+  rays,  ///< leaves out attributes that only pictures show
 };
 
 struct OwnMeshOptions {
@@ -27,14 +27,14 @@ struct OwnMeshOptions {
   MeshUse use = MeshUse::all;
 };
 
-/// The meshes of a plant without its plantings. Throws as make_mesh_scene does.
+/// Returns the meshes of a plant without its plantings. Throws like make_mesh_scene.
 MeshScene make_own_meshes(const Plant& plant, const OwnMeshOptions& options, Progress& progress);
 
-/// How many triangles the tubes and organs of a plant have without its plantings. Plans all tubes and makes none.
-/// Throws as make_mesh_scene does.
+/// Returns the number of triangles of a plant's tubes and organs, without its plantings. Plans all tubes but makes
+/// none. Throws like make_mesh_scene.
 std::uint64_t planned_triangles(const Plant& plant, const Limits& limits);
 
-/// Brings what belongs to one component together, in the order of first appearance; leaves out what is not to be seen.
+/// Groups meshes by component in the order of first appearance, and removes invisible ones.
 std::vector<MeshInstances> grouped(std::vector<MeshInstances> meshes);
 
 }  // namespace meristem

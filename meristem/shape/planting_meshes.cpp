@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes the meshes of placed plants. Distinct variants are meshed in parallel, each once. Their meshes are then added
+// to the scene with the places of each planting, and nested places are multiplied out.
 #include "meristem/shape/planting_meshes.h"
 
 #include <algorithm>
@@ -25,9 +27,9 @@
 namespace meristem {
 namespace {
 
-constexpr std::size_t kFewPlaces = 16;  // of a planting, that are always shown
+constexpr std::size_t kFewPlaces = 16;  // number of places of a planting that are always shown
 
-/// The meshes of plantings, each variant's made once.
+/// Makes the meshes of plantings, each variant once.
 class PlantingClothier {
  public:
   PlantingClothier(std::vector<Planting> plantings, const PlantingRecipe& recipe, const Limits& limits,
@@ -49,7 +51,7 @@ class PlantingClothier {
   }
 
  private:
-  /// Takes the distinct variants out of the plantings.
+  /// Collects the distinct variants of the plantings.
   void take_variants() {
     std::unordered_map<const PlantVariant*, std::size_t> number;
     for (Planting& planting : plantings_) {
@@ -70,10 +72,10 @@ class PlantingClothier {
     return recipe_.shown_places ? variants_[k] : std::move(variants_[k]);
   }
 
-  /// Side by side; which of several faults is thrown does not depend on threads.
+  /// Runs in parallel. If several variants fail, the choice of the thrown error does not depend on threads.
   void clothe_variants() {
     meshes_.resize(variants_.size());
-    std::vector<CacheKey> keys(variants_.size());  // none for variants whose content is unknown
+    std::vector<CacheKey> keys(variants_.size());  // empty for variants whose content is unknown
     for (std::size_t k = 0; k < variants_.size(); ++k) {
       if (variants_[k]->key != 0) {
         keys[k] = results_.key([&] {
@@ -113,7 +115,7 @@ class PlantingClothier {
     const Planting& planting = plantings_[number];
     const std::size_t variant = variant_of_[number];
     MeshScene& own = std::const_pointer_cast<VariantMeshes>(meshes_[variant])->scene;
-    // Its last planting takes the frames of the variant without a copy, unless a cache keeps them.
+    // The last planting takes the frames of the variant without a copy, unless a cache keeps them.
     const bool is_last = --uses_[variant] == 0 && meshes_[variant].use_count() == 1;
     auto places = std::make_shared<std::vector<Frame>>();
     for (const std::size_t place : shown_places(planting, variant, own))
@@ -128,20 +130,20 @@ class PlantingClothier {
       placed.component = planting.component + "." + placed.component;
       placed.material = materials[placed.material];
       std::vector<std::uint32_t>().swap(placed.individuals);  // each instance is a plant
-      // Where some places are not shown, frames are no longer the places in their order.
+      // If some places are not shown, frames no longer correspond to all places in their order.
       if (!shows_all) placed.origin = nullptr;
       if (placed.origin != nullptr) {
         placed.origin = std::make_shared<const MeshOrigin>(MeshOrigin{.planting = number, .inner = placed.origin});
       }
       if (inner_places == nullptr) continue;
-      // A plant within this one stands on each of its sites at each site of this one.
+      // A plant within this one stands on each of its own places at each place of this one.
       std::shared_ptr<const std::vector<Frame>>& all = multiplied[inner_places.get()];
       if (all == nullptr) all = product(*places, *inner_places);
       placed.places = all;
     }
   }
 
-  /// An even choice of a planting's places, in their order.
+  /// Returns an even choice of a planting's places, in their order.
   std::vector<std::size_t> shown_places(const Planting& planting, std::size_t variant, const MeshScene& made) const {
     std::vector<std::size_t> shown(planting.places.size());
     std::iota(shown.begin(), shown.end(), 0);
@@ -166,7 +168,7 @@ class PlantingClothier {
     return all;
   }
 
-  /// The numbers of a variant's materials in the scene. A component's variants share those that are equal.
+  /// Returns the indices of a variant's materials in the scene. Variants of a component share equal materials.
   const std::vector<std::uint32_t>& materials_of(std::size_t variant, const std::string& component, MeshScene& scene) {
     const auto [known, is_new] = materials_.try_emplace({variant, component});
     if (!is_new) return known->second;
@@ -174,7 +176,7 @@ class PlantingClothier {
     const std::vector<Material>& all = meshes_[variant]->scene.materials;
     for (std::size_t m = 0; m < all.size(); ++m) {
       Material material = all[m];
-      if (m < pictured.size()) material.texture = pictured[m].texture;  // the plant's own come first
+      if (m < pictured.size()) material.texture = pictured[m].texture;  // the plant's own materials come first
       material.name = component + "." + material.name;
       std::vector<std::uint32_t>& namesakes = namesakes_[material.name];
       const auto is_it = [&](std::uint32_t known_one) { return look_alike(scene.materials[known_one], material); };
@@ -190,7 +192,7 @@ class PlantingClothier {
     return known->second;
   }
 
-  /// Textures are equal where they are made of the same.
+  /// Textures are equal if they have equal sources.
   static bool look_alike(const Material& a, Material b) {
     if (a.texture != nullptr && b.texture != nullptr && a.texture->fingerprint == b.texture->fingerprint) {
       b.texture = a.texture;
@@ -198,7 +200,7 @@ class PlantingClothier {
     return a == b;
   }
 
-  /// Each variant counts once: no memory is spent on its copies.
+  /// Each variant counts once, because its copies use no memory.
   void check_limits(const MeshScene& scene) const {
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
@@ -223,13 +225,13 @@ class PlantingClothier {
   Progress& progress_;
   CacheRun results_;
   bool is_whole_ = true;
-  std::vector<std::shared_ptr<const PlantVariant>> variants_;  // null once they are not needed any more
+  std::vector<std::shared_ptr<const PlantVariant>> variants_;  // null when no longer needed
   std::vector<std::vector<Material>> pictured_;                // materials of each variant, with pictures
-  std::vector<std::size_t> variant_of_;                        // of each planting
-  std::vector<std::size_t> uses_;  // of each variant: the plantings that are not yet in the scene
+  std::vector<std::size_t> variant_of_;                        // for each planting
+  std::vector<std::size_t> uses_;  // for each variant, the number of plantings that are not yet in the scene
   std::vector<std::shared_ptr<const VariantMeshes>> meshes_;
   std::map<std::pair<std::size_t, std::string>, std::vector<std::uint32_t>> materials_;
-  std::unordered_map<std::string, std::vector<std::uint32_t>> namesakes_;  // of materials, by name
+  std::unordered_map<std::string, std::vector<std::uint32_t>> namesakes_;  // materials by name
 };
 
 }  // namespace

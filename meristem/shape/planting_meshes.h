@@ -18,22 +18,22 @@
 
 namespace meristem {
 
-/// How the meshes of placed plants are made.
+/// Options and functions to make the meshes of placed plants.
 struct PlantingRecipe {
   /// Makes the meshes of a variant, and may free the variant. Called on several threads at once.
   std::function<VariantMeshes(std::shared_ptr<const PlantVariant> variant, Progress& progress)> make;
   /// Adds everything that the result of `make` depends on besides the variant.
   std::function<void(const PlantVariant& variant, Fingerprint& key)> add_key;
   /// Returns the share of a variant's places that are shown, above 0, if its meshes have `made` triangles. Null: all
-  /// are.
+  /// are shown.
   std::function<double(const PlantVariant& variant, std::uint64_t made)> shown_places{};
 };
 
-/// Adds the meshes of a plant's plantings to `scene`. Each variant's meshes are made once; the cache gets them as
-/// soon as they are made, so a call that was cancelled leaves them for the next one. A variant that nobody else holds
-/// is freed when its meshes are made, unless `shown_places` needs it. Returns true if all places of all plantings are
-/// shown with whole meshes. Throws InputError if limits would be passed; if several variants fail, the fault of the
-/// first one. Throws Cancelled.
+/// Adds the meshes of a plant's plantings to `scene`. Each variant's meshes are made once. They are cached as soon as
+/// they are made, so a cancelled call leaves them for the next call. A variant without other owners is freed after its
+/// meshes were made, unless `shown_places` needs it. Returns true if all places of all plantings are shown with whole
+/// meshes. Throws InputError if limits would be exceeded. If several variants fail, the first error is thrown. Throws
+/// Cancelled.
 bool add_plantings(MeshScene& scene, std::vector<Planting> plantings, const PlantingRecipe& recipe,
                    const Limits& limits, Progress& progress, Cache* cache);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes surfaces, normals and texture mappings at the hits of rays. RayTrees finds the hits, and the attributes of
+// the three vertices are interpolated here.
 #include "meristem/shape/ray_scene.h"
 
 #include <algorithm>
@@ -11,14 +13,14 @@ namespace meristem {
 
 namespace {
 
-/// What turns local normals into outer ones of any length: the cofactors, with the sign of a mirror taken out. In
-/// floats, as it runs at every hit.
+/// Returns the matrix that turns local normals into outer normals of any length: the cofactors, without the sign of a
+/// mirror. In floats, because it is computed at every hit.
 Mat3 normal_matrix(const Mat3& axes) {
   const Mat3 cofactors(glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]), glm::cross(axes[0], axes[1]));
   return glm::dot(axes[0], cofactors[0]) < 0 ? -cofactors : cofactors;
 }
 
-/// Weights of a triangle's three vertices.
+/// Returns the weights of a triangle's three vertices.
 Vec3 vertex_weights(Vec2 barycentric) { return {1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y}; }
 
 Vec2 uv_at(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, Vec3 weights) {
@@ -40,7 +42,7 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const { return trees_-
 bool RayScene::is_blocked(const Ray& ray, float within) const { return trees_->is_blocked(ray, within); }
 
 float RayScene::clearance(Vec3 position) {
-  // Floats know a position 10 m away to a micrometre.
+  // Floats resolve a position 10 m away to a micrometre.
   return 2e-5F * (0.1F + std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}));
 }
 
@@ -68,7 +70,7 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   for (int k = 0; k < 3; ++k) {
     const Vec3 normal = mesh.normals[triangle[k]];
     blended += weights[k] * normal;
-    // Each vertex's tangent plane lifts the point; on convex surfaces that undoes the flatness of the triangle.
+    // Each vertex's tangent plane lifts the point, which compensates the flatness of the triangle on convex surfaces.
     const float below = std::min(0.0F, glm::dot(local - mesh.positions[triangle[k]], normal));
     offset -= weights[k] * below * normal;
   }
@@ -95,7 +97,7 @@ TextureMapping RayScene::texture_mapping(const RayHit& hit) const {
   const Vec3 weights = vertex_weights(hit.barycentric);
   position.uv = uv_at(mesh, triangle, weights);
 
-  // How wide the texture is drawn: the triangle's area on it, over that in the world.
+  // The scale of the texture: the triangle's area in uv divided by its area in the world.
   const Vec3 to_b = frame.vector(mesh.positions[triangle[1]] - mesh.positions[triangle[0]]);
   const Vec3 to_c = frame.vector(mesh.positions[triangle[2]] - mesh.positions[triangle[0]]);
   const Vec2 uv_to_b = mesh.uvs[triangle[1]] - mesh.uvs[triangle[0]];
@@ -104,7 +106,7 @@ TextureMapping RayScene::texture_mapping(const RayHit& hit) const {
   const float uv_area = uv_to_b.x * uv_to_c.y - uv_to_b.y * uv_to_c.x;
   if (area > 0) position.uvs_per_metre = std::sqrt(std::abs(uv_area) / area);
 
-  // Where u and v rise: by the mesh's tangents, else by the triangle's own uvs.
+  // The directions in which u and v rise, from the mesh's tangents, or else from the triangle's own uvs.
   if (!mesh.tangents.empty() && !mesh.normals.empty()) {
     Vec4 tangent(0);
     Vec3 normal(0);

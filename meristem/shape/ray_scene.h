@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds what rays meet in a mesh scene: the first surface, or whether any surface lies in the way. Wraps Embree.
-// Instances of small scenes are copied into one tree of triangles. Instances of larger scenes stay instances. Rays pass
-// through the holes of masked textures.
+// Finds the hits of rays in a mesh scene: the first surface, or whether any surface blocks the ray. Wraps Embree.
+// Instances of small scenes are copied into one tree of triangles, and instances of larger scenes stay instances. Rays
+// pass through the holes of masked textures.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@
 
 namespace meristem {
 
-/// A way through the scene, and how wide a beam it stands for.
+/// A ray through the scene, and the width of the beam that it represents.
 struct Ray {
   Vec3 origin;       ///< metres, world space
   Vec3 direction;    ///< unit
-  float spread = 0;  ///< by how much it stands for a wider cone, metres per metre; raised, textures are blurred more
+  float spread = 0;  ///< growth of the beam's width, metres per metre; larger values blur textures more
 };
 
 /// A position on a surface.
@@ -31,61 +31,63 @@ struct RayHit {
   Vec2 barycentric{0};         ///< weights of the triangle's second and third vertex
 };
 
-/// The surface where a ray meets it, in world space.
+/// The surface at a hit, in world space.
 struct SurfacePoint {
   Vec3 position;       ///< metres, on the triangle
-  Vec3 face_normal;    ///< unit, of the triangle's front
-  Vec3 normal;         ///< unit, interpolated where the mesh has normals
+  Vec3 face_normal;    ///< unit normal of the triangle's front
+  Vec3 normal;         ///< unit normal, interpolated if the mesh has normals
   Vec3 smooth_offset;  ///< from `position` to the curved surface that the interpolated normals suggest
 };
 
-/// How a texture lies on the surface where a ray meets it, in world space.
+/// The position and scale of a texture on the surface at a hit, in world space.
 struct TextureMapping {
   Vec2 uv{0};               ///< texture coordinates
-  Vec3 along_u{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
-  Vec3 along_v{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
-  float uvs_per_metre = 0;  ///< geometric mean of both ways
+  Vec3 along_u{0};          ///< unit vector if the mesh has tangents or its uvs define it, otherwise 0
+  Vec3 along_v{0};          ///< unit vector if the mesh has tangents or its uvs define it, otherwise 0
+  float uvs_per_metre = 0;  ///< geometric mean of both directions
 };
 
 class RayTrees;
 
-/// How a scene of rays spends memory.
+/// Options for the memory of a scene of rays.
 struct RaySceneOptions {
-  /// Parts with several frames are copied out, 100 bytes for each triangle, while their triangles are at most this
-  /// number in all, and those of placed plants while they are at most a third of it; parts without places come first.
+  /// Maximum number of triangles that are copied. Parts with several frames are copied until their triangles reach this
+  /// number, at 100 bytes per triangle. Parts of placed plants are copied up to a third of it. Parts without places
+  /// come first.
   std::uint64_t copied_triangles = 3'000'000;
-  /// A scene with more distinct triangles and frames than this number is large: it copies nothing, takes less memory
-  /// for all of them, and rays take up to twice the time.
+  /// A scene with more distinct triangles and frames than this is large. It copies nothing and takes less memory for
+  /// all of them, but rays take up to twice the time.
   std::uint64_t large_from = 10'000'000;
 };
 
-/// All triangles of a mesh scene, to be met by rays.
+/// The triangles of a mesh scene, prepared for rays.
 class RayScene {
  public:
-  /// `scene` must outlive this. Memory: about 100 bytes for each triangle of a distinct mesh, and about 85 bytes for
-  /// each instance of a mesh with several frames; in large scenes, 10 bytes for each distinct triangle and 20 bytes for
-  /// each instance. The frames of a placed plant count once, whatever the number of its places. Throws Cancelled,
-  /// MachineError (memory).
+  /// `scene` must outlive this object. Memory: about 100 bytes for each triangle of a distinct mesh, and about 85 bytes
+  /// for each instance of a mesh with several frames. In large scenes, it is 10 bytes for each distinct triangle and 20
+  /// bytes for each instance. The frames of a placed plant count once, whatever the number of its places. Throws
+  /// Cancelled, MachineError (memory).
   RayScene(const MeshScene& scene, Progress& progress, const RaySceneOptions& options = {});
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// The first surface along the ray. May be called from many threads.
+  /// Returns the first surface along the ray. May be called from many threads.
   std::optional<RayHit> first_hit(const Ray& ray) const;
-  /// Whether any surface lies on the ray, `within` metres.
+  /// Returns true if any surface lies on the ray, up to `within` metres.
   bool is_blocked(const Ray& ray, float within = std::numeric_limits<float>::infinity()) const;
-  /// How far off a surface at a position a ray has to start not to meet it again, metres.
+  /// Returns the minimum distance of a ray's start from a surface at `point`, so that the ray does not hit this surface
+  /// again. Metres.
   static float clearance(Vec3 point);
-  /// Returns the bytes of the trees, without the memory of `scene` itself.
+  /// Returns the memory of the trees in bytes, without `scene` itself.
   std::uint64_t bytes() const;
   /// Returns the surface at a hit.
   SurfacePoint surface_point(const RayHit& hit) const;
-  /// Normal of the triangle's front, unit, in world space; faster than surface_point.
+  /// Returns the unit normal of the triangle's front in world space. Faster than surface_point.
   Vec3 face_normal(const RayHit& hit) const;
-  /// Returns how the texture lies on the surface at a hit.
+  /// Returns the position and scale of the texture on the surface at a hit.
   TextureMapping texture_mapping(const RayHit& hit) const;
-  /// Linear factors on the colour of the instance that was hit.
+  /// Returns the linear factors on the colour of the instance at a hit.
   Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }
 
  private:

@@ -17,7 +17,7 @@
 
 namespace meristem::ray_scene_test {
 
-/// A level field of `side` by `side` squares of a metre, its corner at the origin.
+/// Returns a level field of `side` by `side` squares of a metre, with its corner at the origin.
 MeshScene field(std::uint32_t side) {
   Mesh mesh;
   for (std::uint32_t z = 0; z <= side; ++z)
@@ -36,8 +36,8 @@ MeshScene field(std::uint32_t side) {
   return scene;
 }
 
-// Whenever a build is cancelled, TBB looks at what built everything that is still there: once, that was a loop which
-// was gone.
+// When a build is cancelled, TBB reads the contexts in which all existing objects were built. Once, such a context
+// belonged to a finished loop.
 TEST(RayScene, MayOutliveTheLoopThatItWasBuiltIn) {
   const MeshScene scene = field(200);
   std::vector<std::unique_ptr<RayScene>> kept(8);
@@ -66,7 +66,8 @@ constexpr RaySceneOptions kCopied{.copied_triangles = kMany, .large_from = kMany
 constexpr RaySceneOptions kInstanced{.copied_triangles = 0, .large_from = kMany};
 constexpr RaySceneOptions kLarge{.copied_triangles = kMany, .large_from = 0};
 
-/// A stem and leaves with holes, turned, scaled and mirrored in all ways, in these places (null: in the world, once).
+/// Returns a stem and leaves with holes, turned, scaled and mirrored in all ways, at these places (null: once in the
+/// world).
 MeshScene tree(std::size_t leaves, std::shared_ptr<const std::vector<Frame>> places) {
   MeshScene scene = leafy_scene(leaves);
   scene.materials[0].texture = plain_texture();
@@ -83,7 +84,7 @@ std::shared_ptr<const std::vector<Frame>> places_in_rows(int count) {
   return std::make_shared<const std::vector<Frame>>(std::move(places));
 }
 
-/// Rays from all around to points about the first two places.
+/// Returns rays from all sides to points around the first two places.
 std::vector<Ray> rays_to(std::uint64_t count) {
   const RandomKey key(4);
   std::vector<Ray> rays;
@@ -96,7 +97,8 @@ std::vector<Ray> rays_to(std::uint64_t count) {
   return rays;
 }
 
-/// Instances and copies have equal hits but for rounding: rays that pass an edge within micrometres may differ.
+/// Expects that instances and copies have equal hits, apart from rounding: rays that pass within micrometres of an edge
+/// may differ.
 void expect_equal_hits(const MeshScene& scene, const RaySceneOptions& options) {
   Progress progress;
   const RayScene instanced(scene, progress, options), copied(scene, progress, kCopied);
@@ -110,7 +112,7 @@ void expect_equal_hits(const MeshScene& scene, const RaySceneOptions& options) {
     if (!is_equal) ++differ;
     if (!a || !is_equal) continue;
     ++hits;
-    // Rounding moves the ray aside by micrometres, and a surface seen at a low angle far along it.
+    // Rounding moves the ray sideways by micrometres, which shifts the hit far along a surface at a low angle.
     const float cosine = std::abs(glm::dot(copied.face_normal(*b), ray.direction));
     ASSERT_NEAR(cosine * a->distance, cosine * b->distance, 2e-5);
     ASSERT_NEAR(a->barycentric.x, b->barycentric.x, 2e-3);
@@ -186,7 +188,7 @@ TEST(RayScene, AnotherPlaceOfAPlantCostsAnInstance) {
   const std::uint64_t few = bytes_of(tree(2000, places_in_rows(100)));
   const std::uint64_t many = bytes_of(tree(2000, places_in_rows(10'100)));
   EXPECT_LE(many - few, 10'000 * (120 + kCountedInstanceBytes));
-  EXPECT_LE(few, 5000 * 150U + 2000 * 120U + 100'000);  // the stem's triangles and the leaves, once
+  EXPECT_LE(few, 5000 * 150U + 2000 * 120U + 100'000);  // the triangles of the stem and of the leaves once
 }
 
 TEST(RayScene, PlantingsThatShareAMeshShareItsTree) {

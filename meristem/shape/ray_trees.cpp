@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// In:  a mesh scene. Out: trees of boxes for Embree, and the hits that they find.
+// In:  a mesh scene. Out: bounding volume trees for Embree, and the hits that they find.
 //
 // Copying the triangles of all leaves of a tree takes about 100 bytes for each triangle. An instance takes about 85
-// bytes for each leaf, whatever its mesh has, and tracing it takes about as long. Embree's own instances are not used
-// for leaves: a geometry object for each leaf takes 280 bytes more, and they trace 1.6 times slower than a list whose
-// primitives are the frames themselves. They also have one level only (RTC_MAX_INSTANCE_LEVEL_COUNT), which the places
+// bytes for each leaf, whatever its mesh, and tracing it takes about as long. Embree's own instances are not used for
+// leaves. A geometry object for each leaf takes 280 bytes more, and they trace 1.6 times slower than a list whose
+// primitives are the frames themselves. They also have a single level (RTC_MAX_INSTANCE_LEVEL_COUNT), which the places
 // of plants need.
 #include "meristem/shape/ray_trees.h"
 
@@ -21,13 +21,14 @@ namespace meristem {
 
 namespace {
 
-// In large scenes. Raised, boxes take less memory, and rays test more for each box.
+// In large scenes. With more frames, boxes take less memory, and rays test more frames for each box.
 constexpr std::uint32_t kFramesInABox = 4;
 constexpr std::uint32_t kTrianglesInABox = 12;
-constexpr std::size_t kFewVertices = 64;  // of a mesh whose instances get the box of their own vertices
-constexpr float kBoxRounding = 1e-6F;     // of a box, as a share of its farthest coordinate
+constexpr std::size_t kFewVertices = 64;  // maximum number of vertices of a mesh whose instances get the box of their
+                                          // own vertices
+constexpr float kBoxRounding = 1e-6F;     // extension of a box, as a share of its farthest coordinate
 
-/// Which parts become triangles.
+/// Chooses the parts that are copied as triangles.
 std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triangles) {
   std::vector<bool> copied(scene.meshes.size());
   std::uint64_t total = 0;
@@ -36,7 +37,7 @@ std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triang
       const MeshInstances& part = scene.meshes[p];
       if ((part.places != nullptr) != is_placed) continue;
       const std::uint64_t triangles = part.mesh->triangle_count() * part.frames.size();
-      // Placed plants may be many, and as instances they are traced about as fast.
+      // There can be many placed plants, and they are traced about as fast as instances.
       const std::uint64_t limit = is_placed ? max_triangles / 3 : max_triangles;
       copied[p] = part.frames.size() == 1 || total + triangles <= limit;
       if (copied[p] && part.frames.size() > 1) total += triangles;
@@ -45,7 +46,7 @@ std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triang
   return copied;
 }
 
-/// The number of distinct triangles and of frames.
+/// Returns the number of distinct triangles and of frames.
 std::uint64_t size_of(const MeshScene& scene) {
   std::uint64_t sum = 0;
   for (const MeshInstances& part : scene.meshes) sum += part.mesh->triangle_count() + part.frames.size();
@@ -54,8 +55,7 @@ std::uint64_t size_of(const MeshScene& scene) {
 
 bool stop_if_cancelled(void* progress, double) { return !static_cast<Progress*>(progress)->is_cancelled(); }
 
-/// Takes a ray into a frame's own coordinates; distances along it stay as they are. Returns false if the frame is
-/// flat.
+/// Converts a ray to a frame's own coordinates. Distances along the ray stay equal. Returns false if the frame is flat.
 bool enter_frame(const Frame& frame, RTCRay& ray) {
   const Mat3& axes = frame.axes;
   const Vec3 cofactors[3] = {glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]), glm::cross(axes[0], axes[1])};
@@ -73,7 +73,7 @@ bool enter_frame(const Frame& frame, RTCRay& ray) {
   return true;
 }
 
-/// Returns false if a ray, which is in the box's own coordinates, passes it by more than rounding errors.
+/// Returns false if a ray, given in the box's own coordinates, misses the box by more than rounding errors.
 bool may_meet(const Box& box, const RTCRay& ray) {
   const Vec3 origin(ray.org_x, ray.org_y, ray.org_z);
   const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
@@ -96,15 +96,15 @@ bool may_meet(const Box& box, const RTCRay& ray) {
   return enter <= leave * (1 + kBoxRounding);
 }
 
-/// Where a ray meets a triangle, by its distance and the weights of the second and third vertex.
+/// The hit of a ray on a triangle: its distance, and the weights of the second and third vertex.
 struct TriangleHit {
   float distance = 0;
   float second = 0;
   float third = 0;
 };
 
-/// Returns no hit if the ray passes the triangle or meets it outside of the ray's range.
-/// Based on: T. Möller, B. Trumbore, Fast, minimum storage ray/triangle intersection, 1997.
+/// Returns no hit if the ray misses the triangle or hits it outside of the ray's range. Based on: T. Möller, B.
+/// Trumbore, Fast, minimum storage ray/triangle intersection, 1997.
 std::optional<TriangleHit> meet(const RTCRay& ray, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
   const Vec3 to_b = b - a;
@@ -123,11 +123,11 @@ std::optional<TriangleHit> meet(const RTCRay& ray, Vec3 a, Vec3 b, Vec3 c) {
   return TriangleHit{distance, second, third};
 }
 
-/// The box with room for rounding errors.
+/// Returns the box with a margin for rounding errors.
 RTCBounds widened(const Box& box) {
   const Vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
   const float rounding = kBoxRounding * std::max({farthest.x, farthest.y, farthest.z});
-  // Embree leaves out what has an empty box.
+  // Embree ignores primitives with an empty box.
   if (box.is_empty()) return {1, 1, 1, 0, -1, -1, -1, 0};
   return {box.low.x - rounding,  box.low.y - rounding,  box.low.z - rounding,  0,
           box.high.x + rounding, box.high.y + rounding, box.high.z + rounding, 0};
@@ -150,7 +150,7 @@ RTCRay ray_to(const Ray& ray, float within) {
 
 }  // namespace
 
-/// A ray's context, in which a list of instances stores which of them was hit.
+/// A ray's context, in which a list of instances stores the index of the hit instance.
 struct RayTrees::HitContext : EmbreeRayContext {
   std::uint32_t frame = 0;
 };
@@ -178,7 +178,7 @@ Box RayTrees::ListedPart::bounds_of_frames(std::size_t begin) const {
   const std::size_t end = std::min<std::size_t>(begin + in_a_box, part->frames.size());
   for (std::size_t f = begin; f < end; ++f) {
     const Frame& frame = part->frames[f];
-    if (glm::determinant(frame.axes) == 0) continue;  // a flat organ shows no surface to rays
+    if (glm::determinant(frame.axes) == 0) continue;  // rays do not hit a flat organ
     if (part->mesh->vertex_count() > kFewVertices) {
       all.add(box_in(box, frame));
     } else {
@@ -208,7 +208,7 @@ void RayTrees::find_bounds(const RTCBoundsFunctionArguments* arguments) {
 void RayTrees::meet_instance(const RTCIntersectFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
   const auto& list = *static_cast<const ListedPart*>(arguments->geometryUserPtr);
-  auto& query = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);  // of one ray, as all queries are
+  auto& query = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);  // a query with one ray, as all queries are
   const std::size_t begin = std::size_t{arguments->primID} * list.in_a_box;
   const std::size_t end = std::min(begin + list.in_a_box, list.part->frames.size());
   for (std::size_t f = begin; f < end; ++f) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trees of boxes in which Embree finds what rays meet.
+// The bounding volume trees in which Embree finds the hits of rays.
 #pragma once
 
 #include <array>
@@ -25,23 +25,23 @@
 
 namespace meristem {
 
-/// Finds the triangles of a mesh scene that rays meet.
+/// Finds the triangles of a mesh scene that rays hit.
 ///
-/// The upper tree holds the geometries of parts that stand in the world once, and an instance for each place of a
-/// placed plant. The tree of a placed plant holds the geometries of its parts. A geometry of a part is either all
-/// triangles of all frames, or a list of instances: then each frame is one box, and the ray goes on in the tree of the
-/// mesh, which exists once for each distinct mesh. In large scenes one box holds several neighbouring frames, or
-/// several neighbouring triangles of a part with one frame, and nothing is copied.
+/// The upper tree contains the geometries of parts that stand in the world once, and an instance for each place of a
+/// placed plant. The tree of a placed plant contains the geometries of its parts. A geometry of a part is either all
+/// triangles of all frames, or a list of instances. In a list, each frame is one box, and the ray continues in the tree
+/// of the mesh, which exists once for each distinct mesh. In large scenes, one box holds several neighbouring frames,
+/// or several neighbouring triangles of a part with one frame, and nothing is copied.
 class RayTrees {
  public:
-  /// `scene` must outlive this. Parts with several frames become triangles while these are at most `copied_triangles`
-  /// in all, first those that stand in the world once. A scene is large if its distinct triangles and frames are more
-  /// than `large_from`. Throws Cancelled, MachineError (memory).
+  /// `scene` must outlive this object. Parts with several frames are copied as triangles up to a total of
+  /// `copied_triangles`, beginning with parts that stand in the world once. A scene is large if it has more than
+  /// `large_from` distinct triangles and frames. Throws Cancelled, MachineError (memory).
   RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, std::uint64_t large_from, Progress& progress);
 
   std::optional<RayHit> first_hit(const Ray& ray) const;
   bool is_blocked(const Ray& ray, float within) const;
-  /// Bytes that Embree holds now.
+  /// Returns the bytes that Embree uses now.
   std::uint64_t bytes() const;
 
  private:
@@ -56,8 +56,8 @@ class RayTrees {
   using SceneOwner = std::unique_ptr<RTCSceneTy, Releaser<rtcReleaseScene>>;
   using GeometryOwner = std::unique_ptr<RTCGeometryTy, Releaser<rtcReleaseGeometry>>;
 
-  /// The holes of a masked mesh. The positions of its triangles on the mask lie side by side, because looking them up
-  /// through the mesh takes longer than all other steps of a hit.
+  /// The holes of a masked mesh. The uvs of each triangle are stored together, because a lookup through the mesh takes
+  /// longer than all other steps of a hit.
   struct MaskedMesh {
     MaskedMesh(const Mesh& mesh, const AlphaMask& holes);
     const AlphaMask* mask;
@@ -66,15 +66,15 @@ class RayTrees {
   /// A part as a list of instances, or as a list of triangles in packs.
   struct ListedPart {
     const MeshInstances* part = nullptr;
-    RTCScene tree = nullptr;     ///< of its mesh; null for triangles
-    Box box;                     ///< of its mesh
+    RTCScene tree = nullptr;     ///< tree of its mesh; null for triangles
+    Box box;                     ///< box of its mesh
     std::uint32_t in_a_box = 1;  ///< number of frames or triangles in one box
 
     Box bounds_of_frames(std::size_t begin) const;
     Box bounds_of_triangles(std::size_t begin) const;
   };
   struct HitContext;
-  /// What a geometry shows.
+  /// The part of a geometry.
   struct Geometry {
     std::uint32_t part = 0;
     bool is_instanced = false;
@@ -85,7 +85,7 @@ class RayTrees {
     std::vector<Geometry> geometries;
     SceneOwner tree;
   };
-  /// What a geometry of the upper tree shows: a part, or a plant in one of its places.
+  /// The object of a geometry of the upper tree: a part, or a plant in one of its places.
   struct TopGeometry {
     std::optional<Geometry> of_part;
     std::uint32_t plant = 0;
@@ -108,7 +108,7 @@ class RayTrees {
                      Progress& progress);
   void add_instances(RTCScene scene, const MeshInstances& part, const Texture* texture, Progress& progress);
   void add_packed_triangles(RTCScene scene, const MeshInstances& part);
-  /// A geometry whose primitives are the boxes of a list of `count` items.
+  /// Returns a geometry whose primitives are the boxes of a list of `count` items.
   GeometryOwner list_geometry(ListedPart& list, std::size_t count) const;
   RTCScene tree_of(const Mesh& mesh, const Texture* texture, Progress& progress);
   void cut_holes(RTCGeometry geometry, const Mesh& mesh, const Texture& texture);
@@ -125,7 +125,7 @@ class RayTrees {
   std::deque<ListedPart> listed_parts_;  ///< geometries point to them
   std::vector<PlacedPlant> plants_;
   std::unordered_map<const std::vector<Frame>*, std::size_t> plant_of_places_;
-  std::vector<TopGeometry> geometries_;  ///< of the upper tree
+  std::vector<TopGeometry> geometries_;  ///< geometries of the upper tree
   SceneOwner top_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Hashes meshes, materials and instances of scenes, and compares the keys of two scenes. Hashes of shared meshes are
+// remembered by address as long as the mesh exists.
 #include "meristem/shape/scene_keys.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of the parts of a mesh scene, so that a viewer of one scene after another takes over only what has changed.
+// Keys of the parts of a mesh scene, so that a viewer of successive scenes receives only the changes.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace meristem {
 
-/// Equal keys, equal content: hashes of all that a part holds.
+/// Hashes of the content of all parts: equal keys mean equal content.
 struct SceneKeys {
-  /// What stands at one index of MeshScene::meshes.
+  /// The keys at one index of MeshScene::meshes.
   struct Batch {
     std::string component;        ///< id of the component
     std::uint32_t number = 0;     ///< number among the component's batches
     std::uint64_t mesh = 0;       ///< key of the mesh that the batch's instances share
-    std::uint64_t material = 0;   ///< key of how the batch looks
+    std::uint64_t material = 0;   ///< key of the batch's material
     std::uint64_t instances = 0;  ///< key of the instances' frames and tints
 
     bool operator==(const Batch&) const = default;
@@ -28,7 +28,7 @@ struct SceneKeys {
   std::vector<std::uint64_t> materials;  ///< in the order of MeshScene::materials
 };
 
-/// Makes keys. What scenes share, because a growth has kept it, is hashed once.
+/// Makes keys. Content that scenes share, because a later growth has kept it, is hashed once.
 class SceneKeyMaker {
  public:
   /// Returns the keys of a scene.
@@ -45,22 +45,21 @@ class SceneKeyMaker {
   std::unordered_map<const void*, Known> known_;
 };
 
-/// What one scene has that another has not.
+/// The difference between two scenes.
 struct SceneDifference {
-  /// Keys in rising order.
+  /// Keys in ascending order.
   struct Keys {
     std::vector<std::uint64_t> added;    ///< keys that only the later scene has
     std::vector<std::uint64_t> removed;  ///< keys that only the earlier scene has
   };
   Keys meshes;     ///< keys of meshes
   Keys materials;  ///< keys of materials
-  /// Indices of batches: batches added and changed by their index in the later scene, batches removed by their index in
-  /// the earlier one. Two batches are one where they have component and number in common; the batch has changed where a
-  /// key differs.
+  /// Indices of changed batches. Two batches correspond if they have equal component and number. A batch has changed if
+  /// one of its keys differs.
   struct Batches {
-    std::vector<std::size_t> added;    ///< by their index in the later scene
-    std::vector<std::size_t> changed;  ///< by their index in the later scene
-    std::vector<std::size_t> removed;  ///< by their index in the earlier scene
+    std::vector<std::size_t> added;    ///< by index in the later scene
+    std::vector<std::size_t> changed;  ///< by index in the later scene
+    std::vector<std::size_t> removed;  ///< by index in the earlier scene
   };
   Batches batches;  ///< batches
 
@@ -71,7 +70,7 @@ struct SceneDifference {
   }
 };
 
-/// Compares the keys of two scenes. Cost: linear, plus sorting keys.
+/// Compares the keys of two scenes. The cost is linear, plus sorting the keys.
 SceneDifference difference(const SceneKeys& before, const SceneKeys& after);
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Adds up triangles and bytes by component, so that an exceeded limit names the component that uses most.
 #include "meristem/shape/scene_tally.h"
 
 #include <algorithm>

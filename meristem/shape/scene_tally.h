@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's meshes would take, summed up before they are made.
+// Adds up the size of a scene's meshes before they are made.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ namespace meristem {
 
 class SceneTally {
  public:
-  /// A mesh that stands once.
+  /// Adds a mesh with a single instance.
   void add_mesh(const std::string& component, const Mesh& mesh);
-  /// The tubes of one stem, `sizes` by mesh of its looks. Throws InputError where one has more vertices than a mesh
-  /// may.
+  /// Adds the tubes of one stem. `sizes` has one entry per mesh of its looks. Throws InputError if a mesh would have
+  /// too many vertices.
   void add_tubes(const StemLooks& looks, const std::vector<TubeSize>& sizes);
-  /// A mesh in `count` frames.
+  /// Adds a mesh with `count` instances.
   void add_organs(const std::string& component, const Mesh& mesh, std::uint64_t count);
 
-  /// Throws InputError where all that was added passes a limit, at the component that takes most.
+  /// Throws InputError at the largest component if the total exceeds a limit.
   void check(const Limits& limits) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All instances of all meshes become one soup of triangles that share points where they meet, and are meshes of their
-// components, materials and tints again when it is simplified.
+// Simplifies a small plant as a whole. All instances of all meshes become one soup of triangles that share points where
+// they meet. After simplification, the soup is divided again into meshes by component, material and tint.
 #include "meristem/shape/small_detail.h"
 
 #include <algorithm>
@@ -20,10 +20,10 @@ namespace meristem {
 
 namespace {
 
-constexpr float kMeets = 5e-4F;        // of the plant's size: so near points are one
-constexpr float kFlatCosine = 0.999F;  // between the normals of a face and its corners
+constexpr float kMeets = 5e-4F;        // share of the plant's size: nearer points are joined
+constexpr float kFlatCosine = 0.999F;  // cosine between the normals of a face and its corners
 
-/// What faces of one mesh of a level have in common.
+/// The common properties of the faces of one mesh of a level.
 struct Look {
   std::string component;
   std::uint32_t material = 0;
@@ -50,7 +50,7 @@ class Flattened {
 
   FaceSoup take_soup() { return std::move(soup_); }
 
-  /// The meshes of what is left of the soup.
+  /// Returns the meshes of the remaining soup.
   std::vector<MeshInstances> meshes(const FaceSoup& left, const std::vector<Material>& materials) const {
     std::vector<MeshInstances> made;
     for (std::uint32_t k = 0; k < looks_.size(); ++k) {
@@ -117,7 +117,7 @@ class Flattened {
     return normalized_or(glm::cross(soup.points[points[1]] - a, soup.points[points[2]] - a), kUp);
   }
 
-  /// Points of one group that are near each other become one: the first.
+  /// Joins points of one group that are near each other. The first point is kept.
   void join_points(float reach) {
     std::vector<std::uint32_t> group(soup_.points.size(), std::numeric_limits<std::uint32_t>::max());
     for (const FaceSoup::Face& face : soup_.faces) {

@@ -14,7 +14,7 @@
 
 namespace meristem::small_detail_test {
 
-/// A trunk, and on it a crown of flat faces with a few fruits.
+/// Returns a trunk with a crown of flat faces and a few fruits.
 MeshScene low_poly_tree() {
   Progress progress;
   MeshScene scene;
@@ -35,7 +35,7 @@ MeshScene level_of(const MeshScene& scene, int level) {
   return small_detail(scene, {level}, progress);
 }
 
-/// The levels of that tree, each made once.
+/// Returns a level of that tree. Each level is made once.
 const MeshScene& level_of_tree(int level) {
   static std::map<int, MeshScene> made;
   const auto [found, is_new] = made.try_emplace(level);

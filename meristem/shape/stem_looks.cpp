@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Groups the parts of a stem by their looks, then splits the groups by individual if a stem belongs to several.
 #include "meristem/shape/stem_looks.h"
 
 #include <map>

@@ -8,13 +8,13 @@
 
 namespace meristem {
 
-/// The axes of a stem by their looks: those of one component, material, tint, deformation and individual
-/// share a mesh.
+/// The axes of a stem grouped by looks. Axes with equal component, material, tint, deformation and individual share a
+/// mesh.
 struct StemLooks {
-  std::vector<const StemPart*> first_part;  ///< of each mesh
-  std::vector<std::uint32_t> individual;    ///< of each mesh
-  std::vector<std::uint32_t> mesh_of_part;  ///< where all axes are of one individual
-  std::vector<std::uint32_t> mesh_of_axis;  ///< where individuals differ; else empty
+  std::vector<const StemPart*> first_part;  ///< for each mesh
+  std::vector<std::uint32_t> individual;    ///< for each mesh
+  std::vector<std::uint32_t> mesh_of_part;  ///< used if all axes belong to one individual
+  std::vector<std::uint32_t> mesh_of_axis;  ///< used if individuals differ, otherwise empty
 
   explicit StemLooks(const Stem& stem);
 };

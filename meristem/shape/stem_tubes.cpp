@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Plans and makes the tubes of a stem. Deformed parts are planned with their deformed nodes, and their meshes are
+// deformed after they were made.
 #include "meristem/shape/stem_tubes.h"
 
 #include <span>

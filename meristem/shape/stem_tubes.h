@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tubes of one stem of a plant: what its looks and parts say to tube_plan.h and tubes.h.
+// The tubes of one stem of a plant: passes its looks and parts to tube_plan.h and tubes.h.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@
 
 namespace meristem {
 
-/// The plan of a stem's tubes with the `share` of their triangles that a level of detail has; `is_quick` as in Detail.
-/// The stem outlives it.
+/// Returns the plan of a stem's tubes with the `share` of their triangles at a level of detail. `is_quick` is as in
+/// Detail. The stem must outlive the plan.
 TubePlan plan_stem(const Stem& stem, const StemLooks& looks, double share, bool is_quick = false);
 
-/// The meshes of the plan, deformed as the stem's parts are, without tangents. Throws as Deformation::map does.
+/// Returns the meshes of the plan, deformed like the stem's parts, without tangents. Throws like Deformation::map.
 std::vector<Mesh> make_stem_tubes(const TubePlan& plan, const StemLooks& looks, Progress& progress);
 
 }  // namespace meristem

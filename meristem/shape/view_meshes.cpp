@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // In: a plant and a number of triangles. Out: its meshes with about as many. The triangles are divided among the plant
-// itself and the variants that stand in it before anything is meshed; then each is meshed directly as coarse as its
-// part of the triangles allows.
+// itself and the variants that stand in it before anything is meshed. Each one is then meshed directly at the
+// coarseness that its part of the triangles allows.
 #include "meristem/shape/view_meshes.h"
 
 #include <algorithm>
@@ -21,21 +21,21 @@
 namespace meristem {
 namespace {
 
-constexpr double kOwnShare = 0.25;            // of the triangles, for what is not placed as a whole plant
-constexpr double kCrowding = 0.75;            // raised, plants that stand in many places get fewer triangles
-constexpr double kSizeWeight = 0.2;           // raised, plants of more triangles get more
-constexpr double kFewestPlantTriangles = 40;  // of a placed plant; with fewer it is no plant any more
-constexpr double kNearlyWhole = 4;   // times its part of the triangles, that a plant may have to be counted exactly
-constexpr double kStepsPerHalf = 4;  // of shares; few different shares, so that caches are of use
-constexpr double kAboutPart = 1.1;   // of its part of the triangles, that is near enough
-constexpr double kStillFalls = 0.9;  // of the triangles of the try before, above which no more tries help
+constexpr double kOwnShare = 0.25;            // share of the triangles for everything that is not a placed plant
+constexpr double kCrowding = 0.75;            // larger values give fewer triangles to plants that stand in many places
+constexpr double kSizeWeight = 0.2;           // larger values give more triangles to plants with more triangles
+constexpr double kFewestPlantTriangles = 40;  // minimum for a placed plant; with fewer, it no longer looks like a plant
+constexpr double kNearlyWhole = 4;   // a plant with up to this many times its part of the triangles is counted exactly
+constexpr double kStepsPerHalf = 4;  // steps of shares per halving; few different shares make caches effective
+constexpr double kAboutPart = 1.1;   // times its part of the triangles: a result up to this size is accepted
+constexpr double kStillFalls = 0.9;  // times the triangles of the attempt before: above this, more attempts do not help
 constexpr int kMostTries = 3;
-constexpr double kBytesPerTriangle = 44;  // of tubes, at most
+constexpr double kBytesPerTriangle = 44;  // maximum, for tubes
 
-/// About how many triangles plants have; that of each variant is counted once.
+/// Estimates of the number of triangles of plants. Each variant is counted once.
 class Estimates {
  public:
-  /// Without plantings.
+  /// Returns the estimate without plantings.
   double own(const Plant& plant) {
     double triangles = about_body_triangles(plant);
     for (const Stem& stem : plant.stems) {
@@ -67,14 +67,14 @@ class Estimates {
   std::unordered_map<const PlantVariant*, double> known_;
 };
 
-/// One who wants triangles.
+/// A request for triangles.
 struct Claim {
-  const PlantVariant* variant = nullptr;  // null: the plant itself
-  double whole = 0;                       // triangles of one
+  const PlantVariant* variant = nullptr;  // null for the plant itself
+  double whole = 0;                       // triangles of one plant
   double places = 1;
-  double granted = 0;  // triangles of one
+  double granted = 0;  // triangles of one plant
 
-  /// The triangles that its meshes are made with.
+  /// Returns the number of triangles with which its meshes are made.
   double wanted() const { return std::max(granted, std::min(whole, kFewestPlantTriangles)); }
 };
 
@@ -101,7 +101,7 @@ void divide(std::vector<Claim*> claims, double triangles) {
   }
 }
 
-/// The claims of a plant and of its variants, granted. The first is the plant's.
+/// Returns the granted claims of a plant and of its variants. The first is the plant's.
 std::vector<Claim> granted_claims(const Plant& plant, double triangles, Estimates& estimates) {
   std::vector<Claim> claims{{.whole = estimates.own(plant)}};
   std::unordered_map<const PlantVariant*, std::size_t> number;
@@ -125,7 +125,7 @@ std::vector<Claim> granted_claims(const Plant& plant, double triangles, Estimate
   return claims;
 }
 
-/// The next lower of a few shares.
+/// Returns the next lower of a few shares.
 double stepped(double share) {
   return math::pow(2.0, std::floor(kStepsPerHalf * math::log(share) / math::log(2.0) + 1e-9) / kStepsPerHalf);
 }
@@ -135,10 +135,10 @@ struct OwnMeshes {
   bool is_whole = true;
 };
 
-/// The meshes of a plant without its plantings, with about `granted` of its `whole` triangles.
+/// Returns the meshes of a plant without its plantings, with about `granted` of its `whole` triangles.
 OwnMeshes own_meshes_within(const Plant& plant, const Limits& limits, double whole, double granted,
                             const ViewMeshOptions& options, Progress& progress, Cache* cache) {
-  // The estimate is high. If it is near, count.
+  // The estimate is high. If it is near the limit, count exactly.
   if (whole > granted && whole <= kNearlyWhole * granted) {
     whole = static_cast<double>(planned_triangles(plant, limits)) + about_body_triangles(plant);
   }
@@ -156,7 +156,7 @@ OwnMeshes own_meshes_within(const Plant& plant, const Limits& limits, double who
   return {std::move(made), false};
 }
 
-/// Throws if the whole plant would pass a limit. Plans tubes only if the estimate comes near one.
+/// Throws InputError if the whole plant would exceed a limit. Plans tubes only if the estimate is near a limit.
 void check_whole(const Plant& plant, const Limits& limits, Estimates& estimates) {
   double about = estimates.own(plant);
   std::unordered_map<const PlantVariant*, bool> seen;

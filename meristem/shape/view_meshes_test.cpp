@@ -19,8 +19,8 @@ namespace meristem::view_meshes_test {
 
 constexpr double kBudget = 20'000;
 
-/// A trunk with crooked branches and leaves: about 100,000 triangles for each unit of `size`, spread over as many more
-/// branches and leaves.
+/// Returns a trunk with crooked branches and leaves: about 100,000 triangles for each unit of `size`, spread over
+/// proportionally more branches and leaves.
 Plant tree(int size) {
   const RandomKey key(7);
   Plant plant;
@@ -50,7 +50,7 @@ Plant tree(int size) {
   return plant;
 }
 
-/// Variants of a plant, each in some places.
+/// Returns variants of a plant, each in several places.
 Plant forest(const Plant& of, int variants, int places) {
   Plant plant;
   plant.materials.resize(1);
@@ -68,7 +68,7 @@ Plant forest(const Plant& of, int variants, int places) {
   return plant;
 }
 
-/// A board of its own beside what stands in it.
+/// Adds a separate board beside the plants that stand in it.
 void add_own_parts(Plant& plant, int count) {
   plant.prototypes = {{"board", 0, std::make_shared<const Mesh>(make_sphere(0.1, 10))}};
   for (int k = 0; k < count; ++k) plant.organs.push_back({Frame{.origin = Vec3(static_cast<float>(k), 0, 0)}, 0});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The polygon is split at one line after the other, and what is left between the lines is triangulated: ears are cut
-// off, the best shaped first, then diagonals changed where that gives better shapes. A split orders the points where
-// the boundary crosses the line along it; between the first and second, the third and fourth and so on, the line is
-// inside, so there the parts of the boundary on either side are closed. What else lies on the line becomes a corner on
-// both sides, so that no gap opens when the triangles are bent.
+// Cuts a polygon along lines and triangulates the parts. Ears are cut off, the best shaped first, then diagonals are
+// flipped if that gives better shapes. To split at a line, the crossings of the boundary with the line are sorted along
+// it. Between the first and second crossing, the third and fourth and so on, the line lies inside, so the parts of the
+// boundary on both sides are closed there. Other points on the line become corners on both sides, so that no gap opens
+// when the triangles are bent.
 //
 // Based on: G. Meisters: Polygons have ears (The American Mathematical Monthly 82, 1975); C. Lawson: Transforming
 // triangulations (Discrete Mathematics 3, 1972).
@@ -23,16 +23,17 @@ namespace {
 using Point = glm::dvec2;
 using Polygon = std::vector<Point>;
 
-constexpr double kSliverArea = 1e-6;  // twice the area over the longest edge squared of triangles that are not made
-constexpr double kBetter = 1e-9;      // of shape, for which a diagonal is worth to be changed
+constexpr double kSliverArea = 1e-6;  // minimum of twice the area divided by the squared longest edge; flatter
+                                      // triangles are not made
+constexpr double kBetter = 1e-9;      // minimum improvement of the shape that justifies flipping a diagonal
 constexpr int kFlipPasses = 8;
 
-/// Twice the signed area, positive counter-clockwise.
+/// Returns twice the signed area, positive for counter-clockwise triangles.
 double turn(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 double squared_length(Point edge) { return glm::dot(edge, edge); }
 
-/// 1.15 for an equilateral triangle, 0 for a flat one, negative for a clockwise one.
+/// Returns the shape quality: 1.15 for an equilateral triangle, 0 for a flat one, negative for a clockwise one.
 double shape_quality(Point a, Point b, Point c) {
   const double longest = std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
   return longest > 0 ? turn(a, b, c) / longest : 0;
@@ -45,7 +46,7 @@ void append(Polygon& polygon, Point point) {
 /// Splits polygons at one line.
 class Splitter {
  public:
-  /// At the line where coordinate `axis` is `line`.
+  /// Splits at the line where coordinate `axis` is `line`.
   Splitter(const Polygon& polygon, int axis, double line, double tolerance)
       : polygon_(polygon), axis_(axis), line_(line), tolerance_(tolerance) {
     walk();
@@ -63,13 +64,13 @@ class Splitter {
   }
 
  private:
-  /// Where the boundary changes sides; the part of it that follows goes on to the next crossing.
+  /// A position where the boundary changes sides. The part of the boundary after it leads to the next crossing.
   struct Crossing {
     Point at;
-    double slant;             // how the boundary goes aside before the line, a step away from it
+    double slant;             // sideways slope of the boundary just before the line
     std::size_t first_after;  // the corner that follows
     bool enters_beyond;
-    std::size_t partner = 0;  // across the inside
+    std::size_t partner = 0;  // the crossing at the other end of the inner part
   };
 
   bool is_beyond(Point point) const { return point[axis_] >= line_ - tolerance_; }
@@ -89,7 +90,7 @@ class Splitter {
 
   void add_crossing(std::size_t from, std::size_t to) {
     const bool enters_beyond = is_beyond(polygon_[to]);
-    // Always from before to beyond, so that neighbours who share the edge get the same point.
+    // Always interpolate from before the line to beyond it, so that neighbours who share the edge get equal points.
     const Point before = polygon_[enters_beyond ? from : to];
     const Point beyond = polygon_[enters_beyond ? to : from];
     const double share = (line_ - before[axis_]) / (beyond[axis_] - before[axis_]);
@@ -114,7 +115,7 @@ class Splitter {
     }
   }
 
-  /// The polygon whose boundary leaves crossing `start`, along the line back to where it began.
+  /// Follows the boundary from crossing `start` to its partner and closes the polygon along the line.
   void trace(std::size_t start, std::vector<Polygon>& out) {
     Polygon traced;
     std::size_t at = start;
@@ -134,7 +135,7 @@ class Splitter {
     emit_loops(traced, out);
   }
 
-  /// Where a corner of the boundary touches the line, the polygon meets itself, and parts there.
+  /// Where a corner of the boundary touches the line, the polygon meets itself and is split there.
   void emit_loops(const Polygon& traced, std::vector<Polygon>& out) const {
     Polygon open;
     for (const Point point : traced) {
@@ -147,7 +148,7 @@ class Splitter {
     if (open.size() >= 3) out.push_back(std::move(open));
   }
 
-  /// What lies on the line strictly between two of its points, in the direction of going.
+  /// Appends the corners strictly between two points of the line, in the direction from `from` to `to`.
   void append_between(Point from, Point to, Polygon& out) const {
     const double low = std::min(place(from), place(to)), high = std::max(place(from), place(to));
     const auto first = std::upper_bound(on_line_.begin(), on_line_.end(), low,
@@ -170,12 +171,12 @@ class Splitter {
   std::vector<bool> is_used_;
 };
 
-/// The parts of `polygon` between the lines, in their order. Splits at the middle line first, so that few corners are
-/// copied often.
+/// Returns the parts of `polygon` between the lines, in their order. Splits at the middle line first, so that few
+/// corners are copied often.
 std::vector<Polygon> split_at_lines(Polygon polygon, int axis, const std::vector<double>& lines, double tolerance) {
   struct Part {
     Polygon polygon;
-    std::size_t first, last;  // of the lines that may still cross it
+    std::size_t first, last;  // range of lines that may still cross the polygon
   };
   std::vector<Polygon> done;
   std::vector<Part> waiting;
@@ -196,7 +197,8 @@ std::vector<Polygon> split_at_lines(Polygon polygon, int axis, const std::vector
   return done;
 }
 
-/// Whether the ear at b holds no other corner, nor comes one nearer to the diagonal than `margin` of its length.
+/// Returns true if the ear at b contains no other corner, and no corner is nearer to the diagonal than `margin` of its
+/// length.
 bool is_clear(const Polygon& ring, Point a, Point b, Point c, double margin) {
   const double beyond = -margin * squared_length(a - c);
   return std::none_of(ring.begin(), ring.end(), [&](Point point) {
@@ -205,7 +207,7 @@ bool is_clear(const Polygon& ring, Point a, Point b, Point c, double margin) {
   });
 }
 
-/// The corner whose clear ear has the best shape.
+/// Returns the corner whose clear ear has the best shape.
 std::optional<std::size_t> best_ear(const Polygon& ring, double margin) {
   std::optional<std::size_t> best;
   double best_quality = kSliverArea;
@@ -232,7 +234,7 @@ std::vector<Corners> clip_ears(const Polygon& polygon) {
   std::vector<std::size_t> number(ring.size());
   for (std::size_t i = 0; i < number.size(); ++i) number[i] = i;
   while (ring.size() > 3) {
-    // A corner on the diagonal would leave a triangle too flat to be made, and so a gap.
+    // A corner on the diagonal would leave a triangle too flat to be made, and therefore a gap.
     auto ear = best_ear(ring, kSliverArea);
     if (!ear) ear = best_ear(ring, 0);
     if (!ear) break;
@@ -247,7 +249,7 @@ std::vector<Corners> clip_ears(const Polygon& polygon) {
   return triangles;
 }
 
-/// Draws the other diagonal in the quad of two neighbours where that gives better shapes; whether it did.
+/// Flips the diagonal in the quad of two neighbours if this improves the shapes. Returns true if it did.
 bool flip(const Polygon& polygon, Corners& one, Corners& other) {
   for (int k = 0; k < 3; ++k) {
     for (int j = 0; j < 3; ++j) {
@@ -304,7 +306,7 @@ std::vector<FlatTriangle> cut_polygon(const std::vector<glm::dvec2>& corners, co
 }
 
 bool crosses_itself(const std::vector<glm::dvec2>& corners) {
-  // Edges from the lowest up, each against those that begin below its upper end.
+  // Sort edges from the lowest up, and test each against those edges that begin below its upper end.
   const std::size_t count = corners.size();
   const auto low = [&](std::size_t i) { return std::min(corners[i].y, corners[(i + 1) % count].y); };
   const auto high = [&](std::size_t i) { return std::max(corners[i].y, corners[(i + 1) % count].y); };

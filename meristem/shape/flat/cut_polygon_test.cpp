@@ -24,7 +24,7 @@ double area_of(const Points& corners) {
   return doubled / 2;
 }
 
-/// With vertices of its own for each corner; check_mesh takes those at one position for one.
+/// Returns a mesh with separate vertices for each corner. check_mesh joins vertices at equal positions.
 Mesh mesh_of(const std::vector<FlatTriangle>& triangles) {
   Mesh mesh;
   for (const FlatTriangle& triangle : triangles) {
@@ -38,7 +38,7 @@ Mesh mesh_of(const std::vector<FlatTriangle>& triangles) {
   return mesh;
 }
 
-/// Whether a corner of one triangle lies inside an edge of another.
+/// Returns true if a corner of one triangle lies inside an edge of another.
 bool has_loose_corner(const std::vector<FlatTriangle>& triangles) {
   for (const FlatTriangle& triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
@@ -54,7 +54,7 @@ bool has_loose_corner(const std::vector<FlatTriangle>& triangles) {
   return false;
 }
 
-/// A comb whose teeth hang from a beam, so that rows cross it many times.
+/// Returns a comb whose teeth hang from a beam, so that rows cross it many times.
 Points comb(int teeth) {
   Points corners;
   for (int k = 0; k < teeth; ++k) {
@@ -73,7 +73,7 @@ TEST(CutPolygon, ARectangleBetweenRowsAndColumnsHasTwoTrianglesACell) {
 
 TEST(CutPolygon, CornersNearlyOnADiagonalLeaveNoGap) {
   for (const double off : {-1e-7, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-7}) {
-    // The third corner lies on the line from the first to the fourth, but for that.
+    // Without this offset, the third corner would lie on the line from the first to the fourth.
     const auto triangles = cut_polygon({{0, 0}, {2, 0}, {1 + off, 1}, {2, 2}, {0, 3}}, {});
     EXPECT_EQ(triangles.size(), 3U) << off;
   }
@@ -101,7 +101,7 @@ TEST(CutPolygon, NoTriangleReachesAcrossALine) {
 }
 
 TEST(CutPolygon, ACornerThatTouchesALineFromEitherSideIsACornerOnBoth) {
-  // A bay from above that ends on the row, and one from below.
+  // One bay from above that ends on the row, and one from below.
   const Points corners{{0, 0}, {1, 0}, {1.5, 1}, {2, 0}, {4, 0}, {4, 2}, {3.5, 2}, {3, 1}, {2.5, 2}, {0, 2}};
   const auto triangles = cut_polygon(corners, {{1}, {}});
   EXPECT_NEAR(surface_area(mesh_of(triangles)), area_of(corners), 1e-6);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Flattens polygons in space and triangulates their faces. If all corners are visible from the middle, the face is a
+// fan around it. Otherwise the polygon is cut into triangles of its corners (cut_polygon.h).
 #include "meristem/shape/flat/flat_ring.h"
 
 #include <limits>
@@ -12,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLeastCorner = 1e-6;  // of the unit square: a middle's triangles are at least as large
+constexpr double kLeastCorner = 1e-6;  // share of the unit square: minimum area of the triangles around the middle
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 

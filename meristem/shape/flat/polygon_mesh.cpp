@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Large polygons are first cut into bands, since cutting off the best ear of many is slow.
+// Triangulates a polygon in its best fitting plane. Large polygons are first cut into bands, because it is slow to cut
+// off the best ear among many.
 #include "meristem/shape/flat/polygon_mesh.h"
 
 #include <algorithm>
@@ -18,12 +19,12 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kCornersOfBand = 16;
-constexpr std::size_t kFewCorners = 64;  // polygons up to here are not cut into bands
-constexpr float kSameCorner = 1e-6F;     // of the polygon's extent
-constexpr double kNoArea = 1e-9;         // of its extent squared
-constexpr double kLineTolerance = 1e-6;  // of its extent
+constexpr std::size_t kFewCorners = 64;  // maximum number of corners without bands
+constexpr float kSameCorner = 1e-6F;     // share of the polygon's extent
+constexpr double kNoArea = 1e-9;         // share of the polygon's squared extent
+constexpr double kLineTolerance = 1e-6;  // share of the polygon's extent
 
-/// Without repetitions.
+/// Returns the corners without repetitions.
 std::vector<Vec3> distinct(std::span<const Vec3> corners, float extent) {
   std::vector<Vec3> kept;
   const auto is_new = [&](Vec3 corner, Vec3 other) { return glm::length(corner - other) > kSameCorner * extent; };
@@ -34,7 +35,7 @@ std::vector<Vec3> distinct(std::span<const Vec3> corners, float extent) {
   return kept;
 }
 
-/// Heights that part the corners into bands of few.
+/// Returns heights that divide the corners into bands of few corners.
 std::vector<double> band_lines(const std::vector<glm::dvec2>& flat, double tolerance) {
   std::vector<double> heights;
   for (const glm::dvec2 corner : flat) heights.push_back(corner.y);

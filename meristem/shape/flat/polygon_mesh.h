@@ -8,10 +8,11 @@
 
 namespace meristem {
 
-/// The polygon in triangles, in its organ's frame (y along, z up): front faces look up, normals are those of the plane
-/// that fits it best, and uvs span its box in that plane, v along y. Corners need not lie in a plane and stay where
-/// they are; those that repeat the one before count once. Empty where the polygon has no area. Where it crosses itself
-/// the result has holes or covers parts twice. Cost: the square of the corners; 64 take 0.1 ms.
+/// Returns the polygon as triangles in its organ's frame (y along, z up). Front faces look up, normals are at right
+/// angles to the best fitting plane, and uvs span the polygon's box in that plane, v along y. Corners need not lie in a
+/// plane, and are not moved. Repeated corners count once. Returns an empty mesh if the polygon has no area. If it
+/// crosses itself, the result has holes or covers parts twice. The cost grows with the square of the corners: 64 take
+/// 0.1 ms.
 Mesh make_polygon(std::span<const Vec3> corners);
 
 }  // namespace meristem

@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// From the nearest position on the segment between the origin and `along` to the point `away`.
+/// Returns the vector from the nearest position on the segment between the origin and `along` to the point `away`.
 inline glm::dvec2 from_segment(glm::dvec2 away, glm::dvec2 along) {
   const double squared = glm::dot(along, along);
   const double share = squared > 0 ? std::clamp(glm::dot(along, away) / squared, 0.0, 1.0) : 0;

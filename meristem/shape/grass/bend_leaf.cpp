@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Bends a leaf by changing the angles of its midrib's pieces, or turns it as a whole about its collar. The lengths of
+// pieces stay.
 #include "meristem/shape/grass/bend_leaf.h"
 
 #include <algorithm>

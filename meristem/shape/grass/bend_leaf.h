@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns of a leaf's midrib that the caller gives.
+// Turns of a leaf's midrib that the caller chooses.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@ namespace meristem {
 /// A change of the midrib's direction between two positions.
 struct LocalTurn {
   double from = 0.5;  ///< position along the midrib where the turn begins, 0 to 1
-  double to = 0.6;    ///< position along the midrib where the turn ends, at least `from`; equal: a kink
-  double angle = 0;   ///< radians: turn of all beyond; positive: away from the stem, down
+  double to = 0.6;    ///< position along the midrib where the turn ends, at least `from`; equal to `from`: a kink
+  double angle = 0;   ///< radians; turns everything beyond; positive: away from the stem, down
 };
 
-/// The leaf with all these turns; each is spread evenly between its positions. Its pieces keep their lengths. Throws
-/// std::invalid_argument for positions out of range.
+/// Returns the leaf with all these turns. Each turn is spread evenly between its positions, and the pieces of the leaf
+/// keep their lengths. Throws std::invalid_argument for positions out of range.
 GrassLeaf turned(const GrassLeaf& leaf, const std::vector<LocalTurn>& turns);
 
-/// The leaf turned as a whole about its collar, until it leaves the stem at `angle` radians.
+/// Returns the leaf turned as a whole about its collar, so that it leaves the stem at `angle` radians.
 GrassLeaf inclined(const GrassLeaf& leaf, double angle);
 
-/// Radians at which a leaf leaves the stem.
+/// Returns the angle at which a leaf leaves the stem, radians.
 double inclination(const GrassLeaf& leaf);
 
 }  // namespace meristem

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both coordinates of the midrib are functions of the length of the chords up to there, and smoothed as one. The spline
-// is then followed in small steps to points on it with equal chords; these are the leaf's points. Tried first: points
-// at equal distances along the spline. Where a leaf is broken their chords are shorter, and making them equal moved the
-// rest of the leaf by up to 1.5 % of its length.
+// Fits a leaf to measured points. Both coordinates of the midrib are functions of the chord length and are smoothed
+// together. The spline is then sampled in small steps, and the leaf's points are the points on it with equal chords.
+// Tried first: points at equal distances along the spline. At a broken leaf their chords are shorter, and making these
+// equal moved the rest of the leaf by up to 1.5 % of its length.
+//
 // Based on: Fournier and Pradal (2012), section 2.2.
 #include "meristem/shape/grass/fit_leaf.h"
 
@@ -22,23 +23,23 @@ namespace meristem {
 
 namespace {
 
-constexpr double kEndWeight = 1000;   // of the points that stay: where a blade is held, and both ends of its widths
-constexpr int kSteps = 8;             // along the spline, a piece
-constexpr int kEvenings = 20;         // rounds at most that make chords equally long
-constexpr double kEven = 1e-7;        // of the length: a position that moves by less stays
-constexpr double kWhole = 1e-6;       // of the last position: nearer to 0 than that it is 0
-constexpr double kMostExcess = 0.01;  // of the area of widths that are joined by lines
-constexpr int kAreaPlaces = 512;      // at which such areas are summed
+constexpr double kEndWeight = 1000;   // weight of fixed points: the base of the blade and both ends of the widths
+constexpr int kSteps = 8;             // steps along the spline per piece
+constexpr int kEvenings = 20;         // maximum number of rounds that equalise chords
+constexpr double kEven = 1e-7;        // share of the length; smaller moves of a position count as none
+constexpr double kWhole = 1e-6;       // share of the last position; values nearer to 0 count as 0
+constexpr double kMostExcess = 0.01;  // share of the area of widths joined by lines
+constexpr int kAreaPlaces = 512;      // number of positions at which such areas are summed
 constexpr double kLeastShares = 0.9,
-                 kMostShares = 1.001;  // where positions of widths end that are shares of the length
+                 kMostShares = 1.001;  // maximum last position if positions of widths are shares of the length
 
 using Points = std::vector<glm::dvec2>;
 
-/// Sets `lengths` to those of the chords up to each point.
+/// Sets `lengths` to the lengths of the chords up to each point.
 void measure_chords(const Points& points, std::vector<double>& lengths) {
   lengths.resize(points.size());
   lengths[0] = 0;
-  // All roots first, which then need not wait for the sum.
+  // Compute all roots first, so that they do not wait for the sum.
   for (std::size_t k = 1; k < points.size(); ++k) lengths[k] = glm::distance(points[k - 1], points[k]);
   for (std::size_t k = 1; k < points.size(); ++k) lengths[k] += lengths[k - 1];
 }
@@ -49,14 +50,15 @@ std::vector<double> chord_lengths(const Points& points) {
   return lengths;
 }
 
-/// From 0 to 1 in equal steps.
+/// Returns equal steps from 0 to 1.
 std::vector<double> shares_of(int steps) {
   std::vector<double> shares(static_cast<std::size_t>(steps) + 1);
   for (int k = 0; k <= steps; ++k) shares[static_cast<std::size_t>(k)] = static_cast<double>(k) / steps;
   return shares;
 }
 
-/// The distance of smooth_values that lets points be `distance` off in the mean, if heavy ones are not.
+/// Returns the distance for smooth_values with which points are `distance` off in the mean, although heavy points are
+/// not.
 double weighted(double distance, const std::vector<double>& weights) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   return distance * std::sqrt(static_cast<double>(weights.size()) / sum);
@@ -68,7 +70,7 @@ std::vector<Vec2> curve_points(const std::vector<double>& x, const std::vector<d
   return points;
 }
 
-/// Points along the fitted midrib, close together; the whole digitised one is 1 long.
+/// Returns dense points along the fitted midrib. The whole digitised midrib has length 1.
 Points follow_midrib(const Points& points, const std::vector<double>& lengths, const FitOptions& options) {
   const double length = lengths.back();
   std::vector<double> places(points.size()), weights(points.size(), 1);
@@ -91,9 +93,9 @@ Points follow_midrib(const Points& points, const std::vector<double>& lengths, c
   return followed;
 }
 
-/// Root mean square over `points` of the distance to the nearest point on `curve`.
+/// Returns the root mean square, over `points`, of the distance to the nearest point on `curve`.
 double mean_distance(const Points& points, const Points& curve) {
-  // Columns, since a processor takes several pieces of them at once.
+  // Stored in columns, so that a processor handles several pieces at once.
   const std::size_t pieces = curve.size() - 1;
   std::vector<double> x(pieces), y(pieces), along_x(pieces), along_y(pieces), inverse(pieces), shares(pieces);
   for (std::size_t k = 0; k < pieces; ++k) {
@@ -122,13 +124,13 @@ double mean_distance(const Points& points, const Points& curve) {
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// The share of the k-th piece of rising `lengths` up to `length`.
+/// Returns the share of the k-th piece of ascending `lengths` that lies before `length`.
 double share_in_piece(const std::vector<double>& lengths, double length, std::size_t k) {
   const double step = lengths[k + 1] - lengths[k];
   return step > 0 ? std::min(std::max((length - lengths[k]) / step, 0.0), 1.0) : 0;
 }
 
-/// Positions along a line of points that come to lie in equal chords.
+/// Positions along a line of points that are moved to equal chords.
 class EvenPositions {
  public:
   EvenPositions(const Points& followed, int pieces)
@@ -141,7 +143,7 @@ class EvenPositions {
     const std::size_t steps = followed.size() - 1;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       positions_[i] = shares_[i] * lengths_.back();
-      // About there, for the points were followed in equal steps.
+      // Approximate, since the points are in equal steps.
       pieces_[i] = std::min(i * steps / static_cast<std::size_t>(pieces), steps - 1);
     }
     moved_ = positions_;
@@ -151,7 +153,7 @@ class EvenPositions {
   double length() const { return lengths_.back(); }
   const Points& points() const { return points_; }
 
-  /// Brings the chords nearer to equal lengths; the largest way that a position has gone.
+  /// Makes the chords more equal. Returns the largest move of a position.
   double even() {
     measure_chords(points_, chords_);
     double farthest = 0;
@@ -160,7 +162,7 @@ class EvenPositions {
       const double wanted = shares_[i] * chords_.back();
       while (k + 2 < chords_.size() && chords_[k + 1] < wanted) ++k;
       const double within = share_in_piece(chords_, wanted, k);
-      // Half of the way: where the midrib turns back, all of it leads to and fro.
+      // Move only half of the way. Where the midrib turns back, a full move would oscillate.
       const double step = 0.5 * (positions_[k] + within * (positions_[k + 1] - positions_[k]) - positions_[i]);
       moved_[i] = positions_[i] + step;
       farthest = std::max(farthest, std::abs(step));
@@ -173,7 +175,7 @@ class EvenPositions {
  private:
   void find_points() {
     for (std::size_t i = 0; i < positions_.size(); ++i) {
-      // Positions go a short way in a round: the piece in which one lies is near the one of before.
+      // Positions move little in a round, so the new piece of a position is near the old one.
       std::size_t& k = pieces_[i];
       while (k > 0 && lengths_[k] >= positions_[i]) --k;
       while (k + 2 < lengths_.size() && lengths_[k + 1] < positions_[i]) ++k;
@@ -183,14 +185,15 @@ class EvenPositions {
 
   const Points& followed_;
   std::vector<double> lengths_;  // of the chords of `followed_`
-  std::vector<double> shares_;   // of all chords up to each point
+  std::vector<double> shares_;   // for each point, its share of all chords
   std::vector<double> positions_, moved_;
-  std::vector<std::size_t> pieces_;  // of `followed_`, in which the positions lie
+  std::vector<std::size_t> pieces_;  // pieces of `followed_` in which the positions lie
   Points points_;
-  std::vector<double> chords_;  // between them
+  std::vector<double> chords_;  // chords between the positions
 };
 
-/// `pieces` chords of equal length along the points: where the way is bent within one, it is shorter than the way.
+/// Returns `pieces` chords of equal length along the points. A chord is shorter than the path if the path bends within
+/// it.
 Points equal_chords(const Points& followed, int pieces) {
   EvenPositions positions(followed, pieces);
   for (int round = 0; round < kEvenings; ++round) {
@@ -199,7 +202,7 @@ Points equal_chords(const Points& followed, int pieces) {
   return positions.points();
 }
 
-/// The leaf with pieces in the directions of these chords, as long as each other to the last digit.
+/// Returns the leaf whose pieces have the directions of these chords and exactly equal lengths.
 GrassLeaf leaf_through(const Points& points) {
   const std::size_t count = points.size();
   const double piece = 1 / static_cast<double>(count - 1);
@@ -219,8 +222,8 @@ GrassLeaf leaf_through(const Points& points) {
   return leaf;
 }
 
-/// Between few rows a spline bulges: it may have 6 % more area than the widths that were measured. The spline gives way
-/// to the straight lines by the share that keeps the area to theirs.
+/// Returns the share of straight lines that keeps the area. Between few rows a spline bulges: it can have 6 % more area
+/// than the measured widths. Blending it with straight lines restores their area.
 double straightness_for_area(std::span<const Vec2> curve) {
   static const std::vector<double> places = [] {
     std::vector<double> middles;
@@ -230,7 +233,7 @@ double straightness_for_area(std::span<const Vec2> curve) {
   const CurvePositions positions(curve, places);
   const std::vector<double> lines = positions.values(curve, CurveKind::linear);
   const std::vector<double> bent = positions.values(curve, CurveKind::spline);
-  // Areas where the curves are above 0, side by side: neither sum waits for the other.
+  // Compute both areas where the curves are above 0 at once, so that neither sum waits for the other.
   double wanted = 0, area = 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     wanted += std::max(0.0, lines[k]);
@@ -242,17 +245,17 @@ double straightness_for_area(std::span<const Vec2> curve) {
   return excess > allowed ? 1 - allowed / excess : 0;
 }
 
-/// Smoothed widths as shares of the largest measured one, over the share of the length.
+/// Smoothed widths as shares of the largest measured width, as a function of the share of the length.
 struct SmoothWidths {
   std::vector<double> shares;  // at equal steps
-  double widest = 0;           // the share of the length where the smoothed ones are largest
-  double largest = 0;          // measured one
+  double widest = 0;           // share of the length at which the smoothed width is largest
+  double largest = 0;          // largest measured width
 };
 
 SmoothWidths smooth_widths(const Points& points, const FitOptions& options) {
   SmoothWidths smoothed;
   std::vector<double> places, widths;
-  // A position that is not measured has the width of the next one.
+  // A base that was not measured gets the width of the next position.
   if (points.front().x > kWhole * points.back().x) {
     places.push_back(0);
     widths.push_back(points.front().y);
@@ -320,7 +323,7 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) 
   double largest = 0;
   for (const double share : fitted.r) largest = std::max(largest, share);
   if (largest == 0) {
-    // A blade that is narrower than a piece and lies between two points.
+    // The blade is narrower than a piece and lies between two points.
     fitted.r[static_cast<std::size_t>(smooth.widest * options.pieces + 0.5)] = largest = 1;
   }
   for (double& share : fitted.r) share = std::min(1.0, share / largest);

@@ -15,7 +15,7 @@ namespace meristem::fit_leaf_test {
 
 MeasuredCurve curve(std::vector<glm::dvec2> points) { return {.points = std::move(points)}; }
 
-/// A quarter of a circle of radius 20: up from the collar, then level.
+/// Returns a quarter of a circle of radius 20: up from the collar, then level.
 MeasuredCurve quarter_circle(int count) {
   MeasuredCurve midrib;
   for (int k = 0; k < count; ++k) {
@@ -25,7 +25,7 @@ MeasuredCurve quarter_circle(int count) {
   return midrib;
 }
 
-/// Root mean square distance of the digitised points from the leaf's midrib, in lengths.
+/// Returns the root mean square distance of the digitised points from the leaf's midrib, in lengths.
 double distance_of(const FittedLeaf& fitted, const MeasuredCurve& midrib) {
   double squares = 0;
   for (const glm::dvec2 point : midrib.points) {
@@ -35,7 +35,7 @@ double distance_of(const FittedLeaf& fitted, const MeasuredCurve& midrib) {
   return std::sqrt(squares / static_cast<double>(midrib.points.size()));
 }
 
-/// Trapezoids over measured widths.
+/// Returns the area of trapezoids over measured widths.
 double trapezoids(const MeasuredCurve& widths) {
   double sum = 0;
   for (std::size_t k = 1; k < widths.points.size(); ++k) {

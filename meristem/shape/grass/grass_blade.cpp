@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of points across the midrib. A section is an arc on either side, turned about the midrib's tangent by the
-// torsion: its vector is cos t * j + sin t * n, with j level across and n the midrib's normal, so it keeps its length.
-// The source adds (cos t, 1, sin t), which does not, and widens the leaf.
+// Builds the mesh of a grass blade as rows of points across the midrib. A section is an arc on either side, turned
+// about the midrib's tangent by the torsion. Its vector is cos t * j + sin t * n, with j level across and n the
+// midrib's normal, so its length stays. The source adds (cos t, 1, sin t), which changes the length and widens the
+// leaf.
+//
 // Based on: Fournier and Pradal (2012), equations 3 to 7.
 #include "meristem/shape/grass/grass_blade.h"
 
@@ -20,16 +22,16 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNoWidth = 1e-3;     // of the largest: a blade that ends so narrow ends in a point
-constexpr double kLeastWidth = 1e-3;  // elsewhere
-constexpr double kNoLength = 1e-6;    // in lengths: a shorter piece has no direction
-constexpr double kMostClasp = 2.8;    // radians that a half may bend about a sheath
+constexpr double kNoWidth = 1e-3;     // share of the largest width; a blade with a narrower end ends in a point
+constexpr double kLeastWidth = 1e-3;  // minimum width elsewhere
+constexpr double kNoLength = 1e-6;    // in lengths; a shorter piece has no direction
+constexpr double kMostClasp = 2.8;    // radians; maximum bend of a half around a sheath
 constexpr int kSheathSides = 14;
 constexpr int kLiguleSides = 6;
 constexpr double kLiguleArc = 2.4;      // radians
-constexpr double kLiguleEnds = 0.1;     // of the height in its middle
+constexpr double kLiguleEnds = 0.1;     // share of the height in its middle
 constexpr float kLiguleInside = 0.97F;  // radius of its inner face
-constexpr double kSheathFoot = 0.94;    // of the radius, at the lower end
+constexpr double kSheathFoot = 0.94;    // radius at the lower end, as a share
 
 class BladeRows {
  public:
@@ -50,7 +52,7 @@ class BladeRows {
     return smooth_shaded(mesh_);
   }
 
-  /// The points of all rows, each with as many, from left to right.
+  /// Returns the points of all rows from left to right, equally many per row.
   std::vector<Vec3> points() {
     std::vector<Vec3> points;
     for (std::size_t k = 0; k < leaf_.point_count(); ++k) {
@@ -68,14 +70,15 @@ class BladeRows {
     bool is_point = false;
   };
 
-  /// The direction of a piece; 0 where a midrib comes back to the same place.
+  /// Returns the direction of a piece, or 0 if the midrib does not advance.
   glm::dvec2 direction(std::size_t piece) const {
     const glm::dvec2 along(leaf_.x[piece + 1] - leaf_.x[piece], leaf_.y[piece + 1] - leaf_.y[piece]);
     const double length = glm::length(along);
     return length > kNoLength ? along / length : glm::dvec2(0);
   }
 
-  /// The direction of the midrib at a point: between those of the pieces about it, of one that there is, or up.
+  /// Returns the direction of the midrib at a point: the mean of the pieces around it, or the direction of one piece,
+  /// or up.
   glm::dvec2 tangent(std::size_t k) const {
     const glm::dvec2 before = k > 0 ? direction(k - 1) : glm::dvec2(0);
     const glm::dvec2 after = k + 1 < leaf_.point_count() ? direction(k) : glm::dvec2(0);
@@ -86,7 +89,7 @@ class BladeRows {
     return {0, 1};
   }
 
-  /// How far a section bends per metre of its width.
+  /// Returns the bend of a section per metre of its width.
   double curvature(double place) const {
     double curvature = blade_.roll / leaf_.width;
     if (blade_.clasp_radius > 0 && place < blade_.clasp) {
@@ -150,7 +153,7 @@ class BladeRows {
     for (std::uint32_t c = 0; c < columns; ++c) {
       const std::uint32_t a = below.first + (below.is_point ? 0 : c), b = below.first + (below.is_point ? 0 : c + 1);
       const std::uint32_t d = above.first + (above.is_point ? 0 : c), e = above.first + (above.is_point ? 0 : c + 1);
-      // Diagonals lie alike on both sides of the midrib.
+      // The diagonals are symmetric on both sides of the midrib.
       const bool is_left = 2 * c < columns;
       if (!below.is_point) mesh_.triangles.push_back({a, b, above.is_point || is_left ? e : d});
       if (!above.is_point) mesh_.triangles.push_back({below.is_point || is_left ? a : b, e, d});
@@ -167,7 +170,7 @@ class BladeRows {
   Mesh mesh_;
 };
 
-/// A strip about the y axis, from `middle - arc / 2` to `middle + arc / 2` from +z toward +x, seen from outside.
+/// Adds a strip about the y axis, from `middle - arc / 2` to `middle + arc / 2` from +z toward +x, seen from outside.
 template <class Point>
 Mesh make_strip(double arc, int sides, Point point) {
   Mesh mesh;
@@ -237,7 +240,7 @@ Mesh make_ligule() {
     const double height = row * (1 - (1 - kLiguleEnds) * (2 * share - 1) * (2 * share - 1));
     return DVec3(sine, height, cosine);
   });
-  // Its inner face, a little way in, so that no two triangles lie in one place.
+  // The inner face lies slightly inward, so that no two triangles coincide.
   const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
   const std::size_t triangles = mesh.triangle_count();
   for (std::uint32_t v = 0; v < vertices; ++v) {

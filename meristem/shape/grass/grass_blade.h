@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blade of a grass leaf over its midrib, and what holds it to the stem.
+// The blade of a grass leaf over its midrib, with its sheath and ligule.
 #pragma once
 
 #include <functional>
@@ -12,49 +12,52 @@
 
 namespace meristem {
 
-/// Edge waves. Their height rises with the square of the distance from the midrib, where it is 0.
+/// Waves along the edges. Their height grows with the square of the distance from the midrib, where it is 0.
 struct EdgeWaves {
-  double number = 0;   ///< from base to tip
-  double depth = 0;    ///< depth of the crests at the edge, as a share of half the blade's width there
-  double left = 0;     ///< phase of the left edge, radians; seen from above with the tip ahead
+  double number = 0;   ///< number of waves from base to tip
+  double depth = 0;    ///< depth of the crests at the edge, as a share of half the blade's width at that position
+  double left = 0;     ///< phase of the left edge, radians, as seen from above with the tip ahead
   double right = kPi;  ///< phase of the right edge, radians
 };
 
-/// What bends the blade's sections. Angles in radians.
+/// The bend of the blade's cross-sections. Angles in radians.
 struct GrassBlade {
   double twist = 0;                                        ///< torsion about the midrib from base to tip
-  Curve twist_along{{{0, 0}, {1, 1}}, CurveKind::linear};  ///< share of it that is reached, over the position
-  double fold = 0;                                         ///< angle of each half above the flat blade: a V
-  double roll = 0;          ///< bend from edge to edge where the blade is widest; raised, the edges rise more
+  Curve twist_along{{{0, 0}, {1, 1}}, CurveKind::linear};  ///< share of the torsion that is reached, as a function of
+                                                           ///< position
+  double fold = 0;                                         ///< angle of each half above the flat blade, which forms a V
+  double roll = 0;          ///< bend from edge to edge at the widest position; larger values raise the edges
   EdgeWaves waves;          ///< waves along the edges
   int across = 2;           ///< quads from edge to edge, an even number
-  double clasp = 0;         ///< share of the length over which the blade unrolls from the sheath's round
-  double clasp_radius = 0;  ///< radius of the sheath's round, metres; 0: the blade begins as it goes on
+  double clasp = 0;         ///< share of the length over which the blade unrolls from the round of the sheath
+  double clasp_radius = 0;  ///< radius of the sheath, metres; 0: the blade does not clasp
   /// Moves the point at the position s (0 to 1) and u (-0.5 to 0.5 across): away from the stem, along it, and across,
-  /// in widths of the blade. Empty: not at all. The source's f, g and h.
+  /// in widths of the blade. Empty: no displacement. The source's f, g and h.
   std::function<DVec3(double s, double u)> displace;
 };
 
-/// Torsion at a position, radians.
+/// Returns the torsion at a position, radians.
 double torsion(const GrassBlade& blade, double place);
 
-/// How far twist, waves, clasp and displacement move the edges and the midrib away from those of a flat blade:
-/// lists of one number per point of the leaf, in lengths, for a reduction to keep. None where nothing does.
+/// Returns how far twist, waves, clasp and displacement move the edges and the midrib away from their positions on a
+/// flat blade. The result is lists with one number per point of the leaf, in lengths, which a reduction must preserve.
+/// Returns no lists if nothing is moved.
 std::vector<std::vector<double>> blade_relief(const GrassLeaf& leaf, const GrassBlade& blade);
 
-/// The blade on all points of the leaf (smooth normals, front face up; u across, 0 to 1 where it is widest, v from base
-/// to tip). Its frame: the collar at the origin, y along the stem, the midrib leading away to -z, so that a blade that
-/// stands up has its upper face to the stem, at +z. Where a width is nothing at either end, there is one point. Widths
-/// along the surface are those of the leaf, whatever twists and folds it. Throws std::invalid_argument by
-/// check_grass_leaf, for an odd `across` or one below 2, and for numbers that are not finite.
+/// Returns the blade on all points of the leaf, with smooth normals and the front face up. u goes across, from 0 to 1
+/// at the widest position, and v from base to tip. The collar is at the origin of the blade's frame, y goes along the
+/// stem, and the midrib leads away to -z. The upper face of an upright blade therefore looks to the stem, at +z. An end
+/// of width 0 is a single point. Widths along the surface equal the leaf's widths, despite twist and fold. Throws
+/// std::invalid_argument like check_grass_leaf, for an odd `across` or one below 2, and for numbers that are not
+/// finite.
 Mesh make_grass_blade(const GrassLeaf& leaf, const GrassBlade& blade);
 
-/// A sheath: an open tube of radius 1 from the collar at the origin down to y = -1, about the y axis. It is open at +z
-/// by `open` radians. Its front is outside. u goes around, v up.
+/// Returns a sheath: an open tube of radius 1 about the y axis, from the collar at the origin down to y = -1. It is
+/// open at +z by `open` radians. The front is outside. u goes around, v up.
 Mesh make_sheath(double open);
 
-/// A ligule: a membrane that goes on from the upper rim of such a sheath on the blade's side, 1 high in its middle,
-/// with a front to either side.
+/// Returns a ligule: a membrane that continues the upper rim of such a sheath on the blade's side. It is 1 high in its
+/// middle and has a front on both sides.
 Mesh make_ligule();
 
 }  // namespace meristem

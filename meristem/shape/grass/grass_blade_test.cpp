@@ -17,12 +17,12 @@ namespace meristem::grass_blade_test {
 
 constexpr MeshPromises kOpen{.closed = false, .outward = false};
 
-/// Level, its tip a point.
+/// Returns a level leaf whose tip is a point.
 GrassLeaf level(std::size_t pieces) { return with_blade(arching_leaf(pieces, kPi / 2, kPi / 2)); }
 
 GrassLeaf arching(std::size_t pieces) { return with_blade(arching_leaf(pieces, 0.2, 2.3)); }
 
-/// The vertices from edge to edge at a point of the leaf.
+/// Returns the vertices from edge to edge at a point of the leaf.
 std::vector<DVec3> row_of(const Mesh& mesh, std::size_t point, int across) {
   const auto columns = static_cast<std::size_t>(across) + 1;
   std::vector<DVec3> row;
@@ -77,7 +77,7 @@ TEST(GrassBlade, TheTipIsOneTriangleASide) {
 TEST(GrassBlade, ItsUpperFaceIsFront) {
   const Mesh flat = make_grass_blade(level(6), {});
   for (const Vec3 normal : flat.normals) EXPECT_NEAR(normal.y, 1, 1e-6);
-  // Standing up, toward the stem.
+  // An upright blade faces the stem.
   const Mesh upright = make_grass_blade(with_blade(arching_leaf(6, 0, 0)), {});
   for (const Vec3 normal : upright.normals) EXPECT_NEAR(normal.z, 1, 1e-6);
 }
@@ -144,7 +144,7 @@ TEST(GrassBlade, FoldAndRollRaiseTheEdgesByTheirAngles) {
   EXPECT_NEAR(vee[0].y, 0.5 * leaf.width * std::sin(0.4), 1e-7);
   EXPECT_NEAR(vee[2].y, 0.5 * leaf.width * std::sin(0.4), 1e-7);
   EXPECT_NEAR(vee[1].y, 0, 1e-9);
-  // A section that bends by `roll` from edge to edge is an arc; half as wide, half of that.
+  // A section that bends by `roll` from edge to edge is an arc. At half the width it bends by half.
   const Mesh rolled = make_grass_blade(leaf, {.roll = 1.5, .across = 20});
   const double radius = leaf.width / 1.5;
   for (const auto& [point, half] : {std::pair(1, 0.75), std::pair(2, 0.375)}) {
@@ -178,7 +178,7 @@ TEST(GrassBlade, ItsBaseClaspsTheSheathsRound) {
   EXPECT_TRUE(check_mesh(mesh, kOpen));
   const std::vector<DVec3> base = row_of(mesh, 0, 12);
   for (const DVec3 point : base) EXPECT_NEAR(std::hypot(point.x, point.z - radius), radius, 1e-8);
-  // From the blade's middle at -z around it by the width.
+  // The edges lie on the sheath, from the blade's middle at -z around it by half the width.
   EXPECT_NEAR(std::atan2(base.back().x, radius - base.back().z), 0.5 * leaf.width / radius, 1e-5);
   for (std::size_t k = 6; k <= 30; ++k) {
     for (const DVec3 point : row_of(mesh, k, 12)) EXPECT_NEAR(point.z, 0, 1e-9);
@@ -247,7 +247,7 @@ TEST(GrassBlade, WithAllEffectsTheMeshIsSound) {
 }
 
 TEST(GrassBlade, ATwistIsSharedOutOverThePiecesThatStay) {
-  // Straight and as wide all along: but for the twist no point matters.
+  // A straight leaf of constant width: without twist, no inner point matters.
   const GrassLeaf leaf = arching_leaf(48, 0.3, 0.3);
   EXPECT_TRUE(blade_relief(leaf, {}).empty());
   const GrassBlade twisted{.twist = kPi};
@@ -282,7 +282,7 @@ TEST(GrassBlade, RejectsWhatIsNoBlade) {
   EXPECT_THROW(make_grass_blade(unseen, {}), std::invalid_argument);
 }
 
-/// Whether the midrib is broken so sharply somewhere that normals between its sides lie on neither's front.
+/// Returns true if the midrib has a kink so sharp that normals between its sides lie on the front of neither.
 bool is_broken(const GrassLeaf& leaf) {
   const std::vector<double> angles = piece_angles(leaf);
   for (std::size_t k = 1; k < angles.size(); ++k) {
@@ -315,7 +315,7 @@ TEST(GrassSheath, IsAnOpenTubeOfRadius1) {
       const double radius = std::hypot(position.x, position.z);
       EXPECT_NEAR(radius, position.y == 0 ? 1 : 0.94, 1e-6);
       EXPECT_TRUE(position.y == 0 || position.y == -1);
-      // Its slit is at +z.
+      // The slit is at +z.
       EXPECT_GE(std::abs(std::atan2(position.x, position.z)), 0.5 * open - 1e-6);
     }
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts a midrib between points and angles of pieces, resamples it, and interpolates along it. Angles are unwrapped,
+// so that neighbouring pieces differ by at most pi.
 #include "meristem/shape/grass/grass_leaf.h"
 
 #include <algorithm>

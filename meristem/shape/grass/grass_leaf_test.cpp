@@ -13,7 +13,7 @@
 
 namespace meristem::grass_leaf_test {
 
-/// The rest of a division.
+/// Returns the angle reduced to half a turn to either side.
 double around(double angle) { return std::remainder(angle, 2 * kPi); }
 
 TEST(GrassLeaf, AreaIsThatOfItsTrapezia) {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The midrib is a chain of straight pieces whose joints are springs. It comes to rest where its energy is least: that
-// of the joints, less what the loads have done. Since a piece moves all beyond it along one direction of its own, the
-// energy's second derivatives stand on three diagonals, and a step of Newton's method is linear in pieces; where such a
-// step would climb, the diagonal is raised until it does not. So what comes out is stable.
+// Bends a leaf under loads. The midrib is a chain of straight pieces whose joints are springs. It rests where its
+// energy is minimal, which is the energy of the joints minus the work of the loads. A piece moves everything beyond it
+// along a single direction, so the second derivatives of the energy form a tridiagonal matrix, and a Newton step is
+// linear in pieces. If a step would raise the energy, the diagonal is increased until it does not. The result is
+// therefore stable.
 //
-// Loads are raised in steps. Wind depends on how a piece stands in it: its forces are taken from the form at hand, and
-// again from the one that follows, until they agree. How far joints are turned without load follows from the given
-// form, which is in balance with its weight.
+// Loads are raised in steps. Wind depends on the orientation of the pieces: its forces are computed from the present
+// form, and again from the new form, until both agree. The rest angles of the joints follow from the given form, which
+// is in balance with its weight.
+//
 // Based on: the elastica of Euler as a chain of springs; Fournier and Pradal (2012), section 2.5, which names the
-// forces and leaves the mechanics open. Tried first: to go from the tip to the base, with the tip's direction as the
-// one unknown. It loses a fifth of measured leaves under wind, since errors grow toward the base of a limp leaf.
+// forces and leaves the mechanics open. Tried first: integration from the tip to the base, with the tip's direction as
+// the only unknown. It fails for a fifth of measured leaves in wind, since errors grow toward the base of a limp leaf.
 #include "meristem/shape/grass/load_leaf.h"
 
 #include <algorithm>
@@ -25,19 +27,20 @@ namespace meristem {
 
 namespace {
 
-constexpr double kStiffWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
-constexpr double kSettled = 1e-10;    // radians: the last step of pieces that have come to rest
-constexpr double kBalanced = 1e-8;    // radians: the same between rounds of wind
-constexpr double kMostTurn = 0.5;     // radians that a step may turn a piece
+constexpr double kStiffWidth = 0.02;  // share of the largest width: joints of narrower pieces have the stiffness of
+                                      // this width
+constexpr double kSettled = 1e-10;    // radians; last step of pieces that have come to rest
+constexpr double kBalanced = 1e-8;    // radians; like kSettled, between rounds of wind
+constexpr double kMostTurn = 0.5;     // radians; maximum turn of a piece in one step
 constexpr int kSearchSteps = 400;
-constexpr int kRounds = 300;  // of wind
+constexpr int kRounds = 300;  // maximum number of rounds of wind
 constexpr int kLoadSteps = 8;
 constexpr double kMostLoad = 1000;
-constexpr double kAgreed = 0.01;  // of the turn asked for
+constexpr double kAgreed = 0.01;  // share of the requested turn
 
 using Vec = glm::dvec2;
 
-/// The chain of a leaf. Lengths are in those of the leaf, forces in its weight per area times squared length.
+/// The chain of a leaf. Lengths are relative to the leaf's length, forces to its weight per area times squared length.
 class LoadedChain {
  public:
   LoadedChain(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads) : angles_(piece_angles(leaf)) {
@@ -48,7 +51,7 @@ class LoadedChain {
       areas_.push_back(lengths_[k] * ratio * 0.5 * (leaf.r[k] + leaf.r[k + 1]));
       const double thickness = 1 - (1 - strip.tip_thickness) * leaf.s[k];
       const double share = std::max(kStiffWidth, leaf.r[k]) * thickness * thickness * thickness;
-      // The stiffness of the joint before this piece.
+      // Compute the stiffness of the joint before this piece.
       const double spacing = k == 0 ? lengths_[0] : 0.5 * (lengths_[k - 1] + lengths_[k]);
       stiffness_.push_back(strip.stiffness * ratio * share / spacing);
     }
@@ -61,12 +64,12 @@ class LoadedChain {
 
   const std::vector<double>& given() const { return angles_; }
 
-  /// Brings `angles` to rest under loads; false where they do not come to rest.
+  /// Moves `angles` to the equilibrium under loads. Returns false if no equilibrium is found.
   bool settle(std::vector<double>& angles, const LeafLoads& loads) {
     const bool has_wind = loads.wind != Vec(0);
     forces_.assign(angles.size(), Vec(0));
     for (int round = 0; round < kRounds; ++round) {
-      // Later rounds take over less of the wind's change, so a leaf that flutters finds its mean.
+      // Later rounds apply less of the wind's change, so a leaf that flutters finds its mean.
       const double share = round < 10 ? 1 : 10.0 / round;
       for (std::size_t k = 0; k < angles.size(); ++k) {
         const Vec now = load(k, Vec(math::sin(angles[k]), math::cos(angles[k])), loads);
@@ -83,11 +86,12 @@ class LoadedChain {
   }
 
  private:
-  /// What acts on a piece.
+  /// Returns the load on a piece.
   Vec load(std::size_t k, Vec along, const LeafLoads& loads) const {
     const Vec across(along.y, -along.x);
     const double square = glm::length(loads.wind);
-    // The pressure on a plate that the wind meets with the sine of an angle; along the plate it glides.
+    // The pressure on a plate that the wind meets at an angle with this sine. Along the plate, the wind glides without
+    // force.
     const double met = square > 0 ? glm::dot(loads.wind, across) / square : 0;
     return areas_[k] * (loads.pull + loads.gravity + square * met * std::abs(met) * across);
   }
@@ -106,7 +110,8 @@ class LoadedChain {
     return moments;
   }
 
-  /// The energy under forces that stay, and its derivatives by the angles of all pieces but the first, which is held.
+  /// Returns the energy under constant forces, and computes its derivatives by the angles of all pieces except the
+  /// fixed first one.
   double differentiate(const std::vector<double>& angles) {
     const std::size_t count = angles.size();
     gradient_.assign(count, 0);
@@ -134,7 +139,8 @@ class LoadedChain {
     return energy;
   }
 
-  /// The step of Newton's method with the diagonal raised by `more` of its scale; false where that is not convex.
+  /// Computes the Newton step with the diagonal raised by `more` of its scale. Returns false if the result is not
+  /// convex.
   bool find_step(double more) {
     const std::size_t count = gradient_.size();
     step_.assign(count, 0);
@@ -154,7 +160,7 @@ class LoadedChain {
     return true;
   }
 
-  /// Turns the pieces to where the energy is least, downhill all the way.
+  /// Turns the pieces to the minimum of the energy, always downhill.
   bool minimize(std::vector<double>& angles) {
     double more = 0;
     double energy = differentiate(angles);
@@ -175,7 +181,7 @@ class LoadedChain {
         energy = reached;
         more = more < 1e-6 ? 0 : more / 4;
       } else {
-        // Too small for the energy's digits: at rest as far as they tell.
+        // The step is below the precision of the energy, so the leaf is at rest within this precision.
         if (farthest < 1e-6) return true;
         more = std::max(1e-6, 4 * more);
         energy = differentiate(angles);
@@ -184,12 +190,12 @@ class LoadedChain {
     return false;
   }
 
-  std::vector<double> angles_;     // as given
-  std::vector<double> lengths_;    // of the pieces
-  std::vector<double> areas_;      // of the pieces, in squared lengths
-  std::vector<double> stiffness_;  // of the joints before the pieces: moment a radian
+  std::vector<double> angles_;     // given angles
+  std::vector<double> lengths_;    // lengths of the pieces
+  std::vector<double> areas_;      // areas of the pieces, in squared lengths
+  std::vector<double> stiffness_;  // stiffness of the joints before the pieces: moment per radian
   std::vector<double> rest_;       // turns of the joints without load
-  std::vector<Vec> forces_;        // on the pieces, in the form at hand
+  std::vector<Vec> forces_;        // forces on the pieces, in the present form
   std::vector<double> gradient_, diagonal_, scale_, step_, pivots_, tried_;
 };
 
@@ -241,7 +247,7 @@ double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLo
   const double given = angle_along(leaf, chain.given(), place);
   std::vector<double> angles = chain.given(), tried;
   double turn = 0;
-  // Whether the turn is passed when the loads are raised to a factor.
+  // Returns true if the turn exceeds the requested angle with the loads at a factor.
   const auto passes = [&](double factor) {
     tried = angles;
     if (!chain.settle(tried, scaled(growing, factor)))
@@ -250,7 +256,7 @@ double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLo
     return angle > 0 ? turn >= angle : turn <= angle;
   };
 
-  // Raise the loads until it is, then halve what they were raised by.
+  // Raise the loads until the turn is exceeded, then bisect.
   double low = 0, high = 0.01;
   while (!passes(high)) {
     angles = tried;

@@ -32,12 +32,12 @@ bool is_finite(const GrassLeaf& leaf) {
          std::all_of(leaf.y.begin(), leaf.y.end(), [](double y) { return std::isfinite(y); });
 }
 
-/// A vector and how far it is turned down, radians.
+/// Returns a vector turned down by an angle in radians.
 Vec turned_down(Vec v, double angle) {
   return {std::cos(angle) * v.x + std::sin(angle) * v.y, std::cos(angle) * v.y - std::sin(angle) * v.x};
 }
 
-/// Moments that turn down at the joints before the pieces, by the forces' levers.
+/// Returns the moments that turn down at the joints before the pieces, from the levers of the forces.
 std::vector<double> moments_of(const GrassLeaf& leaf, const LeafLoads& loads) {
   const std::size_t pieces = leaf.point_count() - 1;
   std::vector<double> moments(pieces, 0);
@@ -56,7 +56,7 @@ std::vector<double> moments_of(const GrassLeaf& leaf, const LeafLoads& loads) {
   return moments;
 }
 
-/// The largest difference between a joint's moment, as its turn gives it, and the moment of the forces on the loaded
+/// Returns the largest difference between a joint's moment from its turn and the moment of the forces on the loaded
 /// leaf.
 double imbalance(const GrassLeaf& given, const GrassLeaf& now, const LeafStrip& strip, const LeafLoads& loads) {
   const std::vector<double> before = piece_angles(given), after = piece_angles(now);
@@ -87,8 +87,8 @@ TEST(LoadLeaf, ALeafMeasuredInSomeGravityStaysInThat) {
 }
 
 TEST(LoadLeaf, SmallDeflectionIsThatOfTheChainAndConvergesToEulersBeam) {
-  // Under a load q on its length, a beam's tip moves by q / 8EI; that of n rigid pieces, the first one held, by
-  // (1 - 1 / n)^2 of it.
+  // Under a load q on its length, a beam's tip moves by q / 8EI. With n rigid pieces, the first one fixed, it moves by
+  // (1 - 1 / n)^2 of this.
   const LeafStrip strip{.stiffness = 0.7, .tip_thickness = 1};
   LeafLoads loads = kWeightless;
   loads.pull = Vec(1e-4, 0);
@@ -99,7 +99,7 @@ TEST(LoadLeaf, SmallDeflectionIsThatOfTheChainAndConvergesToEulersBeam) {
 }
 
 TEST(LoadLeaf, AWedgeYieldsByTheThirdOfAStrip) {
-  // Width falls evenly to a point: q / 24EI.
+  // If the width falls evenly to a point, the tip moves by q / 24EI.
   GrassLeaf wedge = upright(1000);
   for (std::size_t k = 0; k < wedge.point_count(); ++k) wedge.r[k] = 1 - wedge.s[k];
   LeafLoads loads = kWeightless;
@@ -109,7 +109,7 @@ TEST(LoadLeaf, AWedgeYieldsByTheThirdOfAStrip) {
 }
 
 TEST(LoadLeaf, AnUprightLeafFallsWhereGreenhillSaysThatAColumnDoes) {
-  // A. G. Greenhill (1881): under its own weight a uniform column stands up to w L^3 / EI = 7.837.
+  // A. G. Greenhill (1881): under its own weight, a uniform column is stable up to w L^3 / EI = 7.837.
   const double critical = 1 / 7.837;
   const LeafLoads loads{.pull = Vec(1e-5, 0), .measured_gravity = Vec(0)};
   const auto tip = [&](double stiffness) {
@@ -211,7 +211,8 @@ TEST(LoadForTurn, IsTheInverseOfLoading) {
 }
 
 TEST(LoadForTurn, OfASmallTurnFollowsFromTheChain) {
-  // Under a load q on its length a beam's end turns by q / 6EI; that of n pieces by (1 - 1 / n)(1 - 1 / 2n).
+  // Under a load q on its length, a beam's end turns by q / 6EI. With n pieces it turns by (1 - 1 / n)(1 - 1 / 2n) of
+  // this.
   LeafLoads loads = kWeightless;
   loads.pull = Vec(1, 0);
   const double factor = load_for_turn(upright(50), {.stiffness = 0.5, .tip_thickness = 1}, loads, 1, 1e-3);
@@ -241,7 +242,7 @@ TEST(LoadLeaf, RejectsNumbersOutOfRange) {
   EXPECT_THROW(load_for_turn(leaf, {}, with_pull({1, 0}), 0.5, nan), std::invalid_argument);
 }
 
-/// What is left of the moments after loading, or nothing where the leaf does not come to rest.
+/// Returns the remaining moments after loading, or nothing if the leaf finds no equilibrium.
 std::optional<double> imbalance_in(const GrassLeaf& leaf, double stiffness, Vec wind) {
   const LeafStrip strip{.stiffness = stiffness};
   try {
@@ -259,8 +260,8 @@ TEST(LoadLeaf, LeavesOfWheatComeToRestInWind) {
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     for (const double stiffness : {0.1, 0.3, 1.0}) {
       for (const Vec wind : {Vec(1, 0), Vec(-1, 0), Vec(2, 0), Vec(0.7, 2)}) {
-        if (stiffness == 0.1 && wind.y > 0) continue;  // below
-        // A leaf that flutters is within half a hundredth of a radian of its mean.
+        if (stiffness == 0.1 && wind.y > 0) continue;  // tested below
+        // A leaf that flutters is within 0.005 radians of its mean.
         const std::optional<double> left = imbalance_in(leaves[k], stiffness, wind);
         EXPECT_TRUE(left && *left < 5e-3) << k << ", " << stiffness << ", " << wind.x;
       }
@@ -293,7 +294,7 @@ TEST(LoadForTurn, AgreesWithLoadingWithinOnePercentOnWheat) {
           EXPECT_NEAR(turn / angle, 1, 0.01) << place;
           ++solved;
         } catch (const std::invalid_argument&) {
-          // Past its fall no load of this kind holds the leaf there.
+          // Beyond its fall, no load of this kind holds the leaf.
         }
       }
     }

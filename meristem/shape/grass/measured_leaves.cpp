@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads digitised midribs and widths from tables and checks them. Rows are grouped into curves by rank, leaf and age.
+// The narrow end of a list of widths is taken as the tip.
 #include "meristem/shape/grass/measured_leaves.h"
 
 #include <algorithm>
@@ -17,14 +19,14 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kEnd = 0.1;              // of the rows at either end, whose mean widths tell base from tip
-constexpr double kTipOverBase = 0.5;      // a first end this much narrower than the last is the tip
-constexpr double kMostNumber = 1e6;       // a rank or lindex
-constexpr std::size_t kMostFaults = 100;  // of one curve
-constexpr double kMostCoordinate = 1e9;   // a coordinate, in any unit
-constexpr double kSamePoint = 1e-6;       // of a curve's length: points nearer to one another count as equal
+constexpr double kEnd = 0.1;              // share of the rows at either end whose mean widths distinguish base and tip
+constexpr double kTipOverBase = 0.5;      // maximum width of a tip relative to the base
+constexpr double kMostNumber = 1e6;       // maximum rank or lindex
+constexpr std::size_t kMostFaults = 100;  // maximum number of errors per curve
+constexpr double kMostCoordinate = 1e9;   // maximum coordinate, in any unit
+constexpr double kSamePoint = 1e-6;       // share of a curve's length: points nearer to one another count as equal
 
-/// Collects what is wrong with one curve.
+/// Collects the errors of one curve.
 class CurveFaults {
  public:
   explicit CurveFaults(const MeasuredCurve& curve) : curve_(curve) {}
@@ -61,7 +63,7 @@ void check_points(const MeasuredCurve& curve, const char* what, CurveFaults& fau
   faults.throw_if_any();
 }
 
-/// What tells curves of one file apart.
+/// What distinguishes the curves of one file.
 using CurveName = std::tuple<std::optional<int>, std::optional<int>, std::optional<double>>;
 
 struct CurveColumns {
@@ -89,7 +91,7 @@ std::optional<int> whole(const Columns& columns, std::size_t column, std::size_t
   return 0;
 }
 
-/// Parts the rows into curves.
+/// Splits the rows into curves.
 std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns& at, std::vector<Diagnostic>& faults) {
   std::vector<MeasuredCurve> curves;
   std::set<CurveName> known;
@@ -112,7 +114,7 @@ std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns&
   return curves;
 }
 
-/// Calls `check` for each curve and collects what it throws.
+/// Calls `check` for each curve and collects the errors that it throws.
 template <class Check>
 void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::vector<Diagnostic>& faults, Check check) {
   for (MeasuredCurve& curve : curves) {
@@ -127,7 +129,8 @@ void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::ve
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-/// How far points may be from one another to count as equal, and how far each is from the one before it.
+/// Returns the distance below which points count as equal. Also computes the distance of each point from the point
+/// before.
 double nearest_of_midrib(const MeasuredCurve& midrib) {
   double length = 0;
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
@@ -139,8 +142,8 @@ double nearest_of_widths(const MeasuredCurve& widths) {
   return kSamePoint * std::max(std::abs(widths.points.front().x), std::abs(widths.points.back().x));
 }
 
-/// Leaves out the points that repeat the one before, by `distance` within `nearest`, and warns of each. A curve that
-/// would have too few points left stays as it is, for its faults to be told.
+/// Removes the points whose `distance` from the point before is at most `nearest`, with a warning each. A curve that
+/// would have too few points left stays unchanged, so that its errors are reported.
 template <class Distance>
 void leave_out_repeats(MeasuredCurve& curve, double nearest, Distance distance, const char* what, const Limits& limits,
                        std::vector<Diagnostic>& warnings) {

@@ -49,7 +49,7 @@ Faults width_faults(std::string_view text) {
   return faults_by([&] { read_widths(text, {}, warnings); });
 }
 
-/// Whether there is one fault, that of `line` with `message` in it.
+/// Succeeds if there is exactly one error, at `line` and with `message` in its text.
 testing::AssertionResult is_one(const Faults& faults, int line, std::string_view message) {
   if (faults.size() != 1) return testing::AssertionFailure() << faults.size() << " faults";
   const bool holds = faults[0].line == line && faults[0].message.find(message) != std::string::npos;
@@ -184,7 +184,7 @@ TEST(MeasuredLeaves, CurvesWithoutLinesNameTheRow) {
   EXPECT_EQ(faults_by([&] { check_widths(curve({{0, 1}, {1, nan}, {2, 1}})); }).size(), 1U);
 }
 
-// One blade, in the three ways in which it may be listed.
+// One blade, listed in three possible ways.
 const std::vector<glm::dvec2> kFromBase{{0, 0.6}, {0.25, 1}, {0.5, 0.9}, {1, 0.1}};
 
 TEST(MeasuredLeaves, WidthsFromTheBaseStayAsTheyAre) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Ages a leaf by interpolating the angles of its midrib between ages. A life in steps records how much tissue emerges
+// in each step with its own rates. Sources are in the header.
 #include "meristem/shape/grass/midrib_family.h"
 
 #include <algorithm>
@@ -12,10 +14,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kSharp = 2 * kPi / 3;  // radians: a turn that may be a fold to either side
-constexpr double kLeastShare = 1e-6;    // of the length, that can be seen
+constexpr double kSharp = 2 * kPi / 3;  // radians; a larger turn may be a fold to either side
+constexpr double kLeastShare = 1e-6;    // minimum visible share of the length
 
-/// From a list with a number for the middle of each equal piece: the number at `place`, the same beyond the ends.
+/// Returns the value at `place` from a list with a number for the middle of each equal piece. Constant beyond the
+/// outermost middles.
 double at_middles(const std::vector<double>& list, double place) {
   const double at = place * static_cast<double>(list.size()) - 0.5;
   if (at <= 0) return list.front();
@@ -24,15 +27,17 @@ double at_middles(const std::vector<double>& list, double place) {
   return list[k] + (at - static_cast<double>(k)) * (list[k + 1] - list[k]);
 }
 
-/// The turn at a piece, over it or the one before it as well, where a fold may lie between the ends of pieces.
+/// Returns the turn at a piece: over this piece, or over it and the piece before, because a fold may lie between the
+/// ends of pieces.
 double turn_into(const std::vector<double>& angles, std::size_t k) {
   const double here = angles[k] - angles[k - 1], wide = k > 1 ? angles[k] - angles[k - 2] : here;
   return std::max(std::abs(here), std::abs(wide));
 }
 
-/// A fold by nearly half a turn may be read as one to either side: 175° at one age and 185°, which is -175°, at the
-/// next. What lies beyond a fold counts as turned the way that is nearer to the earlier midrib, as whole turns away;
-/// else the leaf would stand up between both ages. Gentle bends say themselves which way they go, and are left alone.
+/// Makes folds turn the same way at both ages. A fold by nearly half a turn may be read as one to either side: 175° at
+/// one age and 185°, which is -175°, at the next. The part beyond a fold is shifted by whole turns to the side that is
+/// nearer to the earlier midrib. Otherwise the leaf would stand up between both ages. Gentle bends have a definite
+/// direction and are not changed.
 void fold_like(const std::vector<double>& earlier, std::vector<double>& angles) {
   const std::size_t count = angles.size();
   std::vector<std::size_t> folds;
@@ -41,7 +46,7 @@ void fold_like(const std::vector<double>& earlier, std::vector<double>& angles) 
     if (turn_into(angles, k) > kSharp && !goes_on) folds.push_back(k);
   }
   for (std::size_t fold = 0; fold < folds.size(); ++fold) {
-    // The fold itself takes up to two pieces; what hangs on it tells.
+    // The fold itself takes up to two pieces, so compare the pieces beyond it.
     const std::size_t begin = folds[fold], end = fold + 1 < folds.size() ? folds[fold + 1] : count;
     const std::size_t first = std::min(begin + 1, end - 1);
     double apart = 0;
@@ -108,23 +113,24 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
   return now;
 }
 
-// The leaf's tissue is told by when it came out: by its distance from the tip in the plain leaf, `visible` at that
-// moment. Steps of a life note how long and how wide it has become by then; pieces of the plain leaf keep their angles.
+// Tissue is identified by the time of its emergence: its distance from the tip in the plain leaf, which is `visible` at
+// that moment. Each step of a life records how long and wide the tissue has become. Pieces of the plain leaf keep their
+// angles.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age) {
   if (!(step > 0) || !(time / step <= kMostLifeSteps)) {
     throw std::invalid_argument("the steps of a leaf's life must be above 0, and at most 100,000 in number");
   }
   struct Tissue {
-    double from_tip;  // in plain lengths
-    double length;    // from there to the tip, grown
+    double from_tip;  // in lengths of the plain leaf
+    double length;    // grown length from this position to the tip
     double width;
   };
   std::vector<Tissue> tissue{{0, 0, 1}};
   double age = 0;
   std::vector<double> plain = family.angles(age), angles = plain;
 
-  // Live.
+  // Live step by step.
   const auto steps = static_cast<int>(std::ceil(time / step - 1e-9));
   for (int k = 0; k < steps; ++k) {
     const double begin = k * step, end = std::min(time, begin + step);
@@ -143,7 +149,7 @@ GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, 
   const double visible = tissue.back().from_tip, grown = tissue.back().length;
   if (visible < kLeastShare || grown < kLeastShare) return unseen(leaf);
 
-  // Lay out what has come out, from the base to the tip.
+  // Lay out the emerged tissue from the base to the tip.
   const std::size_t pieces = family.piece_count();
   GrassLeaf now{.length = grown * leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
   std::vector<double> laid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a leaf's form changes with age, and what of it can be seen.
+// The change of a leaf's form with age, and its visible part.
 #pragma once
 
 #include <cstddef>
@@ -11,53 +11,55 @@
 
 namespace meristem {
 
-/// The midribs of one leaf at several ages, of equal pieces each. Between ages the directions of its pieces are
-/// interpolated, so that the length is kept.
+/// The midribs of one leaf at several ages, each of equal pieces. Between ages, the directions of pieces are
+/// interpolated, so the length stays.
 class MidribFamily {
  public:
-  /// One leaf's own form at `age`, above 0, which was straight along the stem at age 0. Throws std::invalid_argument
-  /// for other ages.
+  /// A leaf that has its own form at `age` (above 0), and was straight along the stem at age 0. Throws
+  /// std::invalid_argument for other ages.
   explicit MidribFamily(const GrassLeaf& leaf, double age = 1);
-  /// Ages that rise strictly, at least two, with the midrib of each. Throws std::invalid_argument otherwise.
+  /// Strictly ascending ages, at least two, with the midrib of each. Throws std::invalid_argument otherwise.
   explicit MidribFamily(const std::vector<std::pair<double, GrassLeaf>>& midribs);
 
-  double first_age() const { return ages_.front(); }                  ///< the least age
-  double last_age() const { return ages_.back(); }                    ///< the greatest age
-  std::size_t piece_count() const { return angles_.front().size(); }  ///< pieces of each midrib
-  /// Radians away from the stem of each piece. Ages outside the family count as its nearest.
+  double first_age() const { return ages_.front(); }                  ///< lowest age
+  double last_age() const { return ages_.back(); }                    ///< highest age
+  std::size_t piece_count() const { return angles_.front().size(); }  ///< number of pieces of each midrib
+  /// Returns the angle of each piece in radians away from the stem. Ages outside the family count as the nearest age in
+  /// it.
   std::vector<double> angles(double age) const;
 
  private:
   std::vector<double> ages_;
-  std::vector<std::vector<double>> angles_;  // by age, then piece
+  std::vector<std::vector<double>> angles_;  // indexed by age, then piece
 };
 
-/// The share of its last length that a leaf shows at `age`: it rises evenly to all of it at `full_age`.
+/// Returns the share of its final length that a leaf shows at `age`. It rises evenly to 1 at `full_age`.
 double visible_share(double age, double full_age);
 
-/// The leaf at `age`: its midrib from the family, and of its widths those that have come out, since the tip comes
-/// first. `leaf` is full grown; its length and width are the last ones. Where nothing of it can be seen its length is
-/// 0. Based on: Fournier and Pradal (2012), equation 8, with the share that is visible in place of l.
+/// Returns the leaf at `age`: its midrib from the family, and the widths of its visible part, since the tip emerges
+/// first. `leaf` is the full-grown leaf with its final length and width. The length is 0 if nothing is visible. Based
+/// on: Fournier and Pradal (2012), equation 8, with the visible share instead of l.
 GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, double full_age = 1);
 
-/// What a step of a leaf's own life multiplies: 1 each is the plain leaf.
+/// Factors on one step of a leaf's life. With all factors 1, the leaf is the plain leaf.
 struct GrowthRates {
-  double age = 1;     ///< how fast it ages
-  double length = 1;  ///< how much length comes out with each step of age
-  double width = 1;   ///< width of the leaf that comes out
-  double bend = 1;    ///< how far its pieces turn with each step of age
+  double age = 1;     ///< speed of ageing
+  double length = 1;  ///< length that emerges per step of age
+  double width = 1;   ///< width of the emerging part
+  double bend = 1;    ///< turn of its pieces per step of age
 };
 
-/// The rates for a leaf that has lived for `lived` (in the unit of ages) and shows the share `visible` of its length.
+/// Returns the rates for a leaf that has lived for `lived` (in the unit of ages) and shows the share `visible` of its
+/// length.
 using RatesOf = FunctionRef<GrowthRates(double lived, double visible)>;
 
-/// The most steps of one life.
+/// Maximum number of steps of one life.
 inline constexpr double kMostLifeSteps = 100'000;
 
-/// The leaf after living up to `time` in steps of `step`, each with its own rates. With rates of 1 it is the aged one.
-/// Negative rates of age, length and width count as 0; a negative bend turns pieces the other way. Throws
-/// std::invalid_argument for a step that is not above 0 or over kMostLifeSteps of them. Based on: Fournier and Pradal
-/// (2012), section 2.4.
+/// Returns the leaf after a life up to `time` in steps of `step`, each with its own rates. With rates of 1 the result
+/// equals the aged leaf. Negative rates of age, length and width count as 0. A negative bend turns pieces the other
+/// way. Throws std::invalid_argument for a step that is not above 0, or for more than kMostLifeSteps steps. Based on:
+/// Fournier and Pradal (2012), section 2.4.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age = 1);
 

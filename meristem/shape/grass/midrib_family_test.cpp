@@ -38,7 +38,7 @@ testing::AssertionResult are_alike(const GrassLeaf& a, const GrassLeaf& b, doubl
                : testing::AssertionFailure() << "shift " << shift << ", widths " << widths << ", length " << length;
 }
 
-/// The life of kLeaf with rates that are the same all along.
+/// Returns kLeaf after a life with constant rates.
 GrassLeaf lived_with(GrowthRates rates, double time = 1, double step = 0.01) {
   return lived(kLeaf, MidribFamily(kLeaf), time, step, [rates](double, double) { return rates; });
 }
@@ -61,7 +61,7 @@ TEST(MidribFamily, AtTheAgesGivenItIsTheMidribsGiven) {
   EXPECT_LT(largest_shift(aged(kLeaf, family, 99), midribs.back().second), 1e-12) << "older than all";
 }
 
-/// Upright, and from `fold` of its length on turned by `angle` degrees, so that it hangs down.
+/// Returns an upright leaf that is turned by `angle` degrees from `fold` of its length on, so that it hangs down.
 GrassLeaf folded_leaf(std::size_t pieces, double fold, double angle) {
   GrassLeaf leaf = arching_leaf(pieces, 0, 0);
   std::vector<double> angles(pieces, 0);
@@ -73,7 +73,8 @@ GrassLeaf folded_leaf(std::size_t pieces, double fold, double angle) {
 }
 
 TEST(MidribFamily, AFoldRemainsAFoldBetweenAges) {
-  // By turns on either side of half a turn, which is one of the other way about; and the fold wanders.
+  // The fold alternates between angles below and above half a turn, which is a fold to the other side. Its position
+  // also moves.
   for (const double second : {165.0, 178.0, 184.0, 195.0}) {
     for (const double place : {0.5, 0.55}) {
       const MidribFamily family(AgedMidribs{
@@ -134,7 +135,7 @@ TEST(Aged, TheTipComesOutFirst) {
   const GrassLeaf now = aged(kLeaf, MidribFamily(kLeaf), 0.25);
   EXPECT_EQ(now.r.back(), kLeaf.r.back());
   EXPECT_NEAR(now.r.front(), along_leaf(kLeaf, kLeaf.r, 0.75), 1e-12);
-  // The area of the outer quarter by its widths' integral.
+  // The area of the outer quarter, as the integral of its widths.
   double tip = 0;
   for (int k = 0; k < 1000; ++k) tip += 0.25 / 1000 * along_leaf(kLeaf, kLeaf.r, 0.75 + 0.25 * (k + 0.5) / 1000);
   EXPECT_NEAR(area(now), kLeaf.length * kLeaf.width * tip, 1e-3 * area(kLeaf));
@@ -201,7 +202,7 @@ TEST(Lived, NegativeRatesOfAgeLengthAndWidthCountAs0) {
 }
 
 TEST(Lived, RatesThatChangeConvergeToTheirIntegral) {
-  // Length comes out at 1 + lived: 1.5 by age 1.
+  // Length emerges at the rate 1 + lived, which gives 1.5 by age 1.
   const auto error = [](double step) {
     const GrassLeaf now =
         lived(kLeaf, MidribFamily(kLeaf), 1, step, [](double time, double) { return GrowthRates{.length = 1 + time}; });
@@ -221,7 +222,7 @@ TEST(Lived, RatesAreAskedWithTimeAndVisibleShare) {
 }
 
 TEST(Lived, AWidthThatChangesStaysWithWhatCameOutThen) {
-  // Narrow while the outer half comes out, wide after.
+  // Narrow while the outer half emerges, wide afterwards.
   const GrassLeaf now = lived(arching_leaf(40, 0, 0), MidribFamily(arching_leaf(40, 0, 0)), 1, 0.01,
                               [](double time, double) { return GrowthRates{.width = time < 0.495 ? 0.5 : 1}; });
   EXPECT_NEAR(now.r[5], 1, 1e-12);
@@ -239,7 +240,7 @@ TEST(Lived, RejectsStepsThatAreNoneOrTooMany) {
   EXPECT_THROW(lived(kLeaf, family, std::nan(""), 0.1, rates), std::invalid_argument);
 }
 
-/// The midribs of a leaf class by age.
+/// Returns the midribs of a leaf class by age.
 std::map<int, AgedMidribs> wheat_by_age() {
   std::map<int, AgedMidribs> by_class;
   for (const MeasuredCurve& midrib : measured_midribs(kWheatByAge)) {
@@ -257,7 +258,7 @@ TEST(MidribFamily, AgesOfWheatThatAreLeftOutAreMetWithin5PercentInTheMedian) {
       AgedMidribs others = midribs;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
       const auto& [age, leaf] = midribs[left_out];
-      // All of it can be seen from the first age on.
+      // The whole leaf is visible from the first age on.
       const GrassLeaf guessed = aged(leaf, MidribFamily(others), age, 1e-3);
       errors.push_back(std::hypot(guessed.x.back() - leaf.x.back(), guessed.y.back() - leaf.y.back()));
     }

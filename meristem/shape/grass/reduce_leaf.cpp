@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heap is a tree of pairwise comparisons over all points: the least error stands at its root, and a changed one
-// asks only for the comparisons above it, without a branch that a processor could guess wrong.
+// Removes points of a leaf in the order of their error. The priority queue is a tree of pairwise comparisons over all
+// points with the smallest error at its root. A change repeats only the comparisons above it, without unpredictable
+// branches.
 #include "meristem/shape/grass/reduce_leaf.h"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ namespace {
 
 constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
-/// Squared distance of the k-th point of a curve from the segment between two others.
+/// Returns the squared distance of the k-th point of a curve from the segment between two others.
 double squared_distance(const std::vector<double>& x, const std::vector<double>& y, std::size_t k, std::size_t a,
                         std::size_t b) {
   const glm::dvec2 away = from_segment({x[k] - x[a], y[k] - y[a]}, {x[b] - x[a], y[b] - y[a]});
   return glm::dot(away, away);
 }
 
-/// Which of many numbers is the least; ties go to the lower index.
+/// Finds the minimum of many numbers. Ties go to the lower index.
 class LeastOf {
  public:
   explicit LeastOf(std::size_t count)
@@ -33,12 +34,12 @@ class LeastOf {
     for (std::size_t k = 0; k < leaves_; ++k) index_[leaves_ + k] = static_cast<std::uint32_t>(k);
   }
 
-  /// Before `compare_all`.
+  /// Must be called before `compare_all`.
   void place(std::size_t index, double number) { least_[leaves_ + index] = number; }
   void compare_all() {
     for (std::size_t node = leaves_; --node > 0;) compare(node);
   }
-  /// Sets three numbers, whose comparisons are then made side by side.
+  /// Sets three numbers and updates their comparisons together.
   void set(std::array<std::size_t, 3> indices, std::array<double, 3> numbers) {
     for (std::size_t k = 0; k < 3; ++k) least_[leaves_ + indices[k]] = numbers[k];
     std::size_t a = leaves_ + indices[0], b = leaves_ + indices[1], c = leaves_ + indices[2];
@@ -61,7 +62,7 @@ class LeastOf {
   }
 
   std::size_t leaves_;
-  // By node of the tree: the least number below it, and whose it is.
+  // For each node of the tree, the minimum below it and its index.
   std::vector<double> least_;
   std::vector<std::uint32_t> index_;
 };

@@ -24,7 +24,7 @@ double distance_to_chord(const std::vector<double>& x, const std::vector<double>
   return glm::distance(point, from + share * along);
 }
 
-/// All errors anew in every step.
+/// Returns the order with all errors recomputed in every step.
 ReductionOrder plain_order(const GrassLeaf& leaf, const std::vector<std::vector<double>>& also = {}) {
   ReductionOrder order;
   Indices left;
@@ -48,7 +48,7 @@ ReductionOrder plain_order(const GrassLeaf& leaf, const std::vector<std::vector<
   return order;
 }
 
-/// The largest distance from a midrib's points to the other midrib, both ways.
+/// Returns the Hausdorff distance of two midribs, from points to curves, both ways.
 double hausdorff(const GrassLeaf& a, const GrassLeaf& b) {
   double largest = 0;
   for (std::size_t k = 0; k < a.point_count(); ++k)
@@ -78,7 +78,7 @@ TEST(ReduceLeaf, FurtherFunctionsCountLikeWidths) {
 }
 
 TEST(ReduceLeaf, EqualErrorsGoByTheLowerIndex) {
-  // Every point of a zigzag of exact numbers is as far from its neighbours' chord.
+  // In a zigzag of exact numbers, every point is equally far from the chord of its neighbours.
   GrassLeaf zigzag = arching_leaf(8, 0, 0);
   zigzag.x = {0, 0.125, 0, 0.125, 0, 0.125, 0, 0.125, 0};
   for (std::size_t k = 0; k < 9; ++k) zigzag.y[k] = 0.125 * static_cast<double>(k);
@@ -155,7 +155,7 @@ TEST(ReduceLeaf, WithinAnErrorNoStepCostsMore) {
     EXPECT_TRUE(gone == 59 || order.errors[gone] > error);
     EXPECT_LE(kept.size(), last);
     last = kept.size();
-    // Errors of steps add up, but not by much.
+    // Errors of steps add up, but only little.
     EXPECT_LE(hausdorff(reduced(leaf, kept), leaf), 3 * error + 1e-12);
   }
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds points inside a body, one per cell of a grid. Cubes of cells around the body are halved again and again, with
+// fewer of the body's solids at each step. Cubes that lie entirely outside or too deep are skipped.
 #include "meristem/shape/implicit/body_points.h"
 
 #include <array>
@@ -13,14 +15,15 @@ namespace meristem {
 namespace {
 
 constexpr int kMostHalvings = 40;       // halvings
-constexpr double kPointError = 1e-3;    // of a cell
-constexpr double kSlopeStep = 0.05;     // of a cell
-constexpr double kGradientReach = 0.2;  // cells outside to which values count, for gradients
+constexpr double kPointError = 1e-3;    // share of a cell
+constexpr double kSlopeStep = 0.05;     // share of a cell
+constexpr double kGradientReach = 0.2;  // in cells: distance outside the surface up to which values must be exact, for
+                                        // gradients
 constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
 
 glm::ivec3 corner_of(int k) { return {k & 1, k >> 1 & 1, k >> 2}; }
 
-/// Descends from a cube of cells about the body to single ones.
+/// Descends from a cube of cells around the body to single cells.
 class BodyFiller {
  public:
   BodyFiller(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress)
@@ -49,7 +52,7 @@ class BodyFiller {
   }
 
  private:
-  // As deep as cubes can be halved.
+  // The recursion depth is the number of halvings of a cube.
   void fill(glm::ivec3 at, int side, std::span<const FieldStep> steps, int depth) {
     progress_.check();
     const double half = 0.5 * side * grid_.spacing;
@@ -75,12 +78,12 @@ class BodyFiller {
     }
   }
 
-  /// Takes the position of a cell, whose solids are near `origin`, if it lies in the body.
+  /// Adds the position of a cell, whose solids are near `origin`, if it lies in the body.
   void place(glm::ivec3 cell, std::span<const FieldStep> steps, DVec3 origin) {
     const RandomKey key = key_of(cell);
     const DVec3 share(key.uniform(0), key.uniform(1), key.uniform(2));
     const DVec3 position = grid_.origin + grid_.spacing * (DVec3(cell) + share);
-    // The position itself, and four about it for the gradient.
+    // Evaluate the position itself, and four around it for the gradient.
     const Vec3 local(position - origin);
     std::array<float, 5> x, y, z, values;
     x.fill(local.x);

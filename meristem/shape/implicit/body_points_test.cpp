@@ -26,7 +26,8 @@ std::vector<BodyPoint> places(const ImplicitBody& body, BodyGrid grid, RandomKey
 }
 
 TEST(BodyPoints, FillABallAsDenselyAsAsked) {
-  // 4.19 m³ at 1,000 points per cubic metre; a cell at the surface has one by its share of the ball.
+  // 4.19 m³ at 1,000 points per cubic metre. A cell at the surface has a point with the probability of its share inside
+  // the ball.
   const auto found = places(ImplicitBody::sphere({0, 0, 0}, 1), {.spacing = 0.1});
   EXPECT_NEAR(static_cast<double>(found.size()), 4188.8, 60);
 }
@@ -52,7 +53,7 @@ TEST(BodyPoints, AreThoseThatAllCellsByThemselvesWouldGive) {
     const DVec3 in_cell = DVec3(place.position) / spacing - DVec3(place.cell);
     for (int k = 0; k < 3; ++k) EXPECT_TRUE(in_cell[k] > -1e-4 && in_cell[k] < 1 + 1e-4);
   }
-  // Cells whose middle lies deep in the body have a point whatever the draw, those far outside none.
+  // Cells whose middle lies deep in the body always have a point, and cells far outside never have one.
   for (int x = 35; x < 65; ++x) {
     for (int y = 0; y < 25; ++y) {
       for (int z = -35; z < -15; ++z) {

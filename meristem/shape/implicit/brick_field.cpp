@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Samples the function of a body in bricks near its surface. Interval bounds of the function decide which regions can
+// contain surface, and drop clauses that have no effect in a region (field_part.h). Regions run in parallel.
 #include "meristem/shape/implicit/brick_field.h"
 
 #include <algorithm>
@@ -13,20 +15,21 @@ namespace meristem {
 
 namespace {
 
-constexpr double kFieldError = 1e-4;    // of a cell
-constexpr double kExactReach = 2;       // cells off the surface to which values must be right; ends of edges are 1
-constexpr double kSafety = 1e-2;        // cells that a region must be off the surface to be left
-constexpr std::size_t kChunks = 192;    // regions to share out at least
-constexpr double kMargin = 2;           // cells about the body
-constexpr double kMostCells = 1 << 28;  // along a body with its blends
-constexpr int kMostDepth = 40;          // halvings
+constexpr double kFieldError = 1e-4;    // share of a cell
+constexpr double kExactReach = 2;       // in cells: distance from the surface up to which values must be exact; ends of
+                                        // edges have 1
+constexpr double kSafety = 1e-2;        // in cells: minimum distance from the surface of a region that is skipped
+constexpr std::size_t kChunks = 192;    // minimum number of regions to distribute
+constexpr double kMargin = 2;           // cells around the body
+constexpr double kMostCells = 1 << 28;  // maximum number of cells along a body with its blends
+constexpr int kMostDepth = 40;          // maximum number of halvings
 
-constexpr double kHalfDiagonal = 0.866;  // of a cube, a little less than sqrt(3) / 2
+constexpr double kHalfDiagonal = 0.866;  // of a cube of side 1, slightly less than sqrt(3) / 2
 constexpr int kBlockSide = kBrickSide / 2;
 constexpr int kBlockSize = kBlockSide * kBlockSide * kBlockSide;
-constexpr double kMiddle = kBlockSide - 0.5;  // of a brick with the cells that touch its blocks from below
+constexpr double kMiddle = kBlockSide - 0.5;  // middle of a brick, including the cells that touch its blocks from below
 
-/// A cube of blocks with what matters in it, and in the cells that touch it from below.
+/// A cube of blocks, with the clauses that have an effect in it and in the cells that touch it from below.
 struct Region {
   glm::ivec3 at{0};
   int side = 1;
@@ -35,7 +38,7 @@ struct Region {
 
 glm::ivec3 corner_of(int k, int side) { return {k % side, k / side % side, k / (side * side)}; }
 
-/// The positions of the corners of a brick's blocks about its middle.
+/// The positions of the corners of a brick's blocks, relative to the brick's middle.
 struct BlockPlaces {
   std::array<float, kBrickSize> x, y, z;  // block after block
 
@@ -57,7 +60,7 @@ class BrickBudget {
 
   void spend(std::uint64_t bytes) {
     if ((bytes_ += bytes) <= limits_.mesh_bytes) return;
-    // The next byte: how many there would have been depends on the threads.
+    // Report only one byte more: the total depends on the threads.
     throw_limit("bytes of field values at this resolution or more", static_cast<double>(limits_.mesh_bytes) + 1,
                 limits_.mesh_bytes, "mesh_bytes", path_);
   }
@@ -68,7 +71,7 @@ class BrickBudget {
   std::atomic<std::uint64_t> bytes_{0};
 };
 
-/// Descends into regions. One thread uses one.
+/// Descends into regions. Each thread uses its own object.
 class Descent {
  public:
   Descent(const ImplicitBody& body, std::span<const float> gaps, BodyBricks& bricks, const BlockPlaces& places,
@@ -82,7 +85,7 @@ class Descent {
         sampler_(body),
         levels_(kMostDepth) {}
 
-  /// The eighths of a region that may hold surface.
+  /// Returns the eighths of a region that may contain surface.
   std::vector<Region> halved(const Region& region) {
     std::vector<Region> parts;
     const Level& level = halve(region.at, region.side, region.steps, 0);
@@ -93,7 +96,7 @@ class Descent {
     return parts;
   }
 
-  /// Samples all bricks of a region that may hold surface.
+  /// Samples all bricks of a region that may contain surface.
   void fill(const Region& region, std::size_t chunk) {
     fill(region.at, region.side, region.steps, 0, bricks_.grid.chunks[chunk], bricks_.parts[chunk]);
     bricks_.parts[chunk].first.push_back(bricks_.parts[chunk].steps.size());
@@ -101,7 +104,7 @@ class Descent {
 
  private:
   struct Level {              // the eighths of one region
-    std::array<int, 8> sign;  // 0 where surface may be
+    std::array<int, 8> sign;  // 0 where surface is possible
     std::array<std::vector<FieldStep>, 8> steps;
     bool holds_surface(int k) const { return sign[k] == 0; }
   };
@@ -110,7 +113,7 @@ class Descent {
     progress_.check();
     const double cell = bricks_.grid.cell;
     const double half = 0.5 * kBlockSide * side;  // cells from eighth to eighth
-    // Each reaches a cell below its corners, into the cells that touch them.
+    // Each eighth extends one cell below its corners, into the cells that touch them.
     const DVec3 middle = static_cast<double>(kBlockSide) * DVec3(at) + half - 0.5;
     const auto safety = static_cast<float>(kSafety * cell);
     near_.rebase(body_, steps, bricks_.grid.origin + cell * middle);
@@ -123,12 +126,12 @@ class Descent {
       if (level.holds_surface(k)) open |= 1U << k;
     }
     if (open == 0) return level;
-    // Single blocks' cubes are sampled at the positions of corners alone, a cell within them.
+    // Cubes of single blocks are sampled only at the corners, which lie a cell inside them.
     pruner_.keep(open, side == 2 ? kHalfDiagonal * 2 * cell : 0, level.steps);
     return level;
   }
 
-  // As deep as regions can be halved.
+  // The recursion depth is the number of halvings of a region.
   void fill(glm::ivec3 at, int side, std::span<const FieldStep> steps, int depth, BrickChunk& chunk,
             BodyBricks::Parts& parts) {
     const Level& level = halve(at, side, steps, depth);
@@ -144,7 +147,7 @@ class Descent {
     }
   }
 
-  /// Samples a brick of eight blocks. Where a block has no surface in its cells, the sign alone counts.
+  /// Samples a brick of eight blocks. If a block has no surface in its cells, only the sign is stored.
   void sample(glm::ivec3 at, std::span<const FieldStep> steps, const Level& level, BrickChunk& chunk,
               BodyBricks::Parts& parts) {
     budget_.spend(sizeof(float) * kBrickSize + steps.size_bytes());
@@ -182,7 +185,7 @@ class Descent {
   std::vector<Level> levels_;
 };
 
-/// A cube of blocks about the whole body.
+/// Returns a cube of blocks around the whole body.
 Region whole_region(const ImplicitBody& body, BodyBricks& bricks, const std::string& path) {
   const double cell = bricks.grid.cell;
   const DVec3 margin(body.reach() + kMargin * cell);
@@ -211,7 +214,7 @@ BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limi
   const std::vector<float> gaps = blend_gaps(body, bricks.error);
   const auto descent = [&] { return Descent(body, gaps, bricks, places, budget, progress); };
 
-  // Halve until there is enough to share out.
+  // Halve until there are enough regions to distribute.
   std::vector<Region> regions{whole_region(body, bricks, path)};
   progress.begin("sampling bodies", 1);
   while (!regions.empty() && regions.size() < kChunks && regions[0].side > 2) {

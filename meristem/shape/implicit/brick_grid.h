@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values on the corners of a grid's cells. Only bricks of 8 x 8 x 8 corners near a surface are kept.
+// Values at the corners of a grid's cells. Only bricks of 8 x 8 x 8 corners near a surface are stored.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ inline constexpr int kBrickSize = kBrickSide * kBrickSide * kBrickSide;
 
 /// Bricks that were made together.
 struct BrickChunk {
-  std::vector<glm::ivec3> at;  ///< counted in bricks from the grid's origin; not negative
-  std::vector<float> values;   ///< kBrickSize a brick, x fastest; negative inside, no NaN
+  std::vector<glm::ivec3> at;  ///< in bricks from the grid's origin; not negative
+  std::vector<float> values;   ///< kBrickSize per brick, x fastest; negative inside, no NaN
 
   std::span<const float> values_of(std::size_t brick) const {
     return std::span(values).subspan(brick * kBrickSize, kBrickSize);
   }
 };
 
-/// Corner (i, j, k) lies at origin + cell * (i, j, k). Where a cell's corners differ in sign, all bricks that hold one
-/// of them are there; cells with a missing corner have corners of one sign.
+/// A grid of bricks. Corner (i, j, k) lies at origin + cell * (i, j, k). If the corners of a cell differ in sign, all
+/// bricks that contain its corners exist. Cells with a missing corner have corners of one sign.
 struct BrickGrid {
   DVec3 origin{0};
   double cell = 1;

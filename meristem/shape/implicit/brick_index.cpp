@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Hash table of bricks by coordinates, with open addressing and linear probing.
 #include "meristem/shape/implicit/brick_index.h"
 
 #include <bit>
@@ -19,11 +20,11 @@ BrickIndex::BrickIndex(const BrickGrid& grid) {
 
 BrickNumber BrickIndex::find(glm::ivec3 at) const { return slots_[slot_of(at)].number; }
 
-/// Where `at` stands or would stand.
+/// Returns the slot in which `at` is, or would be, stored.
 std::size_t BrickIndex::slot_of(glm::ivec3 at) const {
   std::uint64_t key = (static_cast<std::uint64_t>(at.x) << 42) ^ (static_cast<std::uint64_t>(at.y) << 21) ^
                       static_cast<std::uint64_t>(at.z);
-  // Spreads the bits of neighbours over all of the table (the finishing step of splitmix64).
+  // Spreads neighbouring keys over the whole table (the finishing step of splitmix64).
   key = (key ^ key >> 30) * 0xbf58476d1ce4e5b9U;
   key = (key ^ key >> 27) * 0x94d049bb133111ebU;
   std::size_t slot = (key ^ key >> 31) & (slots_.size() - 1);

@@ -23,7 +23,7 @@ class BrickIndex {
  public:
   explicit BrickIndex(const BrickGrid& grid);
 
-  /// Not existing where there is none.
+  /// Returns a number that does not exist if there is no brick.
   BrickNumber find(glm::ivec3 at) const;
 
  private:
@@ -33,7 +33,7 @@ class BrickIndex {
   };
   std::size_t slot_of(glm::ivec3 at) const;
 
-  std::vector<Slot> slots_;  // a power of two, at most half of them taken
+  std::vector<Slot> slots_;  // the size is a power of two, and at most half of the slots are used
 };
 
 }  // namespace meristem

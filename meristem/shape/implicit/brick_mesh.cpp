@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies are sampled in bricks of 8 x 8 x 8 corners near their surface. Each corner's value is computed once, by the
-// brick that owns it, so cells that share corners agree and meshes close. Two cells agree on the face between them
-// because the products of its corners' values are exact in doubles; a tie parts the inside. Vertices stay a
-// thousandth of an edge away from its ends, so no triangle degenerates where a value is exactly 0.
+// Meshes bodies that are sampled in bricks of 8 x 8 x 8 corners near their surface. Each corner's value is computed
+// once, by the brick that owns the corner, so cells that share corners agree and meshes close. Two cells agree on their
+// common face, because the products of its corners' values are exact in doubles. A tie separates the inside. Vertices
+// stay a thousandth of an edge away from its ends, so no triangle degenerates where a value is exactly 0.
 #include "meristem/shape/implicit/brick_mesh.h"
 
 #include <algorithm>
@@ -22,21 +22,22 @@ namespace {
 
 constexpr int kSide = kBrickSide;
 constexpr int kRows = kSide * kSide;
-constexpr double kFromEnds = 1e-3;      // of an edge, that vertices keep from its ends at least
-constexpr double kMostFromEnds = 0.25;  // and far from the origin at most
-constexpr double kRounding = 1e-6;      // of a coordinate, several steps of a float
-constexpr double kInnerHeight = 0.02;   // cells that points inside keep from lines between others, if they can
+constexpr double kFromEnds = 1e-3;      // share of an edge: minimum distance of vertices from its ends
+constexpr double kMostFromEnds = 0.25;  // maximum of this distance, far from the origin
+constexpr double kRounding = 1e-6;      // share of a coordinate, several float steps
+constexpr double kInnerHeight = 0.02;   // in cells: distance that inner points keep, if possible, from lines between
+                                        // other points
 constexpr int kInnerTries = 6;
 constexpr std::uint32_t kInner = 0x80000000U;  // marks points inside cells until all are counted
 constexpr std::uint64_t kMostVertices = 0x7fffffffU;
 
-/// The lower end of a cell's edge.
+/// Returns the lower end of a cell's edge.
 glm::ivec3 edge_start(int edge) {
   const int corner = edge_corners(edge)[0];
   return {corner & 1, corner >> 1 & 1, corner >> 2};
 }
 
-/// How many bits are set, where machines need not have an instruction for it.
+/// Returns the number of set bits. Some processors have no instruction for it.
 std::uint32_t bit_count(std::uint32_t bits) {
   bits -= bits >> 1 & 0x55555555U;
   bits = (bits & 0x33333333U) + (bits >> 2 & 0x33333333U);
@@ -46,12 +47,12 @@ std::uint32_t bit_count(std::uint32_t bits) {
 int row_index(int y, int z) { return y + kSide * z; }
 int corner_index(glm::ivec3 corner) { return corner.x + kSide * row_index(corner.y, corner.z); }
 
-/// Which corners of a brick are inside, one bit per corner, and the vertices on the edges that leave its corners
+/// The corners of a brick that are inside, one bit per corner, and the vertices on the edges that leave its corners
 /// upward.
 struct BrickTopology {
   std::array<std::uint8_t, kRows> inside{};
   std::array<std::uint32_t, kRows> edges{};       // 8 bits each for edges along x, y and z
-  std::array<std::uint16_t, kRows> first_edge{};  // vertices of the rows before
+  std::array<std::uint16_t, kRows> first_edge{};  // number of vertices in earlier rows
   std::uint32_t vertices = 0;
 
   std::uint32_t rank(glm::ivec3 corner, int axis) const {
@@ -61,10 +62,10 @@ struct BrickTopology {
   }
 };
 
-/// The vertices on the edges that leave a brick's corners upward, along each axis; unset where there are none.
+/// The vertices on the edges that leave a brick's corners upward, along each axis. Entries without a vertex are unset.
 using BrickVertices = std::array<std::array<std::uint32_t, kBrickSize>, 3>;
 
-/// A brick with its seven neighbours above it along the axes, and what its cells see of them.
+/// A brick with its seven neighbours above it along the axes, as its cells see them.
 class Neighbourhood {
  public:
   Neighbourhood(const BrickGrid& grid, const BrickIndex& index, const std::vector<std::vector<BrickTopology>>& topology,
@@ -78,7 +79,7 @@ class Neighbourhood {
     }
   }
 
-  /// The nine corners of a row of cells that are inside.
+  /// Returns which of the nine corners of a row of cells are inside.
   std::uint32_t inside(int y, int z) const { return inside_[z][y]; }
 
   BrickNumber brick_of(glm::ivec3 corner) const {
@@ -91,7 +92,7 @@ class Neighbourhood {
   }
 
  private:
-  // Where a brick is missing, the cells that touch it have one sign: that of our own corner next to it.
+  // If a brick is missing, all corners of the cells that touch it have the sign of our own corner next to it.
   std::uint32_t inside_row(int y, int z) const {
     const int which = (y >> 3) << 1 | (z >> 3) << 2;
     std::uint32_t row = 0;
@@ -120,7 +121,7 @@ class BrickMesher {
       topology_.emplace_back(chunk.at.size());
       for (const glm::ivec3 at : chunk.at) farthest = glm::max(farthest, glm::abs(grid.position(kSide * (at + 1))));
     }
-    // Where coordinates are large for the cells, rounding must not bring vertices together.
+    // If coordinates are large relative to the cells, rounding must not join vertices.
     const double rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z}) / grid.cell;
     from_ends_ = std::clamp(rounding, kFromEnds, kMostFromEnds);
   }
@@ -129,7 +130,7 @@ class BrickMesher {
     each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_signs(chunk, brick); });
     each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_edges(chunk, brick); });
     const std::uint64_t vertices = number_vertices();
-    // A closed mesh has about two triangles a vertex.
+    // A closed mesh has about two triangles per vertex.
     if (2 * vertices > limits.triangles || vertices > kMostVertices) {
       throw_limit("triangles at this resolution", 2.0 * static_cast<double>(vertices), limits.triangles, "triangles",
                   path);
@@ -142,7 +143,7 @@ class BrickMesher {
   }
 
  private:
-  struct Part {  // what a chunk makes
+  struct Part {  // the result of a chunk
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<Vec3> inner;
     std::vector<std::uint32_t> brick_of_inner;
@@ -237,7 +238,7 @@ class BrickMesher {
     }
   }
 
-  /// Where along an edge the value is 0.
+  /// Returns the position along an edge at which the value is 0.
   double crossing(float from, float to) const {
     const double share = from / (static_cast<double>(from) - to);
     // Two infinities meet in the middle.
@@ -278,8 +279,8 @@ class BrickMesher {
     return cell_surface(pattern, values);
   }
 
-  /// The position of a cell's inner point: the mean of its edges' points, or beside it where that lies in line with two
-  /// of them, as among values that are alike.
+  /// Returns the position of a cell's inner point: the mean of the points on its edges. If the mean lies in line with
+  /// two of them, as among equal values, the inner point lies beside it.
   Vec3 inner_point(const Neighbourhood& around, glm::ivec3 place, glm::ivec3 cell, const CellSurface& surface,
                    std::size_t which) const {
     std::array<DVec3, 12> points;
@@ -313,7 +314,7 @@ class BrickMesher {
     return Vec3(grid_.origin + grid_.cell * (DVec3(place) + best));
   }
 
-  /// Their mean for no shift, else with more of some.
+  /// Returns the mean of the points for shift 0. Other shifts give some points more weight.
   static DVec3 weighted_mean(const std::array<DVec3, 12>& points, std::uint32_t edges, int shift) {
     DVec3 sum{0};
     double weights = 0;
@@ -326,7 +327,7 @@ class BrickMesher {
     return sum / weights;
   }
 
-  /// Puts the chunks' triangles and inner points together.
+  /// Combines the triangles and inner points of the chunks.
   void gather() {
     std::vector<std::size_t> first_triangle(1, 0);
     std::vector<std::uint32_t> first_inner(1, static_cast<std::uint32_t>(made_.mesh.positions.size()));

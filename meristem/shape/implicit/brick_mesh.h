@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marching cubes over bricks: one vertex on each edge of a cell whose ends differ in sign, shared by all cells about
-// it, and triangles between them as cell_surface.h says.
+// Marching cubes over bricks. Each edge of a cell whose ends differ in sign has one vertex, which all cells around the
+// edge share. cell_surface.h defines the triangles between vertices.
 //
 // Based on: W. E. Lorensen, H. E. Cline: Marching cubes (1987).
 #pragma once
@@ -16,20 +16,20 @@
 
 namespace meristem {
 
-/// A mesh without normals, and where its vertices come from.
+/// A mesh without normals, and the origin of its vertices.
 struct BrickMesh {
   Mesh mesh;
-  /// The vertices that brick b of chunk c made are first_vertex[c][b] to first_vertex[c][b + 1].
+  /// Brick b of chunk c made the vertices from first_vertex[c][b] to first_vertex[c][b + 1].
   std::vector<std::vector<std::uint32_t>> first_vertex;
-  /// Points inside cells, the last vertices: the chunk and brick of each.
+  /// Points inside cells, which are the last vertices: the chunk and brick of each.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> inner;
 };
 
-/// The surface between values below 0 and the others: closed where the grid's promise holds, 2-manifold, its front
-/// outside, without degenerate triangles. Vertices keep at least a thousandth of an edge from its ends; where
-/// coordinates are large for the cells, they keep far enough off that rounding does not bring them together, while
-/// cells are wider than some millionths of those. Throws InputError at `path` past the limit of triangles, before they
-/// are made, and Cancelled. Deterministic on any number of threads; cost linear in bricks.
+/// Returns the surface between values below 0 and all others. The mesh is closed if the grid is valid, 2-manifold, with
+/// its front outside and without degenerate triangles. Vertices keep at least a thousandth of an edge from its ends. If
+/// coordinates are large relative to the cells, vertices keep far enough from the ends that rounding does not join
+/// them. This holds for cells wider than some millionths of the coordinates. Throws InputError at `path` before the
+/// limit of triangles is exceeded, and Cancelled. Deterministic on any number of threads. The cost is linear in bricks.
 BrickMesh mesh_bricks(const BrickGrid& grid, const Limits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

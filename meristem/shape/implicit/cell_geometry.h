@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The unit cube that marching cubes looks at: its eight corners, twelve edges and six faces, by number.
+// The unit cube of marching cubes: its eight corners, twelve edges and six faces, by number.
 //
-// Corner c lies at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 * axis + k runs along `axis`; k is its position in the two
-// other axes, the earlier one counting 1 and the later one 2. Face 2 * axis + side is the one where `axis` is `side`.
+// Corner c lies at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 * axis + k runs along `axis`. k is its position in the two
+// other axes, where the earlier axis counts 1 and the later 2. Face 2 * axis + side is the face where `axis` is `side`.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace meristem {
 inline constexpr int kCellEdges = 12;
 inline constexpr int kCellFaces = 6;
 
-/// Its two ends, the lower first.
+/// Returns the two ends of an edge, the lower one first.
 constexpr std::array<int, 2> edge_corners(int edge) {
   const int axis = edge / 4, k = edge % 4;
   const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
@@ -23,7 +23,7 @@ constexpr std::array<int, 2> edge_corners(int edge) {
   return {low, low | (1 << axis)};
 }
 
-/// By two corners: the edge between them, -1 where they are no neighbours.
+/// For two corners: the edge between them, or -1 if they are not neighbours.
 inline constexpr std::array<std::array<std::int8_t, 8>, 8> kEdgesBetween = [] {
   std::array<std::array<std::int8_t, 8>, 8> edges{};
   for (auto& of_corner : edges) of_corner.fill(-1);
@@ -34,10 +34,10 @@ inline constexpr std::array<std::array<std::int8_t, 8>, 8> kEdgesBetween = [] {
   return edges;
 }();
 
-/// The edge between two neighbouring corners.
+/// Returns the edge between two neighbouring corners.
 constexpr int edge_between(int a, int b) { return kEdgesBetween[a][b]; }
 
-/// Counter-clockwise, seen from outside of the cube.
+/// Returns the corners of a face, counter-clockwise as seen from outside of the cube.
 constexpr std::array<int, 4> face_corners(int face) {
   const int axis = face / 2, side = face % 2;
   const int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3);
@@ -62,7 +62,7 @@ inline constexpr std::array<unsigned, kCellFaces> kFaceEdges = [] {
   return edges;
 }();
 
-/// True for edges (one bit per edge) that all lie on one face.
+/// Returns true if the edges (one bit per edge) all lie on one face.
 constexpr bool share_a_face(unsigned edges) {
   for (const unsigned face : kFaceEdges) {
     if ((edges & ~face) == 0) return true;

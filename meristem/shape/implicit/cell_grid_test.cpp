@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells of a grid put together: what a plain extraction over all of them makes of random and of known fields.
+// Puts the cells of a grid together and checks the meshes that a plain extraction makes of random and of known fields.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -29,10 +29,10 @@ struct Grid {
   double origin = 0, spacing = 1;
 };
 
-/// Every cell of a grid, one after the other.
+/// Extracts every cell of a grid, one after the other.
 class Extraction {
  public:
-  /// Points keep `margin` of an edge away from its ends.
+  /// Points keep `margin` of an edge from its ends.
   Extraction(const Grid& grid, double margin) : grid_(grid), margin_(margin) {
     for (std::size_t z = 0; z + 1 < grid.n; ++z) {
       for (std::size_t y = 0; y + 1 < grid.n; ++y) {
@@ -97,7 +97,7 @@ bool is_border(std::size_t i, std::size_t n) {
   return false;
 }
 
-/// Outside at its border.
+/// Returns a random grid that is outside at its border.
 Grid random_grid(std::size_t n, RandomKey key, const std::function<float(double)>& value) {
   Grid grid{n, std::vector<float>(n * n * n)};
   for (std::size_t i = 0; i < grid.values.size(); ++i) {
@@ -144,7 +144,7 @@ TEST(CellGrid, EqualAndExtremeValuesGiveClosedMeshes) {
 }
 
 TEST(CellGrid, TurnedInsideOutAnExtractionHasTheSameTriangles) {
-  // Where signs alone decide, the complement has the same triangles the other way round.
+  // If signs alone decide, the complement has equal triangles with opposite orientation.
   for (int pattern = 0; pattern < 256; ++pattern) {
     if (is_ambiguous(static_cast<std::uint8_t>(pattern))) continue;
     const auto sorted = [](const CellSurface& surface) {

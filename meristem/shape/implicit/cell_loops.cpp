@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Traces the loops of a cell's surface. On each face, the boundary between inside and outside connects two crossed
+// edges, or four on an ambiguous face. Following these connections from edge to edge closes each loop.
 #include "meristem/shape/implicit/cell_loops.h"
 
 #include "meristem/shape/implicit/cell_geometry.h"
@@ -8,7 +10,7 @@ namespace {
 
 bool is_inside(std::uint8_t pattern, int corner) { return (pattern >> corner & 1) != 0; }
 
-/// Where a walk around a face, counter-clockwise, comes inside, and where it leaves again: one visit or two.
+/// The positions where a walk around a face, counter-clockwise, enters the inside and leaves it: one or two visits.
 struct Visits {
   int count = 0;
   std::array<int, 2> entries{}, exits{};
@@ -48,7 +50,8 @@ std::uint8_t find_ambiguous_faces(std::uint8_t pattern) {
 }
 
 std::vector<CellLoop> cell_loops(std::uint8_t pattern, std::uint8_t joined) {
-  // On each face the surface runs from where the walk enters to where it leaves; across the neck, where there is one.
+  // On each face, the surface connects the edge where the walk enters with the edge where it leaves. If inside corners
+  // are joined, it connects across the neck.
   std::array<int, kCellEdges> next;
   next.fill(-1);
   for (int face = 0; face < kCellFaces; ++face) {
@@ -57,7 +60,7 @@ std::vector<CellLoop> cell_loops(std::uint8_t pattern, std::uint8_t joined) {
     for (int k = 0; k < visits.count; ++k) next[visits.entries[k]] = visits.exits[k ^ other];
   }
 
-  // Each crossed edge is entered on one of its faces and left on the other, so the runs make loops.
+  // Each crossed edge is entered on one of its faces and left on the other, so the connections form loops.
   std::vector<CellLoop> loops;
   std::uint16_t left = find_crossed_edges(pattern);
   for (int edge = 0; edge < kCellEdges; ++edge) {

@@ -7,20 +7,21 @@
 
 namespace meristem {
 
-// A pattern has bit c where corner c of a cell is inside.
+// The loops of a surface on the faces of a cell. In a pattern, bit c is set if corner c of the cell is inside.
 
-/// The edges between an inside and an outside corner, one bit per edge.
+/// Returns the edges between an inside and an outside corner, one bit per edge.
 std::uint16_t find_crossed_edges(std::uint8_t pattern);
 
-/// The faces (numbered as in cell_geometry.h) whose two inside corners lie across, one bit per face.
+/// Returns the faces (numbered as in cell_geometry.h) whose two inside corners are opposite, one bit per face.
 std::uint8_t find_ambiguous_faces(std::uint8_t pattern);
 
-/// The edges that a loop of the surface crosses, in order: inside corners lie on its left, seen from outside of the
-/// cell along its faces, so that the piece within it faces outward.
+/// The edges that a loop of the surface crosses, in order. Seen from outside the cell, inside corners lie on the left
+/// of the loop, so that the surface within the loop faces outward.
 using CellLoop = std::vector<std::uint8_t>;
 
-/// The loops in which the surface meets the cell's faces, that with the lowest edge first and each from its lowest
-/// edge. `joined` has the bits of those ambiguous faces on which the two inside corners are joined.
+/// Returns the loops in which the surface meets the cell's faces. The loop with the lowest edge comes first, and each
+/// loop begins at its lowest edge. `joined` has the bits of the ambiguous faces on which the two inside corners are
+/// joined.
 std::vector<CellLoop> cell_loops(std::uint8_t pattern, std::uint8_t joined);
 
 }  // namespace meristem

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// In goes a cell's corner values, out comes one of the surfaces of a table. Signs decide most. On a face whose inside
-// corners lie across, the product of the inside values against that of the outside values tells which pair is joined
-// (the sign of the bilinear function at its saddle). Within, each slice along z is such a face, whose corners move
-// linearly and whose difference of products is a quadratic of the height: where it has two roots while opposite corners
-// stay alike, two sheets meet at the first, part again at the second, and have become a tunnel. One axis is enough, as
-// slices along any of them tell the same topology.
+// Selects a cell's surface from a table by its corner values. Mostly the signs decide. On a face whose inside corners
+// are opposite, the product of the inside values is compared with the product of the outside values. This is the sign
+// of the bilinear function at its saddle, and decides if the inside corners are joined. Inside the cell, each slice
+// along z is such a face. Its corners change linearly, and the difference of products is a quadratic of the height. If
+// it has two roots while opposite corners keep equal signs, two sheets meet at the first root and separate at the
+// second, and form a tunnel. One axis is sufficient, because slices along all axes give the same topology.
 //
 // Based on: W. Lorensen, H. Cline: Marching cubes (SIGGRAPH 1987); G. Nielson, B. Hamann: The asymptotic decider
-// (Visualization 1991); E. Chernyaev: Marching cubes 33 (CERN CN/95-17, 1995), whose interior test, there for some
-// slices, is here for all that matter; A. Lopes, K. Brodlie: Improving the robustness and accuracy of the marching
-// cubes algorithm for isosurfacing (IEEE TVCG 9, 2003), for what the trilinear function can do.
+// (Visualization 1991); E. Chernyaev: Marching cubes 33 (CERN CN/95-17, 1995), whose interior test uses some slices,
+// while all relevant slices are tested here; A. Lopes, K. Brodlie: Improving the robustness and accuracy of the
+// marching cubes algorithm for isosurfacing (IEEE TVCG 9, 2003), for the topologies of the trilinear function.
 #include "meristem/shape/implicit/cell_surface.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using Values = std::array<double, 8>;
 
-/// Infinite values would give products without a value.
+/// Replaces infinite values, whose products would have no value.
 Values finite(std::span<const float, 8> values) {
   constexpr float kMost = std::numeric_limits<float>::max();
   Values result;
@@ -31,8 +31,8 @@ Values finite(std::span<const float, 8> values) {
   return result;
 }
 
-/// The ambiguous faces on which inside corners are joined. Products of two floats are exact in doubles, so that both
-/// cells of a face agree; when they are equal the inside is parted.
+/// Returns the ambiguous faces on which inside corners are joined. Products of two floats are exact in doubles, so both
+/// cells of a face agree. If the products are equal, the inside is separated.
 std::uint8_t joined_faces(std::uint8_t ambiguous, const Values& values) {
   std::uint8_t joined = 0;
   for (int face = 0; face < kCellFaces; ++face) {
@@ -51,10 +51,10 @@ struct Column {
   double at(double t) const { return low + t * (high - low); }
 };
 
-/// The heights at which the corners of a slice have given signs: an interval, and what ends it.
+/// The interval of heights at which the corners of a slice have given signs.
 struct Heights {
   double from = 0, to = 1;
-  /// Where the interval ends within the cell, a corner is 0 there, and the difference of products has a known sign.
+  /// If the interval ends within the cell, a corner is 0 there, and the difference of products has a known sign.
   int sign_from = 0, sign_to = 0;
 
   void cut(Column column, bool inside, int sign_at_zero) {
@@ -67,7 +67,8 @@ struct Heights {
   }
 };
 
-/// a c - b d of the four columns as a quadratic: its two roots lie where columns a and c are inside, and b and d not.
+/// a c - b d of the four columns is a quadratic of the height. Returns true if its two roots lie where columns a and c
+/// are inside, and b and d are not.
 bool has_two_roots(const Column& a, const Column& b, const Column& c, const Column& d) {
   Heights heights;
   heights.cut(a, true, -1);

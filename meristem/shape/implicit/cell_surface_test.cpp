@@ -24,7 +24,7 @@ namespace meristem::cell_surface_test {
 
 using Corners = std::array<float, 8>;
 
-/// Which of `count` things belong together.
+/// Finds which of `count` items are connected.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
@@ -48,7 +48,7 @@ std::ostream& operator<<(std::ostream& out, const Topology& topology) {
              << " boundaries";
 }
 
-/// How often each edge, lower point first, is a triangle's side.
+/// Counts how often each edge, lower point first, is a triangle's side.
 std::map<std::pair<int, int>, int> count_sides(const CellSurface& surface) {
   std::map<std::pair<int, int>, int> sides;
   for (const auto& triangle : surface.triangles) {
@@ -86,7 +86,7 @@ double trilinear(const Corners& values, DVec3 at) {
   return sum;
 }
 
-/// For each corner the connected region of equal signs that it lies in, from samples `n` to an edge.
+/// Returns for each corner its connected region of equal signs, from `n` samples per edge.
 std::array<std::size_t, 8> sampled_regions(const Corners& values, std::size_t n) {
   const std::size_t row = n + 1, layer = row * row;
   Groups regions(layer * row);
@@ -105,7 +105,7 @@ std::array<std::size_t, 8> sampled_regions(const Corners& values, std::size_t n)
   return result;
 }
 
-/// True if crossed edges lie on one piece of the surface where, and only where, they part the same two regions.
+/// Returns true if two crossed edges lie on one piece of the surface exactly if they separate the same two regions.
 bool agrees_with_samples(const Corners& values, std::size_t n) {
   const CellSurface& surface = cell_surface(values);
   Groups pieces(64);
@@ -170,14 +170,14 @@ TEST(CellSurface, AgreesWithDenseSamplesInAmbiguousCells) {
     if (!has_tunnel && i % 16 != 0) continue;  // tunnels are rare
     ++cells;
     if (has_tunnel) ++tunnels;
-    // Necks thinner than the first samples need the second.
+    // Necks thinner than the first samples need the second, finer samples.
     EXPECT_TRUE(agrees_with_samples(values, 24) || agrees_with_samples(values, 96)) << "cell " << i;
   }
   EXPECT_GT(tunnels, 5);
 }
 
 TEST(CellSurface, ForgetsNoTunnelBetweenTwoCorners) {
-  // Two opposite corners that reach for each other through the cell.
+  // Two opposite corners extend toward each other through the cell.
   const auto between = [](float others) { return Corners{-1, others, others, others, others, others, others, -1}; };
   EXPECT_EQ(topology_of(cell_surface(between(0.3F))), (Topology{1, 0, 2}));
   EXPECT_EQ(topology_of(cell_surface(between(0.4F))), (Topology{2, 2, 2}));

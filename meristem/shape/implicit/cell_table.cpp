@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For a pattern of corners, a way to join them on ambiguous faces, and a tunnel, the loops are traced and triangulated.
-// Nothing is decided here: which of a pattern's surfaces a cell has, its values tell. Tried first: all surfaces at
-// once, which took 8 ms, as long as the whole mesh of a small body.
+// Makes the surfaces of cells. For a pattern of corners, a way to join them on ambiguous faces, and a tunnel, the loops
+// are traced and triangulated. The choice among the surfaces of a pattern is made elsewhere, from the cell's values.
+// Tried first: making all surfaces at once, which took 8 ms, as long as the whole mesh of a small body.
 #include "meristem/shape/implicit/cell_table.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kTunnels = 3;
 
-/// An edge of the piece of surface that leaves the cell between two columns, at the height of a tunnel. There the one
-/// column is inside, and the other outside.
+/// Returns an edge of the piece of surface that leaves the cell between two columns, at the height of a tunnel. There,
+/// the first column is inside and the second outside.
 std::optional<int> edge_between_columns(std::uint8_t pattern, int inside, int outside) {
   const auto is_inside = [&](int corner) { return (pattern >> corner & 1) != 0; };
   for (const int top : {0, 4}) {
@@ -28,7 +28,7 @@ std::optional<int> edge_between_columns(std::uint8_t pattern, int inside, int ou
   return std::nullopt;
 }
 
-/// The two loops that are joined by the tunnel, if these signs allow it.
+/// Returns the two loops that the tunnel joins, if these signs allow a tunnel.
 std::optional<std::pair<std::size_t, std::size_t>> joined_loops(const std::vector<CellLoop>& loops,
                                                                 std::uint8_t pattern, Tunnel tunnel) {
   if (tunnel == Tunnel::none) return std::nullopt;
@@ -61,7 +61,7 @@ CellPieces make_pieces(const std::vector<CellLoop>& loops, std::uint8_t pattern,
   return pieces;
 }
 
-/// Which subset of a set of bits it is, of 2 to the power of their number.
+/// Returns the index of a subset among all subsets of a set of bits.
 unsigned subset_index(std::uint8_t bits, std::uint8_t chosen) {
   unsigned index = 0, place = 1;
   for (unsigned bit = 0; bit < 8; ++bit) {
@@ -104,7 +104,7 @@ const CellSurface& CellTable::surface(std::uint8_t pattern, std::uint8_t joined,
 const CellSurface& CellTable::make(std::size_t index, std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const {
   const std::vector<CellLoop> loops = cell_loops(pattern, joined);
   const std::lock_guard lock(making_);
-  // Another thread may have been here.
+  // Another thread may have made the surface in the meantime.
   if (const CellSurface* const made = surfaces_[index].load(std::memory_order_relaxed)) return *made;
   Made& made = made_.emplace_back();
   made.pieces = make_pieces(loops, pattern, joined_loops(loops, pattern, tunnel));

@@ -13,27 +13,29 @@
 
 namespace meristem {
 
-/// What goes on between four columns, the edges along z, where opposite ones are alike and neighbours are not.
+/// The connection inside a cell between four columns (the edges along z), if opposite columns have equal signs and
+/// neighbours do not.
 enum class Tunnel : std::uint8_t {
   none,
-  between_even_columns,  ///< inside are those at x = y
-  between_odd_columns,   ///< inside are those at x != y
+  between_even_columns,  ///< the columns with x = y are inside
+  between_odd_columns,   ///< the columns with x != y are inside
 };
 
-/// Every surface that a cell can have, each made when a cell has it for the first time: a body has few of the 1,712.
+/// Every surface that a cell can have. Each surface is made when a cell needs it for the first time, because a body has
+/// few of the 1,712.
 class CellTable {
  public:
-  /// The one table.
+  /// Returns the only table.
   static const CellTable& instance();
 
-  /// `joined` has the bits of those ambiguous faces on which the two inside corners are joined, and no others.
+  /// `joined` must have only bits of ambiguous faces, on which the two inside corners are joined.
   const CellSurface& surface(std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const;
-  /// The surface of a pattern that is not ambiguous.
+  /// Returns the surface of a pattern that is not ambiguous.
   const CellSurface& surface(std::uint8_t pattern) const {
     const CellSurface* const made = surfaces_[first_[pattern]].load(std::memory_order_acquire);
     return made != nullptr ? *made : make(first_[pattern], pattern, 0, Tunnel::none);
   }
-  /// More than one surface for these signs.
+  /// Returns true if these signs have more than one surface.
   bool is_ambiguous(std::uint8_t pattern) const { return first_[pattern + 1] > first_[pattern] + 1; }
   std::uint8_t ambiguous_faces(std::uint8_t pattern) const { return faces_[pattern]; }
   std::uint16_t crossed_edges(std::uint8_t pattern) const { return edges_[pattern]; }
@@ -44,13 +46,14 @@ class CellTable {
  private:
   struct Made {
     CellPieces pieces;
-    CellSurface surface;  ///< spans of the pieces
+    CellSurface surface;  ///< its spans refer to the pieces
   };
 
   CellTable();
   const CellSurface& make(std::size_t index, std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const;
 
-  std::array<std::uint16_t, 257> first_{};  ///< of a pattern's surfaces: one, or one for each joining and tunnel
+  std::array<std::uint16_t, 257> first_{};  ///< first surface of each pattern, which has one surface, or one for each
+                                            ///< way to join and tunnel
   std::array<std::uint8_t, 256> faces_{};
   std::array<std::uint16_t, 256> edges_{};
   mutable std::vector<std::atomic<const CellSurface*>> surfaces_;  ///< null until made

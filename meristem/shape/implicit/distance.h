@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signed distances, negative inside, and the operations on them, at one position; without branches where compilers can
-// then do several positions at once. T is float or double.
+// Signed distances, negative inside, and the operations on them, at one position. They have no branches where compilers
+// can then process several positions at once. T is float or double.
 //
 // Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), equations 2.12 and 2.13; A. Pasko, V.
 // Savchenko: Blending operations for the functionally based constructive geometry (1994); I. Quilez: Smooth minimum
@@ -21,15 +21,15 @@ namespace meristem::distance {
 template <class T>
 using V3 = glm::vec<3, T>;
 
-/// All balls about the points of a segment, with radii that change evenly along it.
+/// The union of all balls around the points of a segment, whose radii change evenly along it.
 template <class T>
 struct RoundCone {
   V3<T> origin{0};  ///< on the axis
-  V3<T> axis{0};    ///< unit
-  T low = 0;        ///< where the segment begins, along the axis from the origin
-  T high = 0;       ///< where the segment ends, along the axis from the origin
-  T radius = 0;     ///< at the origin
-  T slope = 0;      ///< fall of the radius along the axis: the sine of the flank's angle, in (-1, 1)
+  V3<T> axis{0};    ///< unit vector
+  T low = 0;        ///< start of the segment, along the axis from the origin
+  T high = 0;       ///< end of the segment, along the axis from the origin
+  T radius = 0;     ///< radius at the origin
+  T slope = 0;      ///< decrease of the radius along the axis, which is the sine of the flank's angle, in (-1, 1)
   T tangent = 0;    ///< tangent of the flank's angle
 
   /// Returns the distance from the position (x, y, z) to the surface, negative inside.
@@ -39,7 +39,7 @@ struct RoundCone {
     const T dz = z - origin.z;
     const T along = dx * axis.x + dy * axis.y + dz * axis.z;
     const T across2 = std::max(T(0), dx * dx + dy * dy + dz * dz - along * along);
-    // The nearest ball lies where the flank's normal from the position meets the axis.
+    // The nearest ball lies where the flank's normal through the position meets the axis.
     const T centre = std::min(std::max(along - std::sqrt(across2) * tangent, low), high);
     const T rest = along - centre;
     return std::sqrt(across2 + rest * rest) - (radius - slope * centre);
@@ -52,8 +52,8 @@ struct FlatCone {
   V3<T> origin{0};    ///< in the middle of the axis
   V3<T> axis{0};      ///< unit vector
   T half = 0;         ///< half of the length
-  T low_radius = 0;   ///< radius of the disc against the axis
-  T high_radius = 0;  ///< radius of the disc along the axis
+  T low_radius = 0;   ///< radius of the disc at the end against the axis
+  T high_radius = 0;  ///< radius of the disc at the end along the axis
 
   /// Returns the distance from the position (x, y, z) to the surface, negative inside.
   T distance(T x, T y, T z) const {
@@ -61,12 +61,12 @@ struct FlatCone {
     const T dy = y - origin.y;
     const T dz = z - origin.z;
     const T along = dx * axis.x + dy * axis.y + dz * axis.z;
-    // Squares of what lies far along the axis would cancel.
+    // Far along the axis, differences of squares would lose digits.
     const T ax = dx - along * axis.x;
     const T ay = dy - along * axis.y;
     const T az = dz - along * axis.z;
     const T across = std::sqrt(ax * ax + ay * ay + az * az);
-    // To the nearer disc, then to the flank, in the half-plane through the axis.
+    // Distance to the nearer disc, then to the flank, in the half-plane through the axis.
     const T disc = along < 0 ? low_radius : high_radius;
     const T off_disc = across - std::min(across, disc);
     const T beyond = std::abs(along) - half;
@@ -83,7 +83,7 @@ struct FlatCone {
   }
 };
 
-/// A box in any rotation.
+/// A box with any rotation.
 template <class T>
 struct Box {
   V3<T> origin{0};            ///< the centre
@@ -102,16 +102,17 @@ struct Box {
   }
 };
 
-/// An ellipsoid in any rotation.
+/// An ellipsoid with any rotation.
 template <class T>
 struct Ellipsoid {
   V3<T> origin{0};            ///< the centre
   glm::mat<3, 3, T> axes{1};  ///< columns: unit vectors along the half axes
   V3<T> radii{1};             ///< half axes
 
-  /// The nearest point is r²p / (t + r²), with the t that brings it onto the surface: a convex function's root, which
-  /// Newton's steps reach from below. They count u = t + the least r², so that positions near the plane across the
-  /// thinnest axis lose no digits.
+  /// Returns the distance from the position to the surface, negative inside. The nearest point is r²p / (t + r²), with
+  /// the t that puts it onto the surface. This t is the root of a convex function, which Newton's method reaches from
+  /// below. The iteration uses u = t + the smallest r², so that positions near the plane across the thinnest axis lose
+  /// no digits.
   T distance(T x, T y, T z) const {
     const V3<T> d = V3<T>(x, y, z) - origin;
     const glm::dvec3 place(std::abs(glm::dot(d, axes[0])), std::abs(glm::dot(d, axes[1])),
@@ -121,7 +122,7 @@ struct Ellipsoid {
     const glm::dvec3 more = r * r - r[thin] * r[thin];
     const glm::dvec3 start = r * place - more;
     double u = std::max(start.x, std::max(start.y, start.z));
-    glm::dvec3 share{0};  // the nearest point over the radii
+    glm::dvec3 share{0};  // the nearest point divided by the radii
     double slope = 0;
     const auto excess_at = [&](double at) {
       slope = 0;
@@ -139,7 +140,7 @@ struct Ellipsoid {
       u = next;
       excess = excess_at(u);
     }
-    // On the plane across the thinnest axis, near the middle, two points are nearest, above and below.
+    // On the plane across the thinnest axis, near the middle, two points are nearest: one above and one below.
     if (u <= 0 && excess < 0) share[thin] = std::sqrt(-excess);
     const double gap = glm::distance(place, r * share);
     const bool is_inside = glm::dot(place / r, place / r) < 1;
@@ -147,20 +148,20 @@ struct Ellipsoid {
   }
 };
 
-/// Where two bodies meet, a fillet that reaches `width` far; at most width / 4 below the smaller distance.
+/// A union with a fillet of size `width` where two bodies meet. At most width / 4 below the smaller distance.
 template <class T>
 T blend_poly(T a, T b, T width, T over_four_widths) {
   const T near = std::max(width - std::abs(a - b), T(0));
   return std::min(a, b) - near * near * over_four_widths;
 }
 
-/// Heuer's: below the smaller distance everywhere, by width / 2 where both are equal.
+/// Heuer's union: below the smaller distance everywhere, by width / 2 if both are equal.
 template <class T>
 T blend_root(T a, T b, T width) {
   return T(0.5) * (a + b - std::sqrt((a - b) * (a - b) + width * width));
 }
 
-/// A sharp union (Pasko's equation for alpha = 1) less his displacement, which is width / 4 where both are 0.
+/// A sharp union (Pasko's equation for alpha = 1) minus his displacement, which is width / 4 where both are 0.
 template <class T>
 T blend_pasko(T a, T b, T width) {
   return std::min(a, b) - T(0.25) * width * width * width / (width * width + a * a + b * b);

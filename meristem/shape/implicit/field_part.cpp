@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Bounds the values of a body's function in eight cubes at once and drops clauses without effect. Bounds are computed
+// from the first step to the last, and the decisions run back from the last step to the first. The header explains the
+// rules.
 #include "meristem/shape/implicit/field_part.h"
 
 #include <algorithm>
@@ -15,14 +18,14 @@ namespace {
 
 using Kind = BodyClause::Kind;
 
-constexpr double kPolyFading = 2.455;          // natural logarithms a width
-constexpr double kOuterHalfDiagonal = 0.8661;  // of a cube, a little more than sqrt(3) / 2
+constexpr double kPolyFading = 2.455;          // natural logarithms per width
+constexpr double kOuterHalfDiagonal = 0.8661;  // of a cube of side 1, slightly more than sqrt(3) / 2
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 bool is_union(Kind kind) { return kind != Kind::intersect && kind != Kind::subtract; }
 
 distance::RoundCone<float> moved(const distance::RoundCone<double>& cone, DVec3 origin) {
-  // From the position on the axis that is nearest to the origin, as what lies far along the axis would lose digits.
+  // Relative to the position on the axis nearest to the origin, because positions far along the axis would lose digits.
   const double shift = std::clamp(glm::dot(origin - cone.origin, cone.axis), cone.low, cone.high);
   const DVec3 at = cone.origin + shift * cone.axis - origin;
   return {.origin = glm::vec3(at),
@@ -47,7 +50,7 @@ distance::Ellipsoid<float> moved(const distance::Ellipsoid<double>& ellipsoid, D
   return {glm::vec3(ellipsoid.origin - origin), glm::mat3(ellipsoid.axes), glm::vec3(ellipsoid.radii)};
 }
 
-/// `a` becomes the operation's value for `a` and `b`, all positions at once.
+/// Replaces `a` by the result of the operation on `a` and `b`, for all positions at once.
 void combine(Kind kind, float width, std::size_t count, float* a, const float* b) {
   const auto each = [&](auto operation) {
     for (std::size_t k = 0; k < count; ++k) a[k] = operation(a[k], b[k]);
@@ -100,7 +103,7 @@ FieldPruner::FieldPruner(const ImplicitBody& body, std::span<const float> gaps, 
 }
 
 std::vector<float> blend_gaps(const ImplicitBody& body, double error) {
-  double far_blends = 0;  // that reach everywhere
+  double far_blends = 0;  // number of blends that reach everywhere
   for (const BodyClause& clause : body.clauses()) {
     if (clause.kind == Kind::root || clause.kind == Kind::pasko) ++far_blends;
   }
@@ -164,7 +167,7 @@ void FieldPruner::bound_operation(const BodyClause& clause, const Ranges& a, con
     return;
   }
   if (clause.kind == Kind::pasko) {
-    // It falls where a side rises from below to 0: the least displacement goes with the largest sizes.
+    // The function falls where a side rises from below to 0: the smallest displacement belongs to the largest sizes.
     const auto width = static_cast<float>(clause.width);
     const auto least = [](float low, float high) { return low > 0 ? low : high < 0 ? high : 0.0F; };
     for (int k = 0; k < kParts; ++k) {
@@ -193,7 +196,7 @@ void FieldPruner::keep(std::uint32_t parts, double inset, std::array<std::vector
   for (std::vector<FieldStep>& steps : kept) steps.clear();
   if (steps_.empty()) return;
   if (has_pasko_) inset = 0;
-  // From the last step to the first, each operation says where its sides count.
+  // From the last step to the first, each operation decides where its sides have an effect.
   left_.assign(steps_.size(), 0);
   cutoffs_.resize(steps_.size());
   cutoffs_.back().high.fill(near_);
@@ -222,7 +225,8 @@ void FieldPruner::keep(std::uint32_t parts, double inset, std::array<std::vector
   }
 }
 
-/// Says in which parts the sides of a step count. Returns those where both do: there the step itself is left.
+/// Decides in which cubes the sides of a step have an effect. Returns the cubes where both do, in which the step itself
+/// remains.
 std::uint32_t FieldPruner::drop_sides(std::size_t step, float inset) {
   const BodyClause& clause = body_.clauses()[steps_[step].clause];
   const Cutoffs& cutoffs = cutoffs_[step];
@@ -237,7 +241,7 @@ std::uint32_t FieldPruner::drop_sides(std::size_t step, float inset) {
   if (is_union(clause.kind)) {
     const float own = gaps_[steps_[step].clause];
     Lanes highs, gaps;
-    // Without branches, so that compilers do several parts at once.
+    // Written without branches, so that compilers process several cubes at once.
     for (int k = 0; k < kParts; ++k) {
       const float a_low = a.low[k], b_low = b.low[k];
       const float high_before = cutoffs.high[k], gap_before = cutoffs.gap[k];
@@ -277,7 +281,7 @@ void FieldSampler::sample(std::span<const FieldStep> steps, const NearSolids& ne
   std::size_t depth = 0;
   for (const FieldStep& step : steps) {
     const BodyClause& clause = body_.clauses()[step.clause];
-    // The stack's lowest level is where the values are wanted.
+    // The lowest level of the stack is the output.
     const auto level = [&](std::size_t k) { return k == 0 ? values : stack_.data() + (k - 1) * count; };
     if (clause.kind != Kind::solid) {
       --depth;

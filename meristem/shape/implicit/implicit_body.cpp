@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Builds bodies from solids and operations as a list of clauses in postfix order. The box around the solids and the
+// swelling by blends are updated with each operation.
 #include "meristem/shape/implicit/implicit_body.h"
 
 #include <cmath>
@@ -13,7 +15,7 @@ bool is_finite(DVec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std
 
 bool is_size(double value) { return value > 0 && std::isfinite(value); }
 
-/// The rotation and the sizes along its axes of a frame that may scale.
+/// Splits a frame that may scale into its rotation and the sizes along its axes.
 void part(const Frame& frame, Vec3 half, glm::dmat3& axes, DVec3& sizes) {
   axes = glm::dmat3(frame.axes);
   for (int k = 0; k < 3; ++k) {
@@ -25,8 +27,8 @@ void part(const Frame& frame, Vec3 half, glm::dmat3& axes, DVec3& sizes) {
   require(is_finite(DVec3(frame.origin)), "a body's position must be finite");
 }
 
-/// How far an operation swells beyond its sides where these swell by `a` and `b` themselves: blends rise with both
-/// sides, so the lowest value is at their lowest.
+/// Returns how far an operation swells beyond its sides, if the sides themselves swell by `a` and `b`. Blends rise with
+/// both sides, so the lowest value occurs where both sides are lowest.
 double swelling(BodyClause::Kind kind, double a, double b, double width) {
   return kind < BodyClause::Kind::poly ? std::max(a, b) : -apply(kind, -a, -b, width);
 }
@@ -52,7 +54,7 @@ ImplicitBody ImplicitBody::round_cone(DVec3 from, double from_radius, DVec3 to, 
   const double length = glm::distance(from, to);
   const double slope = length > 0 ? (from_radius - to_radius) / length : 2;
   if (std::abs(slope) >= 1) {
-    // One ball holds the other.
+    // One ball contains the other.
     if (to_radius > from_radius) cone.origin = to;
     cone.radius = std::max(from_radius, to_radius);
   } else {
@@ -70,7 +72,7 @@ ImplicitBody ImplicitBody::flat_cone(DVec3 from, double from_radius, DVec3 to, d
   require(from_radius >= 0 && to_radius >= 0 && is_size(std::max(from_radius, to_radius)),
           "a cone's radii must not be negative, and one must be above 0");
   const DVec3 axis = (to - from) / length;
-  // A disc reaches as far along each direction as the sine of the angle between its axis and that.
+  // Along each direction, a disc extends by the sine of the angle between its axis and the direction.
   const DVec3 spread = glm::sqrt(glm::max(1.0 - axis * axis, 0.0));
   const DVec3 low = glm::min(from - from_radius * spread, to - to_radius * spread);
   const DVec3 high = glm::max(from + from_radius * spread, to + to_radius * spread);
@@ -130,7 +132,7 @@ ImplicitBody& ImplicitBody::append(const ImplicitBody& other, BodyClause::Kind k
     high_ = glm::max(high_, other.high_);
     reach_ = swelling(kind, reach_, other.reach_, width);
   } else if (kind == BodyClause::Kind::intersect) {
-    // What both share lies within each, swollen as it may be.
+    // The common part lies within each body with its swelling.
     low_ = glm::max(low_ - reach_, other.low_ - other.reach_);
     high_ = glm::max(low_, glm::min(high_ + reach_, other.high_ + other.reach_));
     reach_ = 0;

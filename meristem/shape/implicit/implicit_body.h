@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids given by functions: negative inside, 0 on the surface, positive outside. Simple ones are signed distances in
-// metres; they are joined by set operations and blends, in the order in which that is written.
+// Solids given by functions: negative inside, 0 on the surface, positive outside. Simple solids are signed distances in
+// metres. They are joined by set operations and blends, in the order of the calls.
 //
 //   ImplicitBody tree = ImplicitBody::round_cone({0, 0, 0}, 0.2, {0, 3, 0}, 0.1);
 //   tree.blend(ImplicitBody::sphere({0, 3.5, 0}, 1), BlendKind::poly, 0.3);
@@ -25,54 +25,57 @@
 
 namespace meristem {
 
-/// Any simple body, in double precision.
+/// Any simple solid, in double precision.
 using Solid = std::variant<distance::RoundCone<double>, distance::FlatCone<double>, distance::Box<double>,
                            distance::Ellipsoid<double>>;
 
-/// One step of a body's function, in postfix order: a solid gives a value, an operation takes the last two.
+/// One step of a body's function, in postfix order: a solid pushes a value, and an operation replaces the last two.
 struct BodyClause {
   /// A solid, a set operation, or a kind of blend.
   enum class Kind : std::uint8_t { solid, unite, intersect, subtract, poly, root, pasko };
   Kind kind = Kind::solid;  ///< solid or operation
   std::uint32_t solid = 0;  ///< number of the solid
-  std::uint32_t size = 1;   ///< clauses of this one with all that it takes
+  std::uint32_t size = 1;   ///< number of clauses of this one and everything that it uses
   double width = 0;         ///< width of blends, metres
 };
 
-/// Lengths in metres, in double, so that bodies may stand far from the origin.
+/// A body as a function. Lengths are in metres, in doubles, so that bodies can stand far from the origin.
 class ImplicitBody {
  public:
-  /// Nothing: outside everywhere.
+  /// The empty body, which is outside everywhere.
   ImplicitBody() = default;
-  /// All that follow throw std::invalid_argument for sizes that are not above 0 and for what is not finite.
+  /// Creates a ball. This and all functions below throw std::invalid_argument for sizes that are not above 0 and for
+  /// numbers that are not finite.
   static ImplicitBody sphere(DVec3 centre, double radius);
-  /// All balls of one radius about the points of a segment.
+  /// Creates the union of all balls of one radius around the points of a segment.
   static ImplicitBody capsule(DVec3 from, DVec3 to, double radius);
-  /// A cone between two balls, all balls between them included; radii may be 0 on one side.
+  /// Creates a cone between two balls, which includes all balls between them. One of the radii may be 0.
   static ImplicitBody round_cone(DVec3 from, double from_radius, DVec3 to, double to_radius);
-  /// A cone between two discs.
+  /// Creates a cone between two discs.
   static ImplicitBody flat_cone(DVec3 from, double from_radius, DVec3 to, double to_radius);
-  /// Centre and rotation from `frame` (its scale counts), `half` along its axes.
+  /// Creates a box. `frame` gives its centre and rotation (its scale counts), and `half` the half lengths along its
+  /// axes.
   static ImplicitBody box(const Frame& frame, Vec3 half);
-  /// Centre and rotation from `frame` (its scale counts), half axes `radii`.
+  /// Creates an ellipsoid. `frame` gives its centre and rotation (its scale counts), and `radii` the half axes.
   static ImplicitBody ellipsoid(const Frame& frame, Vec3 radii);
 
   /// Adds the space of another body.
   ImplicitBody& unite(const ImplicitBody& other);
-  /// Keeps only the space shared with another body.
+  /// Keeps only the space that both bodies share.
   ImplicitBody& intersect(const ImplicitBody& other);
   /// Removes the space of another body.
   ImplicitBody& subtract(const ImplicitBody& other);
-  /// A union with a transition of `width` metres; 0 is a union.
+  /// Unites two bodies with a transition of `width` metres. Width 0 is a plain union.
   ImplicitBody& blend(const ImplicitBody& other, BlendKind kind, double width);
 
   bool is_empty() const { return clauses_.empty(); }  ///< true if the body has no solid
-  /// The value at a position, of everything; +infinity for no body. Cost linear in solids.
+  /// Returns the value at a position from all clauses, or +infinity for an empty body. The cost is linear in solids.
   double value(DVec3 position) const;
-  /// A box that holds the solids (of an intersection what both may share).
+  /// Returns the low corner of a box that contains the solids. For an intersection, the box contains what both may
+  /// share.
   DVec3 low() const { return low_; }
-  DVec3 high() const { return high_; }  ///< high corner of that box
-  /// How far blends may swell the body beyond that.
+  DVec3 high() const { return high_; }  ///< high corner of this box
+  /// Returns how far blends may extend the body beyond this box.
   double reach() const { return reach_; }
 
   std::span<const BodyClause> clauses() const { return clauses_; }  ///< solids and operations, in postfix order
@@ -89,7 +92,7 @@ class ImplicitBody {
   double reach_ = 0;
 };
 
-/// The value of an operation, given the values of its two sides.
+/// Returns the value of an operation from the values of its two sides.
 template <class T>
 T apply(BodyClause::Kind kind, T a, T b, T width) {
   switch (kind) {

@@ -25,8 +25,8 @@ double nearest_of(const std::vector<DVec3>& surface, DVec3 position) {
   return std::sqrt(nearest);
 }
 
-/// Expects that values at random positions are distances to points of the surface `step` metres apart at most, negative
-/// inside.
+/// Expects that values at random positions are distances to the surface, negative inside. The points of the surface are
+/// at most `step` metres apart.
 void expect_distances(const ImplicitBody& body, const std::vector<DVec3>& surface, double step, double reach,
                       const std::function<bool(DVec3)>& is_inside) {
   for (const DVec3 point : surface) ASSERT_NEAR(body.value(point), 0, 1e-9);
@@ -53,7 +53,7 @@ std::vector<DVec3> ellipsoid_points(DVec3 radii, int rows) {
   return points;
 }
 
-/// What turns in the half-plane (across, along) about y.
+/// Returns a profile in the half-plane (across, along), revolved about y.
 std::vector<DVec3> revolved(const std::vector<std::array<double, 2>>& profile, int columns) {
   std::vector<DVec3> points;
   for (const auto& [across, along] : profile) {
@@ -83,7 +83,7 @@ TEST(ImplicitBody, ValuesOfACapsuleAreDistances) {
 }
 
 TEST(ImplicitBody, ValuesOfARoundConeAreDistances) {
-  // Points of a ball about the axis count where they lie in no other ball.
+  // A point of a ball around the axis counts if it lies in no other ball.
   const auto radius = [](double along) { return 0.8 - 0.3 * along; };
   const auto by_balls = [&](double across, double along) {
     double least = kInfinity;
@@ -180,7 +180,7 @@ TEST(ImplicitBody, AnEllipsoidIsSureOnItsAxesAndPlanes) {
     position[k] = radii[k];
     EXPECT_NEAR(ellipsoid.value(position), 0, 1e-12) << k;
   }
-  // On each plane and beside it by the least of numbers.
+  // Positions on each symmetry plane, and beside it by a tiny number.
   const std::vector<DVec3> surface = ellipsoid_points(radii, 60);
   const RandomKey key(8);
   for (std::uint64_t k = 0; k < 100; ++k) {
@@ -254,7 +254,7 @@ TEST(ImplicitBody, BlendsAreTheirFormulas) {
     EXPECT_NEAR(ImplicitBody(a).blend(b, BlendKind::pasko, w).value(position),
                 sharp - w / 4 / (1 + f * f / (w * w) + g * g / (w * w)), 1e-12);
   }
-  // By a quarter of the width where both are equal.
+  // A quarter of the width where both are equal.
   const double equal = a.value({0, 0.5, 0});
   EXPECT_NEAR(ImplicitBody(a).blend(ImplicitBody::sphere({0.9, 0, 0}, 1), BlendKind::poly, w).value({0, 0.5, 0}),
               equal - w / 4, 1e-12);
@@ -309,7 +309,8 @@ TEST(ImplicitBody, HasTheLeastBoxOfEachSolid) {
   for (const ImplicitBody& solid : solids) {
     const DVec3 middle = 0.5 * (solid.low() + solid.high());
     for (int axis = 0; axis < 3; ++axis) {
-      // Planes touch from both sides: outside all is positive, and just inside of them something is not.
+      // Planes touch the box from both sides: all values outside are positive, and just inside of them some value is
+      // not.
       double outside = kInfinity;
       double inside = kInfinity;
       const DVec3 size = solid.high() - solid.low();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Extracts the surface of a body or of a sampled field: values in bricks, marching cubes over the bricks, then normals
+// from the gradient of the function.
 #include "meristem/shape/implicit/isosurface.h"
 
 #include <algorithm>
@@ -20,9 +22,9 @@ namespace {
 
 constexpr int kLeastResolution = 10;
 constexpr int kMostResolution = 1024;
-constexpr double kGradientStep = 0.25;  // of a cell
+constexpr double kGradientStep = 0.25;  // share of a cell
 
-/// Takes the normals of positions from a body's function, at four positions about each.
+/// Computes normals from a body's function, with four values around each position.
 class NormalSampler {
  public:
   NormalSampler(const ImplicitBody& body, const BodyBricks& bricks)
@@ -87,7 +89,7 @@ void add_normals(const ImplicitBody& body, const BodyBricks& bricks, BrickMesh& 
   turn_to_front(mesh, progress);
 }
 
-/// A field with a layer of outside about it, in bricks: a chunk for each layer of them.
+/// Returns the field in bricks, with a surrounding layer of outside values. Each layer of bricks is a chunk.
 BrickGrid bricks_of(const SampledField& field, float isovalue, Progress& progress) {
   BrickGrid grid{.origin = field.origin - field.spacing, .cell = field.spacing};
   const glm::ivec3 count = (field.size + 2 + (kBrickSide - 1)) / kBrickSide;
@@ -120,7 +122,7 @@ BrickGrid bricks_of(const SampledField& field, float isovalue, Progress& progres
 double cell_size(const ImplicitBody& body, int resolution) {
   const DVec3 size = body.high() - body.low();
   const double longest = std::max({size.x, size.y, size.z});
-  // Blends wider than the solids make a body of another size.
+  // Blends wider than the solids make a body of a different size.
   return (longest + 2 * std::max(0.0, body.reach() - longest)) / resolution;
 }
 
@@ -140,7 +142,7 @@ Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& optio
 Mesh extract_isosurface(const SampledField& field, float isovalue, const Limits& limits, const std::string& path,
                         Progress& progress) {
   require(glm::all(glm::greaterThanEqual(field.size, glm::ivec3(0))), "a field's size must not be negative");
-  // Products of more than 2^64 would come around.
+  // Products of more than 2^64 would overflow.
   const glm::dvec3 size(field.size);
   require(size.x * size.y * size.z == static_cast<double>(field.values.size()), "a field's size must fit its values");
   require(field.spacing > 0 && std::isfinite(field.spacing) && std::isfinite(isovalue),

@@ -29,7 +29,7 @@ Mesh surface_of(const SampledField& field, float isovalue = 0, const Limits& lim
   return extract_isosurface(field, isovalue, limits, "field", progress);
 }
 
-/// Corners of triangles whose normals do not lie in front of them.
+/// Counts corners of triangles whose normals do not lie in front of them.
 std::size_t corners_behind(const Mesh& mesh) {
   std::size_t behind = 0;
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
@@ -70,7 +70,7 @@ TEST(Isosurface, SphereAreaConvergesAtSecondOrder) {
 TEST(Isosurface, CornersLieOnTheSurface) {
   const Mesh mesh = surface_of(ImplicitBody::sphere({}, 1), {.resolution = 50});
   for (std::size_t k = 0; k < mesh.vertex_count(); ++k) {
-    // Chords of cells lie within a circle by an eighth of their squares over its radius.
+    // A chord of a cell lies inside a circle by the square of its length divided by eight radii.
     EXPECT_NEAR(glm::length(mesh.positions[k]), 1, 0.04 * 0.04 / 8 + 1e-4);
     EXPECT_GT(glm::dot(mesh.positions[k], mesh.normals[k]), 0.999F);
   }
@@ -113,7 +113,7 @@ TEST(Isosurface, AFieldIsClosedWhereItEnds) {
     EXPECT_TRUE(check_mesh(mesh));
     EXPECT_EQ(euler_number(mesh), 2);
   }
-  // A ball that leaves the grid on all sides is cut off there.
+  // A ball that leaves the grid on all sides is cut off at the border.
   const SampledField cut = field_of(20, [](DVec3 p) { return glm::length(p) - 11; });
   const Mesh mesh = surface_of(cut);
   EXPECT_TRUE(check_mesh(mesh));
@@ -133,18 +133,18 @@ TEST(Isosurface, AFieldLiesWhereItsGridSays) {
 }
 
 TEST(Isosurface, ValuesAtTheIsovalueAreOutside) {
-  // A box with its faces, edges and corners on the grid; a plane; a diagonal one.
+  // A box whose faces, edges and corners lie on the grid, a plane, and a diagonal plane.
   const auto box = [](DVec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 4; };
   const Mesh mesh = surface_of(field_of(15, box));
   EXPECT_TRUE(check_mesh(mesh));
   EXPECT_EQ(euler_number(mesh), 2);
-  EXPECT_NEAR(signed_volume(mesh), 512 - 12 * 7 * 0.5, 3);  // less half a cell along its edges
+  EXPECT_NEAR(signed_volume(mesh), 512 - 12 * 7 * 0.5, 3);  // minus half a cell along its edges
   EXPECT_TRUE(surface_of(field_of(9, [](DVec3) { return 0; })).triangles.empty());
   EXPECT_TRUE(surface_of(field_of(9, [](DVec3) { return 3; }), 3).triangles.empty());
   EXPECT_TRUE(check_mesh(surface_of(field_of(9, [](DVec3 p) { return p.x + p.y + p.z; }))));
   EXPECT_TRUE(
       check_mesh(surface_of(field_of(9, [](DVec3 p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z) - 3; }))));
-  // As a body, whose cells do not fit it.
+  // The box as a body, whose cells do not match its size.
   EXPECT_TRUE(check_mesh(surface_of(ImplicitBody::box({}, {1, 1, 1}), {.resolution = 10, .normals = false})));
 }
 
@@ -193,7 +193,7 @@ TEST(Isosurface, RejectsFieldsThatAreNone) {
   rejects([](SampledField& field, float&) { field.size.x = 3; });
   rejects([](SampledField& field, float&) { field.size = {-2, -2, 2}; });
   rejects([](SampledField& field, float&) {
-    field.size = {1 << 22, 1 << 21, 1 << 21};  // their product is 2^64
+    field.size = {1 << 22, 1 << 21, 1 << 21};  // the product is 2^64
     field.values.clear();
   });
   rejects([](SampledField& field, float&) { field.spacing = 0; });
@@ -203,7 +203,7 @@ TEST(Isosurface, RejectsFieldsThatAreNone) {
   EXPECT_TRUE(surface_of(SampledField{}).triangles.empty());
 }
 
-// Resolutions 10 to 60, most of them coarse: there bodies are thinner than cells.
+// Tests resolutions 10 to 60. Most are coarse, so that bodies are thinner than cells.
 void expect_closed(std::uint64_t first, std::uint64_t count) {
   std::size_t corners = 0;
   std::size_t behind = 0;
@@ -234,7 +234,7 @@ TEST(Isosurface, NormalsOfSmoothBodiesLieInFrontOfTheirTriangles) {
   }
 }
 
-/// A tree's body: cones one on the other, each blended with all before it over some cells.
+/// Returns a tree's body: a chain of cones, each blended with all cones before it over some cells.
 ImplicitBody blended_chain(const RandomKey& key, BlendKind kind, double most_width) {
   ImplicitBody body;
   DVec3 from(0);
@@ -253,7 +253,7 @@ ImplicitBody blended_chain(const RandomKey& key, BlendKind kind, double most_wid
   return body;
 }
 
-/// Balls in rows whose blends each still lower the next: the worst for what is left out.
+/// Returns balls in rows in which each blend still lowers the next one, the worst case for dropped clauses.
 ImplicitBody blended_row(BlendKind kind, double width) {
   ImplicitBody body;
   for (int k = 0; k < 50; ++k) {
@@ -264,7 +264,7 @@ ImplicitBody blended_row(BlendKind kind, double width) {
   return body;
 }
 
-/// The largest error of values less than two cells from the surface, in cells.
+/// Returns the largest error of values less than two cells from the surface, in cells.
 double worst_error(const ImplicitBody& body, int resolution) {
   Progress progress;
   const double cell = cell_size(body, resolution);
@@ -276,7 +276,7 @@ double worst_error(const ImplicitBody& body, int resolution) {
         const glm::ivec3 corner(k % kBrickSide, k / kBrickSide % kBrickSide, k / (kBrickSide * kBrickSide));
         const double value = body.value(bricks.grid.position(kBrickSide * chunk.at[brick] + corner));
         const double found = chunk.values_of(brick)[k];
-        // Where no surface is about, the sign alone counts.
+        // Away from the surface, only the sign counts.
         if (std::abs(value) > 2 * cell || std::abs(found) == static_cast<float>(cell)) continue;
         worst = std::max(worst, std::abs(found - value) / cell);
       }
@@ -314,7 +314,7 @@ TEST(Isosurface, HierarchyAgreesWithEverythingForLongBodies) {
   for (const int resolution : {50, 300, 1000}) EXPECT_LT(worst_error(trunk, resolution), 1e-4) << resolution;
 }
 
-/// All values of a body's grid.
+/// Returns all values of a body's grid.
 SampledField dense_field(const ImplicitBody& body, int resolution) {
   Progress progress;
   SampledField field{.spacing = cell_size(body, resolution)};
@@ -335,10 +335,10 @@ TEST(Isosurface, MissesNoSurface) {
     const ImplicitBody body =
         k % 10 == 0 ? blended_chain(RandomKey(42).child(k), BlendKind::poly, 0.3) : random_body(RandomKey(43).child(k));
     const Mesh mesh = surface_of(body, {.resolution = 20, .normals = false});
-    if (!(cell_size(body, 20) > 0)) continue;  // balls that share nothing
+    if (!(cell_size(body, 20) > 0)) continue;  // balls without common space
     const Mesh dense = surface_of(dense_field(body, 20));
     if (dense.triangles.empty() && mesh.triangles.empty()) continue;
-    // Rounding may decide where values are nearly 0.
+    // Rounding can change the sign of values near 0.
     EXPECT_NEAR(signed_volume(mesh), signed_volume(dense), 1e-4 * signed_volume(dense)) << k;
     EXPECT_NEAR(static_cast<double>(mesh.vertex_count()) / dense.vertex_count(), 1, 0.05) << k;
     EXPECT_EQ(euler_number(mesh), euler_number(dense)) << k;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles for loops of crossed edges. The best triangulation of a loop is found from those of its parts. A tunnel has
-// a ring of inner points, one for each point of its shorter loop, and triangles from the ring to both loops: triangles
-// from loop to loop, tried before, cross each other in most tunnels, as the short ways lie on faces.
+// Triangulates loops of crossed edges. The best triangulation of a loop is found from the best triangulations of its
+// parts. A tunnel has a ring of inner points, one for each point of its shorter loop, and triangles from the ring to
+// both loops. Triangles directly from loop to loop were tried first, but they cross each other in most tunnels, because
+// the short paths lie on faces.
 //
-// Which diagonals are best: where the signs alone decide the surface, those that common implementations choose, so that
-// areas agree to the last digits. They follow one rule (first between parallel edges, then the right-handed one) but in
-// the patterns with six points, which are listed. In all other patterns the shortest.
+// If the signs alone decide the surface, the best diagonals equal the choice of common implementations, so that areas
+// agree to the last digit. These follow one rule (first between parallel edges, then the right-handed one), except in
+// the patterns with six points, which are listed. In all other patterns, the shortest diagonals are best.
 //
 // Based on: G. Klincsek: Minimal triangulations of polygonal domains (Annals of Discrete Mathematics 9, 1980).
 #include "meristem/shape/implicit/loop_triangles.h"
@@ -24,12 +25,13 @@ namespace meristem {
 namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
-// Against squared lengths of diagonals.
-constexpr double kInnerPoint = 20;  // so that discs have few
-constexpr double kSpoke = 0.3;      // from an inner point
-constexpr double kNeighbours = 1;   // that a ring point needs; at 3 half of the tunnels between fours cross themselves
+// Costs relative to squared lengths of diagonals.
+constexpr double kInnerPoint = 20;  // of an inner point; high, so that discs have few of them
+constexpr double kSpoke = 0.3;      // of an edge from an inner point
+constexpr double kNeighbours = 1;   // of a ring point that needs its neighbours; at 3, half of the tunnels between
+                                    // loops of four cross themselves
 
-/// The three diagonals, a path of four points, of six points in patterns that their complements share.
+/// The three diagonals, a path of four points, of six points in a pattern and its complement.
 struct SixPoints {
   std::uint8_t pattern;
   std::array<std::uint8_t, 4> path;
@@ -63,19 +65,19 @@ bool is_listed(std::uint8_t pattern, std::uint8_t a, std::uint8_t b) {
   return false;
 }
 
-/// Along the edge, from its inside end to its outside end.
+/// Returns the direction along the edge, from its inside end to its outside end.
 DVec3 outward(std::uint8_t edge, std::uint8_t pattern) {
   const auto [low, high] = edge_corners(edge);
   const DVec3 along = corner_place(high) - corner_place(low);
   return (pattern >> low & 1) != 0 ? along : -along;
 }
 
-/// What the diagonal between two edges' points costs.
+/// Returns the cost of the diagonal between the points of two edges.
 double diagonal_cost(std::uint8_t a, std::uint8_t b, std::uint8_t pattern, bool by_length) {
   if (a == b || share_a_face(1U << a | 1U << b)) return kForbidden;
   if (is_listed(pattern, a, b)) return 0;
   const DVec3 way = edge_middle(b) - edge_middle(a);
-  // Across a square of four parallel edges both are alike but for their direction.
+  // Across a square of four parallel edges, both diagonals are equal except for their direction.
   const double slant = way.x * way.y - way.x * way.z - way.y * way.z;
   const double handedness = glm::dot(way, glm::cross(outward(a, pattern), outward(b, pattern)));
   const double ties = -0.1 * handedness + 0.001 * slant;
@@ -87,7 +89,7 @@ struct Dissection {
   CellPieces pieces;
 };
 
-/// The cheapest dissection of a polygon into triangles, and polygons around an inner point.
+/// Finds the cheapest division of a polygon into triangles and polygons around an inner point.
 class PolygonParts {
  public:
   PolygonParts(std::span<const std::uint8_t> polygon, std::uint8_t pattern)
@@ -110,12 +112,13 @@ class PolygonParts {
  private:
   /// The polygon from one point to a later one, closed by the side between them.
   struct Part {
-    double cost = 0;               ///< of the diagonals and inner points within
-    double closed = 0;             ///< cost with the closing side, which costs nothing if the polygon has it
-    std::size_t apex = 0;          ///< of the triangle at the closing side; 0 if an inner point is there instead
-    double chain = 0;              ///< of sides from the first to the last, each with its part and a spoke
-    std::size_t before_last = 0;   ///< in that chain
-    std::size_t around_inner = 0;  ///< in that chain, if the closing side is not allowed
+    double cost = 0;               ///< cost of the diagonals and inner points inside
+    double closed = 0;             ///< cost with the closing side, which is free if the polygon has this side
+    std::size_t apex = 0;          ///< apex of the triangle at the closing side; 0 if there is an inner point instead
+    double chain = 0;              ///< cost of a chain of sides from the first point to the last, each with its part
+                                   ///< and a spoke
+    std::size_t before_last = 0;   ///< point before the last in this chain
+    std::size_t around_inner = 0;  ///< point before the last in this chain, if the closing side is not allowed
   };
   Part& part(std::size_t first, std::size_t last) { return parts_[first * size_ + last]; }
 
@@ -177,15 +180,15 @@ class PolygonParts {
   std::vector<Part> parts_;
 };
 
-/// The points of the longer loop that each point of the shorter one faces: runs that share their ends, from starts[k]
-/// to starts[k + 1].
+/// For each point of the shorter loop, the points of the longer loop that it faces: runs with common ends, from
+/// starts[k] to starts[k + 1].
 struct Facing {
   double cost = kForbidden;
   std::vector<std::size_t> starts;
 };
 
-/// What a ring point is the mean of: the k-th point of one loop and a run of the other; its neighbours too, where these
-/// lie on one face.
+/// Returns the edges whose mean is a ring point: the k-th point of one loop and a run of the other. If these lie on one
+/// face, the neighbours are included.
 std::uint16_t ring_edges(const CellLoop& inner, std::size_t k, const CellLoop& outer, std::size_t from,
                          std::size_t to) {
   auto edges = static_cast<std::uint16_t>(1 << inner[k]);
@@ -209,11 +212,11 @@ double facing_cost(const CellLoop& inner, const CellLoop& outer, const std::vect
   return cost;
 }
 
-/// The runs with the shortest ways, each of two points or more; both loops go the same way around.
+/// Returns the runs with the shortest paths, each of two points or more. Both loops must run in the same direction.
 Facing find_facing(const CellLoop& inner, const CellLoop& outer) {
   Facing best;
   for (std::size_t first = 0; first < outer.size(); ++first) {
-    // The other starts, in rising order: all subsets of the positions between.
+    // Try all other starts in ascending order: all subsets of the positions between.
     const std::size_t between = outer.size() - 1;
     for (unsigned chosen = 0; chosen < 1U << between; ++chosen) {
       if (static_cast<std::size_t>(std::popcount(chosen)) + 1 != inner.size()) continue;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Turns skeletons into implicit bodies: one chain of round cones per axis, blended from the thickest axis to the
+// thinnest. Radii below the size that cells can represent are raised, so that no branch falls apart.
 #include "meristem/shape/implicit/plant_body.h"
 
 #include <algorithm>
@@ -12,11 +14,11 @@ namespace meristem {
 
 namespace {
 
-// Cells that a tube's radius must reach from its axis to be one piece in whatever direction it runs through them: a
-// little more than sqrt(3) / 2. Then the corner nearest to each of the axis's points is inside, those of neighbouring
-// points are one or have an edge in common, and every other corner that is inside is joined to one of them by edges
-// that come ever nearer. Among random tubes some 4 in 1,000 fall apart or vanish at 0.75, 2 in 1,000 at 0.84, none from
-// 0.85 on (PlantBody.IsosurfaceHoldsThinTubes).
+// Minimum radius of a tube in cells so that it stays in one piece in any direction, slightly more than sqrt(3) / 2.
+// Then the corner nearest to each point of the axis is inside. The corners of neighbouring points are equal or share an
+// edge, and every other inside corner is connected to one of them by edges that come nearer and nearer. Among random
+// tubes, some 4 in 1,000 fall apart or vanish at 0.75, 2 in 1,000 at 0.84, and none from 0.85 on
+// (PlantBody.IsosurfaceHoldsThinTubes).
 constexpr double kHeldRadius = 0.867;
 
 struct AxisPoint {
@@ -24,7 +26,7 @@ struct AxisPoint {
   double radius = 0;
 };
 
-/// The points of an axis from its parent's node on.
+/// Returns the points of an axis, beginning at its parent's node.
 std::vector<AxisPoint> points_of(const Skeleton& skeleton, std::span<const NodeIndex> nodes, Vec3 origin) {
   std::vector<AxisPoint> points;
   if (nodes.empty()) return points;
@@ -35,7 +37,7 @@ std::vector<AxisPoint> points_of(const Skeleton& skeleton, std::span<const NodeI
   return points;
 }
 
-/// Widens a root's base, with points between its first nodes where these are far apart.
+/// Widens a root's base. Adds points between its first nodes if these are far apart.
 void flare(std::vector<AxisPoint>& points, const Surface& surface) {
   if (!(surface.flare > 0) || points.size() < 2 || !(points[0].radius > 0)) return;
   const auto base = static_cast<float>(points[0].radius);
@@ -58,7 +60,7 @@ void flare(std::vector<AxisPoint>& points, const Surface& surface) {
   points = std::move(flared);
 }
 
-/// What lies below a root's base, about it: its cones' round ends must not stand out there.
+/// Returns the space below a root's base. It is removed, so that the round ends of cones do not protrude there.
 ImplicitBody below_base(std::span<const AxisPoint> points, double least_radius) {
   double widest = least_radius;
   for (const AxisPoint& point : points) widest = std::max(widest, point.radius);
@@ -73,7 +75,7 @@ ImplicitBody below_base(std::span<const AxisPoint> points, double least_radius) 
   return {};
 }
 
-/// The cones of one axis. Empty where it has no length or no thickness.
+/// Returns the cones of one axis. Empty if the axis has no length or no thickness.
 ImplicitBody axis_body(std::span<const AxisPoint> points, bool is_root, double least_radius) {
   ImplicitBody body;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -103,7 +105,7 @@ bool is_root_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
 ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
                             double least_radius, Vec3 origin) {
   const Axes nodes(skeleton);
-  // Thick ones first: what is blended later then reaches less far.
+  // Thick axes first: later blends then reach less far.
   std::vector<AxisIndex> sorted(axes.begin(), axes.end());
   std::stable_sort(sorted.begin(), sorted.end(), [&](AxisIndex a, AxisIndex b) {
     return first_radius(skeleton, nodes.of(a)) > first_radius(skeleton, nodes.of(b));
@@ -132,7 +134,7 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
     }
   }
   const Vec3 size = box.size();
-  // The body that has been thickened is wider by up to that at both ends, so are its cells.
+  // A thickened body is wider by up to this radius at both ends, which also enlarges its cells.
   const double cell = std::max({size.x, size.y, size.z}) / (surface.resolution - 2 * kHeldRadius);
   if (surface.thicken) thickening.least_radius = kHeldRadius * cell;
   const auto cone_volume = [](double length, double a, double b) { return kPi / 3 * length * (a * a + a * b + b * b); };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of plants: axes become a round cone per segment, and the cones blend where axes meet; crowns become balls
-// about the ends of branches. Any skeleton gives them, whatever made it.
+// Bodies of plants. Each segment of an axis becomes a round cone, and cones blend where axes meet. Crowns become balls
+// around the ends of branches. Any skeleton can be used.
 //
-// Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), 5.3. There all cones blend with each
-// other, which swells an axis at each of its nodes; here only axes blend with axes.
+// Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), 5.3. In the source, all cones blend with
+// each other, which swells an axis at each of its nodes. Here only different axes blend.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,31 @@
 
 namespace meristem {
 
-/// What a blended body's axes are thickened by, so that its cells can hold them.
+/// The thickening of a blended body's axes that its cells require.
 struct Thickening {
-  double least_radius = 0;  ///< metres that its cells can hold
-  double length = 0;        ///< metres of all its axes
-  double thickened = 0;     ///< metres of the axes that were thinner
-  double volume = 0;        ///< m³ of the segments as they are
-  double added = 0;         ///< m³ that thickening adds to the segments
+  double least_radius = 0;  ///< minimum radius that its cells can represent, metres
+  double length = 0;        ///< length of all its axes, metres
+  double thickened = 0;     ///< length of the axes that were thinner, metres
+  double volume = 0;        ///< volume of the original segments, m³
+  double added = 0;         ///< volume that thickening adds to the segments, m³
 };
 
-/// The body of those axes of `skeleton` that are listed. Axes begin at their parents' nodes with their own radii,
-/// roots with a flat base that flares as `surface` says. Each axis blends with all thicker ones over
-/// `surface.blend` times its first radius. Radii are at least `least_radius` metres; none may be NaN. The body stands
-/// relative to `origin`. Cost linear in nodes.
+/// Returns the body of the listed axes of `skeleton`. Axes begin at their parents' nodes with their own radii. Roots
+/// begin with a flat base that flares according to `surface`. Each axis blends with all thicker ones over
+/// `surface.blend` times its first radius. Radii are raised to at least `least_radius` metres, and none may be NaN. The
+/// body is relative to `origin`. The cost is linear in nodes.
 ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
                             double least_radius, Vec3 origin = Vec3(0));
 
-/// What `surface.resolution` cells along these axes' longest side mean for them; without `surface.thicken` nothing is
-/// thickened.
+/// Returns the thickening of these axes for `surface.resolution` cells along their longest side. Without
+/// `surface.thicken`, nothing is thickened.
 Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface);
 
-/// The nodes about which crowns have balls: where the column "end" is above 0, or where there is none the tips.
+/// Returns the nodes around which crowns have balls: nodes with a positive value in the column "end", or the tips if
+/// there is no such column.
 std::vector<NodeIndex> branch_ends(const Skeleton& skeleton, std::span<const AxisIndex> axes);
 
-/// The balls about those ends as one body; empty where there are none.
+/// Returns the balls around these ends as one body. Empty if there are no ends.
 ImplicitBody make_crown_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const CrownBody& crown,
                              Vec3 origin = Vec3(0));
 

@@ -36,7 +36,7 @@ ImplicitBody stem_body(const Skeleton& skeleton, const Surface& surface = {}, do
   return make_stem_body(skeleton, all_axes(skeleton), surface, least_radius);
 }
 
-/// A capsule among cells of 1 m: in any direction, near an axis, near a diagonal.
+/// Returns a capsule among cells of 1 m, in any direction, near an axis, or near a diagonal.
 ImplicitBody thin_tube(const RandomKey& key, std::uint64_t k, double radius) {
   const DVec3 from(key.uniform(0), key.uniform(1), key.uniform(2));
   DVec3 along(key.direction(3));
@@ -46,7 +46,7 @@ ImplicitBody thin_tube(const RandomKey& key, std::uint64_t k, double radius) {
 }
 
 TEST(PlantBody, IsosurfaceHoldsThinTubes) {
-  // Least radii of bodies whose cells are 1 m wide.
+  // The minimum radii of bodies with cells of 1 m.
   Skeleton rod = chain({{0, 0, 0}, {0, 100, 0}}, 0.01F);
   const double least =
       find_thickening(rod, all_axes(rod), {.flare = 0}).least_radius /
@@ -77,9 +77,9 @@ TEST(PlantBody, ThickeningIsThatOfCylinders) {
   const Skeleton rod = chain({{0, 0, 0}, {0, 4, 0}, {0, 10, 0}}, 0.01F);
   Surface surface{.flare = 0, .resolution = 50};
   const Thickening found = find_thickening(rod, all_axes(rod), surface);
-  // Its cells are those of the body that it gives.
+  // The assumed cells equal the cells of the resulting body.
   const double cell = cell_size(stem_body(rod, {.flare = 0}, found.least_radius), 50);
-  EXPECT_NEAR(found.least_radius / cell, 0.867, 0.02);  // its base is flat, and not round as the other end
+  EXPECT_NEAR(found.least_radius / cell, 0.867, 0.02);  // its base is flat, unlike the round other end
   EXPECT_GE(found.least_radius / cell, 0.867);
   EXPECT_NEAR(found.length, 10, 1e-6);
   EXPECT_NEAR(found.thickened, 10, 1e-6);
@@ -104,7 +104,7 @@ TEST(PlantBody, OnlyThinSegmentsAreThickened) {
 }
 
 TEST(PlantBody, WideBasesCountForTheCells) {
-  // Wider than high, and its base twice as wide.
+  // A body wider than high, whose base is twice as wide.
   const Skeleton stump = chain({{0, 0, 0}, {0, 0.4F, 0}}, 0.5F);
   const Surface surface{.flare = 1, .resolution = 20};
   const Thickening found = find_thickening(stump, all_axes(stump), surface);
@@ -142,7 +142,7 @@ TEST(PlantBody, StandsFlatOnItsBase) {
   const ImplicitBody body = stem_body(skeleton);
   const Mesh mesh = surface_of(body, 80);
   EXPECT_NEAR(box_of(mesh).low.y, 5, cell_size(body, 80));
-  // The surface also goes straight across the body's base.
+  // The surface also crosses the body's base in a straight line.
   for (const double x : {0.0, 0.05, 0.1}) EXPECT_NEAR(body.value({x, 5, 0}), 0, 1e-6) << x;
 }
 
@@ -174,7 +174,7 @@ TEST(PlantBody, DoesNotSwellAtTheNodesOfAnAxis) {
 
 TEST(PlantBody, LateralsBeginWithTheirOwnRadius) {
   const ImplicitBody body = stem_body(forked(), {.flare = 0, .blend = 0});
-  // The thin lateral at the trunk's node does not widen it.
+  // The thin lateral at the trunk's node does not widen the trunk.
   EXPECT_NEAR(body.value({0, 0.5, 0.1}), 0, 1e-6);
   EXPECT_NEAR(body.value({0.25, 1.25, 0.04}), 0, 1e-3);
 }

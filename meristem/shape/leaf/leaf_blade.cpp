@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blade is a surface S(t, a): t along the midrib from 0 to 1, a metres across from it, both measured on the
-// surface. The midrib is an arc of a circle that turns by `curl`; each cross-section is, on either side, an arc of a
-// circle that starts raised by `fold` and sinks, lifted by profile and waves. The flat outline is cut into triangles;
-// their corners are then put on the surface with its own normals.
+// Builds the mesh of a leaf blade. The blade is a surface S(t, a), with t along the midrib from 0 to 1 and a metres
+// across from it, both measured on the surface. The midrib is an arc of a circle that turns by `curl`. Each
+// cross-section is, on either side, an arc of a circle that starts raised by `fold` and sinks, lifted by profile and
+// waves. The flat outline is cut into triangles, whose corners are then put on the surface with its exact normals.
 #include "meristem/shape/leaf/leaf_blade.h"
 
 #include <algorithm>
@@ -21,12 +21,15 @@
 namespace meristem {
 namespace {
 
-constexpr double kRunOut = 0.2;            // of the length: how far a stalk can be seen on the midrib, at most
-constexpr double kRunOutRadii = 8;         // how far a stalk can be seen on the midrib, in radii of the stalk
-constexpr double kRowTolerance = 1e-3;     // of the length: corners nearer to a row are on it
-constexpr double kColumnTolerance = 0.02;  // of half the width: corners nearer to a column are on it
-constexpr double kLeastLength = 0.1;       // of the surface along where it is bent back upon itself
-constexpr double kVeinWidth = 0.05;        // of half the width: so wide the blade is where the stalk has its picture
+constexpr double kRunOut = 0.2;            // share of the length: maximum distance at which a petiole is visible on the
+                                           // midrib
+constexpr double kRunOutRadii = 8;         // the same distance in radii of the petiole
+constexpr double kRowTolerance = 1e-3;     // share of the length: corners nearer to a row lie on it
+constexpr double kColumnTolerance = 0.02;  // share of half the width: corners nearer to a column lie on it
+constexpr double kLeastLength = 0.1;       // minimum share of the length along the surface where it is bent back on
+                                           // itself
+constexpr double kVeinWidth = 0.05;        // share of half the width: minimum width of the blade at the petiole's
+                                           // picture
 
 bool is_right_edge(const std::vector<Vec2>& polygon) {
   const auto is_beside = [](Vec2 p) { return std::isfinite(p.x + p.y) && p.x >= 0; };
@@ -52,7 +55,8 @@ void check(const LeafBlade& blade) {
   require(blade.across >= 2 && blade.across % 2 == 0, "a leaf blade needs an even number of quads across");
 }
 
-/// Points on the flat half blade, x metres from the midrib and y shares of the length from the joint, to the surface.
+/// Maps points of the flat half blade to the surface. x is in metres from the midrib, y in shares of the length from
+/// the joint.
 class BladeSurface {
  public:
   explicit BladeSurface(const LeafBlade& blade) : blade_(blade) {}
@@ -61,7 +65,7 @@ class BladeSurface {
     Vec3 position, normal;
   };
 
-  /// `across` metres to the right.
+  /// `across` is in metres to the right.
   Place operator()(double across, double along) const {
     const ArcPoint midrib = along_arc(0, blade_.curl * along, blade_.length * along);
     const DVec3 right{1, 0, 0};
@@ -74,7 +78,7 @@ class BladeSurface {
     const double up = section.up + relief.height;
     const DVec3 position =
         DVec3(0, blade_.petiole + midrib.forward, midrib.up) + side * section.forward * right + up * upper;
-    // The cross product of the surface's slopes across and along; on the midrib the two halves' mean.
+    // The cross product of the surface's derivatives across and along. On the midrib it is the mean of both halves.
     const double length = std::max(blade_.length + up * blade_.curl, kLeastLength * blade_.length);
     const double forward_slope = math::cos(section.angle), up_slope = math::sin(section.angle) + relief.across_slope;
     const DVec3 normal =
@@ -83,7 +87,7 @@ class BladeSurface {
   }
 
  private:
-  /// What profile and waves add, and its slopes by metres across and shares along.
+  /// The height of profile and waves, with its slopes per metre across and per share along.
   struct Relief {
     double height = 0, across_slope = 0, along_slope = 0;
   };
@@ -104,7 +108,7 @@ class BladeSurface {
   const LeafBlade& blade_;
 };
 
-/// Columns of points beside the midrib, in the half blade's flat metric.
+/// Returns columns of points beside the midrib, in the metric of the flat half blade.
 std::vector<double> column_lines(const LeafBlade& blade, double half_width) {
   std::vector<double> columns;
   const int half = blade.across / 2;
@@ -134,7 +138,7 @@ class BladeMesher {
   static Point mirrored(Point point) { return {-point.x, point.y}; }
   static bool is_before(Point a, Point b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-  /// The triangles of the right half, both coordinates in lengths of the blade.
+  /// Returns the triangles of the right half. Both coordinates are in lengths of the blade.
   std::vector<FlatTriangle> flat_triangles() const {
     std::vector<Point> corners;
     for (const Point point : outline_.edge) corners.emplace_back(half_width_ * point.x, point.y);
@@ -143,7 +147,7 @@ class BladeMesher {
                   std::min(kColumnTolerance, 0.2 / blade_.across) * half_width_});
   }
 
-  /// Vertices for both halves, from base to tip and from left to right.
+  /// Adds vertices for both halves, from base to tip and from left to right.
   void add_points(const std::vector<FlatTriangle>& triangles) {
     for (const FlatTriangle& triangle : triangles) {
       for (const Point point : triangle) {
@@ -170,8 +174,8 @@ class BladeMesher {
 
   double v_at(double along) const { return (along - outline_.low) / (outline_.high - outline_.low); }
 
-  /// A three-sided tube from the origin to the joint, which runs out into the midrib. Its picture is a spot of the
-  /// midrib where the blade is there on both sides.
+  /// Adds a three-sided tube from the origin to the joint, which fades into the midrib. Its uvs are a spot of the
+  /// midrib where the blade exists on both sides.
   void add_petiole() {
     const double r = blade_.petiole_radius;
     const double v = v_at(picture_of_stalk());
@@ -198,7 +202,7 @@ class BladeMesher {
     mesh_.stalk_triangles = static_cast<std::uint32_t>(mesh_.triangle_count());
   }
 
-  /// The first position along the midrib where the blade is wide enough on both sides of it.
+  /// Returns the first position along the midrib where the blade is wide enough on both sides of it.
   double picture_of_stalk() const {
     const bool is_hull = blade_.edge == LeafBlade::Edge::picture;
     const std::vector<Point> edge = is_hull ? full_outline(blade_).edge : outline_.edge;
@@ -215,7 +219,7 @@ class BladeMesher {
     return 0.5;
   }
 
-  /// Three directions about y, counter-clockwise seen from the tip, one of them down.
+  /// Returns one of three directions about y, counter-clockwise as seen from the tip. One of them is down.
   static Vec3 petiole_side(int k) {
     const double angle = 2 * kPi * (k % 3) / 3;
     return {-static_cast<float>(math::sin(angle)), 0, -static_cast<float>(math::cos(angle))};

@@ -17,7 +17,7 @@ namespace meristem::leaf_blade_test {
 
 constexpr MeshPromises kOpen{.closed = false, .outward = false};
 
-/// An oak leaf: lobes and bays on a wedge.
+/// Returns the outline of an oak leaf: lobes and bays on a wedge.
 Curve oak_outline() {
   return Curve({{0, 0},
                 {0.12F, 0.2F},
@@ -37,7 +37,7 @@ double integral(const Curve& outline) {
   return sum / kSteps;
 }
 
-/// The length of the midrib: the vertices with u = 0.5, which stand in the order of the rows.
+/// Returns the length of the midrib, from the vertices with u = 0.5, which are in the order of the rows.
 double midrib_length(const Mesh& mesh) {
   double length = 0;
   Vec3 last(0);
@@ -49,7 +49,7 @@ double midrib_length(const Mesh& mesh) {
   return length;
 }
 
-/// The length of the polyline across the widest row.
+/// Returns the length of the polyline across the widest row.
 double widest_length(const Mesh& mesh, int across) {
   double widest = 0;
   const auto row_points = static_cast<std::size_t>(across) + 1;
@@ -158,7 +158,7 @@ TEST(LeafBlade, PositiveCurlAcrossSinksTheEdgesAndFoldRaisesThem) {
 }
 
 TEST(LeafBlade, NormalsAreTheSurfacesOwn) {
-  // Compared with the triangles around each vertex on a fine blade.
+  // Compares normals with the triangles around each vertex on a fine blade.
   LeafBlade blade;
   blade.curl = 1.2;
   blade.curl_across = -0.8;
@@ -192,7 +192,7 @@ TEST(LeafBlade, AnOutlineThatIsZeroInBetweenMakesTwoPartsThatMeetInAPoint) {
   EXPECT_NEAR(surface_area(leaf) / (blade.length * blade.width), 0.4, 1e-6);
 }
 
-/// Lobes that overhang, and a base that reaches behind the joint.
+/// Returns a leaf with overhanging lobes and a base that extends behind the joint.
 LeafBlade palmate() {
   LeafBlade blade;
   blade.polygon = {{0.35F, -0.1F}, {0.3F, 0.12F}, {0.8F, 0.1F},  {0.65F, 0.25F}, {1, 0.55F},
@@ -200,7 +200,7 @@ LeafBlade palmate() {
   return blade;
 }
 
-/// The area of the closed polygon, which runs counter-clockwise.
+/// Returns the area of a closed polygon that runs counter-clockwise.
 double area_of(const std::vector<Vec2>& corners) {
   double doubled = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {

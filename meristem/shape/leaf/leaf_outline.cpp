@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edge of half a blade, a chain of points from the joint to the tip, is made in steps: sampled from the curve or
-// taken from the polygon, drawn back beside the joint for a heart, thinned out, cut into teeth. A plain curve goes
-// another way: its rows stand where they reduce the error most, and the edge has its points on the rows.
-// The heart is a shear along the midrib, monotone in y, so that an edge which does not cross itself never will.
+// Computes the edge of half a blade, a chain of points from the joint to the tip, in steps. The edge is sampled from
+// the curve or taken from the polygon, drawn back beside the joint for a heart, thinned out, and cut into teeth. A
+// plain curve is handled differently: its rows are placed where they reduce the error most, and the edge has its points
+// on the rows. The heart is a shear along the midrib, monotone in y, so an edge that does not cross itself never will.
 #include "meristem/shape/leaf/leaf_outline.h"
 
 #include <algorithm>
@@ -25,26 +25,28 @@ using Point = glm::dvec2;
 using Chain = std::vector<Point>;
 
 constexpr int kCandidates = 128;        // even positions along the midrib where a row may stand
-constexpr double kNearestShare = 1e-3;  // shares of the length: candidates closer than this count as one
-constexpr double kLobe = 0.05;          // shares of half the width: smaller turns of the outline are not lobes
-constexpr double kPointed = 1e-3;       // shares of half the width: narrower rows are one point
-constexpr double kCoarse = 0.12;        // of half the width: by how much the mesh may miss the outline with one row
-constexpr double kFine = 0.002;         // of half the width: how much the outline that textures follow may miss
-constexpr double kSliver = 0.008;       // of half the width: what the mesh leaves out in any case
-constexpr double kRowGap = 2.5e-3;      // of the length: rows are no nearer to each other or to the ends
-constexpr int kBaseSteps = 12;          // of a blunt base that becomes a heart
-constexpr double kSnap = 0.3;           // of the space between rows: so far they go to meet a corner of the edge
-constexpr double kEntireBase = 0.08;    // of the edge, from the joint: without teeth
-constexpr double kFullDepth = 1.5;      // 1 over the half width from which teeth have their full depth
-constexpr double kThinnest = 0.35;      // of the half width that teeth leave
-constexpr double kParallel = 1e-12;     // cross product of edges
+constexpr double kNearestShare = 1e-3;  // share of the length: closer candidates count as one
+constexpr double kLobe = 0.05;          // share of half the width: smaller turns of the outline are not lobes
+constexpr double kPointed = 1e-3;       // share of half the width: narrower rows are one point
+constexpr double kCoarse = 0.12;        // share of half the width: allowed error of the mesh with one row
+constexpr double kFine = 0.002;         // share of half the width: allowed error of the outline for textures
+constexpr double kSliver = 0.008;       // share of half the width: details that the mesh always leaves out
+constexpr double kRowGap = 2.5e-3;      // share of the length: minimum distance of rows from each other and from the
+                                        // ends
+constexpr int kBaseSteps = 12;          // points of a blunt base that becomes a heart
+constexpr double kSnap = 0.3;           // share of the space between rows: maximum move of a row to meet a corner of
+                                        // the edge
+constexpr double kEntireBase = 0.08;    // share of the edge, from the joint, without teeth
+constexpr double kFullDepth = 1.5;      // 1 divided by the half width from which teeth have their full depth
+constexpr double kThinnest = 0.35;      // minimum share of the half width that teeth leave
+constexpr double kParallel = 1e-12;     // cross product below which edges count as parallel
 
 /// A position along the midrib and the outline's half width there, both as shares.
 struct Station {
   double along, half_width;
 };
 
-/// Where rows may stand: the outline's own points and even positions between.
+/// Returns the possible rows: the outline's own points and even positions between.
 std::vector<Station> candidates(const Curve& outline) {
   std::vector<double> places;
   for (const Vec2 point : outline.points()) {
@@ -64,18 +66,18 @@ std::vector<Station> candidates(const Curve& outline) {
   std::sort(places.begin(), places.end());
   std::vector<Station> stations;
   for (const double place : places) {
-    // A spline may swing beyond its points; the blade stays as wide as it says.
+    // A spline can exceed its points, but the blade must keep its given width.
     const double half_width = std::min(1.0, outline(place));
     stations.push_back({place, half_width < kPointed ? 0 : half_width});
   }
   return stations;
 }
 
-/// The indices at which the width turns from growing to falling or back by more than a lobe's depth.
+/// Returns the indices at which the width changes from growing to falling, or back, by more than a lobe's depth.
 std::vector<std::size_t> turning_points(const std::vector<Station>& stations) {
   std::vector<std::size_t> turns;
   std::size_t extreme = 0;
-  int direction = 0;  // 0 until the width has changed at all
+  int direction = 0;  // 0 until the width has changed
   for (std::size_t i = 1; i < stations.size(); ++i) {
     const double change = stations[i].half_width - stations[extreme].half_width;
     if (direction == 0 ? std::abs(change) > kLobe : direction * change < -kLobe) {
@@ -89,7 +91,7 @@ std::vector<std::size_t> turning_points(const std::vector<Station>& stations) {
   return turns;
 }
 
-/// Candidates i to j as one straight row of quads: how far that is off, and where best to cut it.
+/// Candidates i to j as one straight row of quads: the error, and the best position for a cut.
 struct Gap {
   std::size_t begin, end;
   double error = 0;
@@ -110,7 +112,7 @@ struct Gap {
         cut = i;
       }
     }
-    // The height of the midrib's arc over its chord.
+    // The height of the midrib's arc above its chord.
     const double sagitta = blade.length * std::abs(blade.curl) * span * span / 8;
     if (sagitta < error) return;
     error = sagitta;
@@ -120,7 +122,7 @@ struct Gap {
   }
 };
 
-/// The rows from base to tip.
+/// Returns the rows from base to tip.
 std::vector<Station> choose_rows(const LeafBlade& blade) {
   const std::vector<Station> stations = candidates(blade.outline);
   // Begin with the ends and every lobe and bay.
@@ -133,7 +135,7 @@ std::vector<Station> choose_rows(const LeafBlade& blade) {
     gaps.emplace_back(blade, stations, begin, end);
     begin = end;
   }
-  // Cut the gap with the largest error (the widest where none has any) until there are enough.
+  // Cut the gap with the largest error until there are enough rows. If no gap has an error, cut the widest.
   while (gaps.size() < static_cast<std::size_t>(blade.rows)) {
     const auto worst = std::max_element(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
       return a.error != b.error ? a.error < b.error : a.end - a.begin < b.end - b.begin;
@@ -148,7 +150,7 @@ std::vector<Station> choose_rows(const LeafBlade& blade) {
   return rows;
 }
 
-/// How much longer than wide a step of x is on the blade.
+/// Returns the length of a step of x on the blade, relative to a step of y.
 double aspect_of(const LeafBlade& blade) { return 0.5 * blade.width / blade.length; }
 
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
@@ -157,7 +159,7 @@ void append(Chain& chain, Point point) {
   if (chain.empty() || chain.back() != point) chain.push_back(point);
 }
 
-/// From the joint over the given points to the tip.
+/// Returns the chain from the joint over the given points to the tip.
 Chain joined_to_midrib(const Chain& points) {
   Chain chain{{0, 0}};
   for (const Point point : points) append(chain, point);
@@ -171,7 +173,8 @@ Chain chain_of(const std::vector<Station>& stations) {
   return joined_to_midrib(chain);
 }
 
-/// Corners cut off twice, a quarter of the way to their neighbours, by G. Chaikin (1974). Joint and tip stay.
+/// Returns the chain with its corners cut off twice, a quarter of the way to their neighbours, by G. Chaikin (1974).
+/// Joint and tip stay.
 Chain rounded(Chain chain) {
   for (int pass = 0; pass < 2; ++pass) {
     Chain next{chain.front()};
@@ -182,7 +185,7 @@ Chain rounded(Chain chain) {
     append(next, chain.back());
     chain = std::move(next);
   }
-  // What was the widest position is so again.
+  // Restore the maximum width.
   double widest = 0;
   for (const Point point : chain) widest = std::max(widest, point.x);
   for (Point& point : chain) point.x /= widest;
@@ -196,7 +199,7 @@ Chain polygon_chain(const LeafBlade& blade) {
   return blade.corners == LeafBlade::Corners::round ? rounded(std::move(chain)) : chain;
 }
 
-/// A blunt base has points to bend.
+/// Adds points to a blunt base, so that it can be bent.
 Chain with_base_points(const Chain& chain) {
   if (chain.size() < 2 || chain[1].y > 0) return chain;
   Chain out;
@@ -205,7 +208,8 @@ Chain with_base_points(const Chain& chain) {
   return out;
 }
 
-/// Most beside the joint, a third of the way to the edge, nothing at the midrib and at the tip.
+/// Draws the base back. The move is largest beside the joint, a third of the way to the edge, and 0 at the midrib and
+/// at the tip.
 void draw_back(Chain& chain, double heart) {
   for (Point& point : chain) {
     if (point.x <= 0) continue;
@@ -215,7 +219,7 @@ void draw_back(Chain& chain, double heart) {
   }
 }
 
-/// The edge without teeth, from many points.
+/// Returns the edge without teeth as many points.
 Chain entire_edge(const LeafBlade& blade) {
   Chain chain = blade.polygon.empty() ? chain_of(candidates(blade.outline)) : polygon_chain(blade);
   if (blade.heart > 0) {
@@ -225,13 +229,13 @@ Chain entire_edge(const LeafBlade& blade) {
   return chain;
 }
 
-/// The distance of a point from the segment, all scaled by `scale`.
+/// Returns the distance of a point from the segment, all scaled by `scale`.
 double distance_to(Point point, Point from, Point to, Point scale) {
   return glm::length(from_segment(scale * (point - from), scale * (to - from)));
 }
 
-/// The points of the chain that are needed to stay within `tolerance` half widths of it, by D. Douglas and T. Peucker
-/// (1973).
+/// Returns the points of the chain that are needed to stay within `tolerance` half widths of it, by D. Douglas and T.
+/// Peucker (1973).
 Chain thinned(const Chain& chain, double aspect, double tolerance) {
   const Point scale{1, 1 / aspect};
   std::vector<bool> is_kept(chain.size(), false);
@@ -260,7 +264,7 @@ Chain thinned(const Chain& chain, double aspect, double tolerance) {
   return out;
 }
 
-/// How deep the edge is cut at each arc length.
+/// The depth of cuts at each arc length of the edge.
 struct Cuts {
   std::vector<double> place, depth;
 
@@ -273,9 +277,9 @@ struct Cuts {
   }
 };
 
-/// Teeth that get smaller toward base and tip. `depth` in lengths.
+/// Returns teeth that get smaller toward base and tip. `depth` is in lengths.
 Cuts make_cuts(const LeafBlade& blade, double total, double depth) {
-  // Where the k-th tooth begins: steps grow to the middle, to three times those at the ends.
+  // The start of the k-th tooth: steps grow toward the middle, to three times the steps at the ends.
   const double begin = kEntireBase * total;
   const auto border = [&](int k) {
     const double even = static_cast<double>(k) / blade.teeth;
@@ -296,7 +300,7 @@ Cuts make_cuts(const LeafBlade& blade, double total, double depth) {
   return cuts;
 }
 
-/// An outline without an edge yet, as long as the chain.
+/// Returns an outline without an edge, as long as the chain.
 LeafOutline outline_within(const Chain& chain) {
   LeafOutline outline;
   for (const Point point : chain) {
@@ -306,7 +310,7 @@ LeafOutline outline_within(const Chain& chain) {
   return outline;
 }
 
-/// The chain with its edge cut inward.
+/// Returns the chain with its edge cut inward.
 Chain with_cuts(const Chain& chain, double aspect, const std::vector<double>& arcs, const Cuts& cuts) {
   const Point scale{aspect, 1};
   const auto inward = [&](std::size_t segment) {
@@ -322,7 +326,7 @@ Chain with_cuts(const Chain& chain, double aspect, const std::vector<double>& ar
   };
   std::size_t cut = 0;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    // The corner itself, then the teeth's points on the way to the next.
+    // The corner itself, then the teeth's points on the way to the next corner.
     const Point at_corner = i == 0 ? inward(0) : inward(i - 1) + inward(i);
     const double size = glm::length(at_corner);
     if (i > 0) cut_at(chain[i], size > 0.1 ? at_corner / size : inward(i), cuts.at(arcs[i]));
@@ -343,7 +347,7 @@ Chain with_teeth(const LeafBlade& blade, const Chain& chain) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     arcs.push_back(arcs.back() + glm::length(Point(aspect, 1) * (chain[i] - chain[i - 1])));
   }
-  // Between narrow lobes deep cuts would meet.
+  // Deep cuts between narrow lobes would meet, so reduce the depth until they do not.
   for (double depth = blade.teeth_depth * aspect; depth > 0.1 * blade.teeth_depth * aspect; depth /= 2) {
     Chain cut = with_cuts(chain, aspect, arcs, make_cuts(blade, arcs.back(), depth));
     if (!crosses_itself(cut)) return cut;
@@ -351,12 +355,12 @@ Chain with_teeth(const LeafBlade& blade, const Chain& chain) {
   return chain;
 }
 
-/// The right side of the convex hull of blade and mirrored blade, by A. Andrew's monotone chain (1979).
+/// Returns the right side of the convex hull of the blade and its mirror image, by A. Andrew's monotone chain (1979).
 Chain convex_hull(Chain points, double low, double high) {
   points.emplace_back(0, low);
   points.emplace_back(0, high);
   std::sort(points.begin(), points.end(), [&](Point a, Point b) {
-    // On the highest line from right to left, so that the chain ends on the midrib.
+    // On the highest line, sort from right to left, so that the chain ends on the midrib.
     if (a.y != b.y) return a.y < b.y;
     return a.y >= high ? a.x > b.x : a.x < b.x;
   });
@@ -372,7 +376,7 @@ Chain convex_hull(Chain points, double low, double high) {
   return hull;
 }
 
-/// Where the edges before and after edge i meet, outside of it.
+/// Returns the point where the edges before and after edge i meet, outside of it.
 std::optional<Point> meeting_beyond(const Chain& hull, std::size_t i) {
   const Point gap = hull[i + 1] - hull[i], in = hull[i] - hull[i - 1], out = hull[i + 1] - hull[i + 2];
   const double converge = cross(in, out);
@@ -382,10 +386,10 @@ std::optional<Point> meeting_beyond(const Chain& hull, std::size_t i) {
   return hull[i] + reach * in;
 }
 
-/// A convex hull that holds `hull`, lies in its box and has at most `count` edges, if that can be.
+/// Returns a convex hull that contains `hull`, lies in its box and has at most `count` edges, if possible.
 Chain simpler_hull(Chain hull, std::size_t count, double low, double high) {
   while (hull.size() > count + 1) {
-    // Take out the edge whose neighbours meet with the least area gained.
+    // Remove the edge whose neighbours meet with the smallest gain in area.
     std::optional<std::size_t> best;
     double least = std::numeric_limits<double>::infinity();
     Point corner{0};
@@ -405,7 +409,7 @@ Chain simpler_hull(Chain hull, std::size_t count, double low, double high) {
   return hull;
 }
 
-/// Even rows between base and tip that go to the nearest corner of the edge where one is near.
+/// Returns even rows between base and tip. A row moves to the nearest corner of the edge if one is near.
 std::vector<double> even_rows(int count, const LeafOutline& outline) {
   std::vector<double> corners;
   for (const Point point : outline.edge) corners.push_back(point.y);
@@ -424,7 +428,7 @@ std::vector<double> even_rows(int count, const LeafOutline& outline) {
   return rows;
 }
 
-/// Sorted, at a distance from each other and from both ends.
+/// Sorts rows and keeps them at a distance from each other and from both ends.
 void tidy_rows(LeafOutline& outline) {
   std::sort(outline.rows.begin(), outline.rows.end());
   std::vector<double> rows;
@@ -455,21 +459,21 @@ LeafOutline mesh_outline(const LeafBlade& blade) {
     const Chain entire = entire_edge(blade);
     outline = outline_within(entire);
     if (blade.edge == LeafBlade::Edge::picture) {
-      // Teeth lie inside, but where a narrow lobe's may come out on its other side.
+      // Teeth lie inside, except on a narrow lobe, where a tooth can come out on the other side.
       Chain points = with_teeth(blade, entire);
       points.insert(points.end(), entire.begin(), entire.end());
       outline.edge = simpler_hull(convex_hull(std::move(points), outline.low, outline.high),
                                   static_cast<std::size_t>(blade.rows), outline.low, outline.high);
       for (const Point point : outline.edge) outline.rows.push_back(point.y);
     } else {
-      // Teeth so flat that they would only make slivers go again.
+      // Remove teeth that are so flat that they would only make slivers.
       const double aspect = aspect_of(blade);
       outline.edge = thinned(with_teeth(blade, thinned(entire, aspect, kCoarse / blade.rows)), aspect, kSliver);
       outline.rows = even_rows(blade.rows, outline);
     }
   }
   if (blade.waves > 0) {
-    // Crests, troughs and what lies between; other rows would catch other parts of the waves and show as streaks.
+    // Rows at crests, troughs and between. Other rows would hit different phases of the waves and show as streaks.
     outline.rows.clear();
     const int fourths = 4 * blade.waves;
     const int rows = fourths * std::max(1, blade.rows / fourths);

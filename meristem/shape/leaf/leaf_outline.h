@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a blade's parameters to its flat outline.
+// Computes a blade's flat outline from its parameters.
 #pragma once
 
 #include <vector>
@@ -10,21 +10,21 @@
 
 namespace meristem {
 
-/// The right half of a blade that lies flat. x counts in half widths from the midrib, y in lengths from the joint.
+/// The right half of a flat blade. x is in half widths from the midrib, y in lengths from the joint.
 struct LeafOutline {
   std::vector<glm::dvec2> edge;  ///< from the joint (0, 0) to the tip (0, 1); a hull starts and ends at low and high
-  std::vector<double> rows;      ///< where the mesh is cut across, rising
-  double low = 0;                ///< lower end of the whole outline along
-  double high = 1;               ///< upper end of the whole outline along
+  std::vector<double> rows;      ///< positions where the mesh is cut across, ascending
+  double low = 0;                ///< lower end of the whole outline along y
+  double high = 1;               ///< upper end of the whole outline along y
 };
 
-/// As fine as its parameters say: the edge with all its teeth. Without rows.
+/// Returns the outline in full detail, with all teeth of the edge and without rows.
 LeafOutline full_outline(const LeafBlade& blade);
 
-/// As coarse as the mesh is to be.
+/// Returns the outline in the detail of the mesh.
 LeafOutline mesh_outline(const LeafBlade& blade);
 
-/// Whether the polygon of `blade`, closed along the midrib, touches or crosses itself.
+/// Returns true if the polygon of `blade`, closed along the midrib, touches or crosses itself.
 bool polygon_crosses_itself(const LeafBlade& blade);
 
 }  // namespace meristem

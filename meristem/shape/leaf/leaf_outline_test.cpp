@@ -14,7 +14,7 @@ namespace meristem::leaf_outline_test {
 
 using Points = std::vector<glm::dvec2>;
 
-/// A palmate leaf: the side lobes overhang, the lowest reach behind the joint.
+/// A palmate leaf: the side lobes overhang, and the lowest extend behind the joint.
 const std::vector<Vec2> kPalmate{{0.35F, -0.1F}, {0.3F, 0.12F}, {0.8F, 0.1F},  {0.65F, 0.25F}, {1, 0.55F},
                                  {0.7F, 0.5F},   {0.45F, 0.4F}, {0.4F, 0.75F}, {0.25F, 0.7F},  {0, 1}};
 
@@ -33,7 +33,7 @@ double widest(const Points& edge) {
   return width;
 }
 
-/// Corners of the edge at which it turns inward.
+/// Counts the corners of the edge at which it turns inward.
 long count_notches(const Points& edge) {
   long notches = 0;
   for (std::size_t i = 1; i + 1 < edge.size(); ++i) {
@@ -77,7 +77,7 @@ TEST(LeafOutline, ThereAreAsManyTeethAsAskedFor) {
   blade.outline = Curve({{0, 1}});
   blade.teeth = 12;
   blade.teeth_depth = 0.2;
-  // A notch between each two of them.
+  // One notch between each two teeth.
   EXPECT_EQ(count_notches(full_outline(blade).edge), 12 - 1);
 }
 
@@ -92,7 +92,7 @@ TEST(LeafOutline, TeethCutIntoTheOutlineButNotIntoItsWidth) {
 }
 
 TEST(LeafOutline, TeethLeanToTheTip) {
-  // How far along the second tooth stands between the notches beside it.
+  // Returns the relative position of the second tooth between its notches.
   const auto place = [](double lean) {
     LeafBlade blade;
     blade.outline = Curve({{0, 1}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bundles stand on a helix along the shoot and lean from the angle at its base to that at its tip. Combing presses
-// their directions toward the plane of the shoot's two sides. A needle is a kite of two triangles, or a spike of three
-// around its upper edge; a flat one bends at its widest point.
+// Builds the needles of a shoot. Bundles stand on a helix along the shoot, and their angle changes from the base angle
+// to the tip angle. Combing presses their directions toward the plane of the shoot's two sides. A needle is a kite of
+// two triangles that bends at its widest point, or a spike of three triangles around its upper edge.
 #include "meristem/shape/leaf/needles.h"
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 namespace meristem {
 namespace {
 
-constexpr double kWidest = 0.45;   // of a needle's length: where it is widest
-constexpr float kRounded = 0.5F;   // how far a flat needle's normals lean outward, as if it were round
-constexpr double kRoll = 6;        // radians: up to this times the irregularity needles are turned about themselves
-constexpr double kBareBase = 0.1;  // of the shoot's twig, before the first needles
+constexpr double kWidest = 0.45;   // share of a needle's length at which it is widest
+constexpr float kRounded = 0.5F;   // outward lean of a flat needle's normals, as if it were round
+constexpr double kRoll = 6;        // radians; needles are turned about themselves by up to this times the irregularity
+constexpr double kBareBase = 0.1;  // share of the shoot's twig before the first needles
 
 void check(const NeedleShoot& shoot) {
   const auto require = [](bool holds, const char* message) {
@@ -48,7 +48,7 @@ class NeedleMesher {
   }
 
  private:
-  /// Uniform in 1 - irregular to 1 + irregular.
+  /// Returns a number that is uniform in 1 - irregular to 1 + irregular.
   double about_one(RandomKey key, std::uint64_t index) const {
     return 1 + shoot_.irregular * (2 * key.uniform(index) - 1);
   }
@@ -61,7 +61,7 @@ class NeedleMesher {
     const Vec3 outward = combed(turn);
     const Vec3 ahead = static_cast<float>(math::sin(lean)) * outward + static_cast<float>(math::cos(lean)) * kUp;
     const auto height = static_cast<float>(shoot_.along * (kBareBase + (1 - kBareBase) * up));
-    // A needle's upper face looks to the shoot, or up where needles are combed.
+    // A needle's upper face looks to the shoot, or up if needles are combed.
     const Vec3 to_shoot = static_cast<float>(math::sin(lean)) * kUp - static_cast<float>(math::cos(lean)) * outward;
     const Vec3 upper = glm::mix(to_shoot, Vec3(0, 0, 1), static_cast<float>(shoot_.flatten));
     Frame bundle = frame_along({0, height, 0}, ahead, upper);
@@ -70,18 +70,19 @@ class NeedleMesher {
     for (int n = 0; n < shoot_.fascicle; ++n) add_needle(in_bundle(bundle, n, key), key.child("needle"), n);
   }
 
-  /// At right angles to the shoot.
+  /// Returns a direction at right angles to the shoot.
   Vec3 combed(double turn) const {
     const double x = math::cos(turn);
     const double z = (1 - shoot_.flatten) * math::sin(turn);
     return normalized_or(Vec3(static_cast<float>(x), 0, static_cast<float>(z)), {1, 0, 0});
   }
 
-  /// The needles of a bundle lean away from its middle in all directions, two of them to opposite sides.
+  /// Returns the frame of a needle in its bundle. Needles lean away from the bundle's middle in all directions, and two
+  /// needles to opposite sides.
   Frame in_bundle(const Frame& bundle, int n, RandomKey key) const {
     if (shoot_.fascicle == 1) return bundle;
     const double turn = 2 * kPi * (n + key.uniform(2)) / shoot_.fascicle;
-    // Few stand in a ring, many fill a cone.
+    // Few needles stand in a ring, many fill a cone.
     const double share = shoot_.fascicle <= 5 ? 1 : std::sqrt((n + 0.5) / shoot_.fascicle);
     const double around = shoot_.fascicle <= 5 ? turn : n * radians(kGoldenAngleDeg) + turn;
     Frame needle = bundle;
@@ -89,11 +90,11 @@ class NeedleMesher {
     return needle;
   }
 
-  /// Along the frame's y, its face to z.
+  /// Adds a needle along the frame's y, with its face to z.
   void add_needle(const Frame& frame, RandomKey key, int n) {
     const double length = shoot_.length * about_one(key, static_cast<std::uint64_t>(n));
     const auto half = static_cast<float>(shoot_.width / 2);
-    // The bend as a chord from base to tip and the middle's height over it.
+    // The bend as a chord from base to tip, and the middle's height above it.
     const double lean = 0.5 * shoot_.curl;
     const auto middle = static_cast<float>(kWidest * length);
     const auto tip_along = static_cast<float>(length * math::cos(lean));
@@ -127,7 +128,7 @@ class NeedleMesher {
     for (std::uint32_t k = 0; k < 3; ++k) mesh_.triangles.push_back({first + (k + 1) % 3, first + k, first + 3 + k});
   }
 
-  /// Three-sided, to a point.
+  /// Adds a three-sided twig that ends in a point.
   void add_axis() {
     const auto first = static_cast<std::uint32_t>(mesh_.vertex_count());
     for (int k = 0; k < 3; ++k) {

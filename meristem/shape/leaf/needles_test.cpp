@@ -16,7 +16,7 @@ namespace meristem::needles_test {
 
 constexpr MeshPromises kOpen{.closed = false, .outward = false};
 
-/// Base and tip of each flat needle of a shoot without a twig.
+/// Returns base and tip of each flat needle of a shoot without a twig.
 std::vector<std::pair<Vec3, Vec3>> needles_of(const NeedleShoot& shoot) {
   const Mesh mesh = make_needles(shoot);
   std::vector<std::pair<Vec3, Vec3>> needles;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// In: a small mesh with uvs. Out: one with fewer triangles between vertices of the first. Half-edges collapse, the one
-// first that takes the surface and its border least far away; then whole pieces are left out. It moves no vertex, so
-// uvs and normals in between need no rule; the result is coarser than that of simplify() at an equal count.
+// In: a small mesh with uvs. Out: a mesh with fewer triangles between vertices of the first. Half-edges collapse,
+// beginning with the one that moves the surface and its border least, and then whole pieces are removed. No vertex
+// moves, so uvs and normals need no interpolation. For an equal count, the result is coarser than the result of
+// simplify().
+//
 // Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997), sections 4 and 6.
 #include "meristem/shape/mesh/coarsen.h"
 
@@ -28,19 +30,21 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 2000;
 constexpr std::size_t kManyPieces = 4;
-constexpr double kSmallPiece = 0.2;  // of the mean of what pieces show: a leaf's stalk, which goes first
+constexpr double kSmallPiece = 0.2;  // share of the mean visible area of pieces; smaller pieces, such as a leaf's
+                                     // stalk, are removed first
 constexpr double kMostWidening = 4;
-constexpr double kLeastCosine = 0.2;   // cosine of the angle that a triangle may turn
-constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and its vertices
-constexpr double kFlat = 0.5;          // of its area, that a piece which is no tube shows from one side
+constexpr double kLeastCosine = 0.2;   // minimum cosine of the angle that a triangle may turn
+constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and of its vertices
+constexpr double kFlat = 0.5;          // visible share of the area of a flat (non-tube) piece, seen from one side
 
-constexpr std::size_t kFewestClustered = 24;  // triangles of a quick mesh that cells of a grid make
-constexpr int kMostGrids = 8;                 // that are tried for a quick mesh
-constexpr float kNextGrid = 1.35F;            // times the cells of the one before
+constexpr std::size_t kFewestClustered = 24;  // minimum number of triangles of a quick mesh that the cells of a grid
+                                              // make
+constexpr int kMostGrids = 8;                 // maximum number of grids that are tried for a quick mesh
+constexpr float kNextGrid = 1.35F;            // factor on the cells of the grid before
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Twice the area, along the normal.
+/// Returns twice the area, along the normal.
 DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
   const DVec3 a(mesh.positions[triangle[0]]);
   return glm::cross(DVec3(mesh.positions[triangle[1]]) - a, DVec3(mesh.positions[triangle[2]]) - a);
@@ -56,7 +60,7 @@ struct PositionHash {
   }
 };
 
-/// The first vertex at the position of each: vertices of a seam share a point.
+/// Returns the first vertex at the position of each vertex. Vertices of a seam share a point.
 std::vector<std::uint32_t> points_of(const Mesh& mesh) {
   std::unordered_map<Vec3, std::uint32_t, PositionHash> first;
   first.reserve(mesh.vertex_count());
@@ -66,8 +70,8 @@ std::vector<std::uint32_t> points_of(const Mesh& mesh) {
   return point;
 }
 
-/// Collapses half-edges of a mesh. A seam collapses along itself: where several vertices share a point, all of them
-/// must meet one on their own side.
+/// Collapses half-edges of a mesh. A seam collapses only along itself: if several vertices share a point, each of them
+/// must have a target vertex on its own side.
 class HalfEdgeCollapse {
  public:
   explicit HalfEdgeCollapse(Mesh& mesh)
@@ -112,7 +116,7 @@ class HalfEdgeCollapse {
         const DVec3 position(mesh_.positions[from]);
         quadrics_[from].add_plane(normal, position, length);
         if (triangles_at(from, to) != 1) continue;
-        // A border is held by the plane through it that stands on the triangle.
+        // A plane through the border, at right angles to the triangle, keeps the border in place.
         const DVec3 along = DVec3(mesh_.positions[to]) - position;
         const double square = glm::dot(along, along);
         const DVec3 outward = glm::cross(along, normal) * (1 / std::sqrt(square));
@@ -139,7 +143,7 @@ class HalfEdgeCollapse {
     return found;
   }
 
-  /// Where a point would collapse to.
+  /// The possible collapse of a point.
   struct Collapse {
     double cost = std::numeric_limits<double>::infinity();
     std::uint32_t to = 0;
@@ -161,14 +165,14 @@ class HalfEdgeCollapse {
     return best;
   }
 
-  /// Finds the cheapest collapse of the point anew.
+  /// Recomputes the cheapest collapse of the point.
   void update(std::uint32_t point) {
     if (std::isfinite(best_[point].cost)) queue_.erase({best_[point].cost, point});
     best_[point] = cheapest(point);
     if (std::isfinite(best_[point].cost)) queue_.emplace(best_[point].cost, point);
   }
 
-  /// Which vertex of `to` takes the place of each vertex of `from`: the one beside it in a triangle that goes.
+  /// Returns, for each vertex of `from`, the vertex of `to` that replaces it: its neighbour in a removed triangle.
   std::map<std::uint32_t, std::uint32_t> replacements(std::uint32_t from, std::uint32_t to) const {
     std::map<std::uint32_t, std::uint32_t> beside;
     for (const std::uint32_t t : around_[from]) {
@@ -184,7 +188,7 @@ class HalfEdgeCollapse {
                          [&](std::uint32_t vertex) { return point_of_[vertex] == point; });
   }
 
-  /// Whether the surface stays a surface, no triangle turns over, and something is left of the piece.
+  /// Returns true if the surface stays a surface, no triangle turns over, and a part of the piece remains.
   bool may_collapse(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& near,
                     bool is_border) const {
     const std::size_t shared = triangles_at(from, to);
@@ -209,7 +213,7 @@ class HalfEdgeCollapse {
     return true;
   }
 
-  /// Many small turns may make a large one; normals are those of the first surface.
+  /// Many small turns can add up to a large one. The normals belong to the first surface.
   bool faces_its_normals(const Triangle& triangle, DVec3 area) const {
     if (mesh_.normals.empty()) return true;
     return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
@@ -250,24 +254,25 @@ class HalfEdgeCollapse {
   }
 
   Mesh& mesh_;
-  std::vector<std::uint32_t> point_of_;             // of each vertex
+  std::vector<std::uint32_t> point_of_;             // for each vertex
   std::vector<Triangle> corners_;                   // the points of each triangle
   std::vector<std::vector<std::uint32_t>> around_;  // triangles of each point
   std::vector<Quadric> quadrics_;
-  std::vector<Collapse> best_;                        // of each point
-  std::set<std::pair<double, std::uint32_t>> queue_;  // the points that can collapse, by cost
-  std::vector<bool> gone_;                            // triangles
+  std::vector<Collapse> best_;                        // for each point
+  std::set<std::pair<double, std::uint32_t>> queue_;  // points that can collapse, by cost
+  std::vector<bool> gone_;                            // for each triangle
   std::size_t left_ = 0;
 };
 
-/// Triangles that hang together, by their vertices or by edges in the same place.
+/// Triangles that are connected by their vertices, or by edges at equal positions.
 struct Piece {
   std::vector<Triangle> triangles;
   double area = 0;
-  DVec3 one_sided{0};  // the sum of area vectors
+  DVec3 one_sided{0};  // sum of area vectors
 
   bool is_flat() const { return glm::length(one_sided) > kFlat * area; }
-  /// Its area beside that of flat pieces, of a tube half: a tube shows a quarter of its area in the mean, a leaf half.
+  /// Returns its mean visible area relative to the area of flat pieces. A tube counts half, since it shows a quarter of
+  /// its area on average and a leaf half.
   double shown() const { return is_flat() ? area : 0.5 * area; }
 };
 
@@ -284,7 +289,7 @@ std::vector<Piece> pieces_of(const Mesh& mesh) {
     root[std::max(first, other)] = std::min(first, other);
   };
   const std::vector<std::uint32_t> point = points_of(mesh);
-  std::unordered_map<std::uint64_t, std::uint32_t> beside;  // by edge
+  std::unordered_map<std::uint64_t, std::uint32_t> beside;  // indexed by edge
   beside.reserve(2 * mesh.triangle_count());
   for (const Triangle& triangle : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -312,7 +317,7 @@ double area_of(const std::vector<Piece>& pieces) {
   return area;
 }
 
-/// Leaves out what is small beside the others.
+/// Removes pieces that are small relative to the others.
 std::vector<Piece> without_small(std::vector<Piece> pieces) {
   double shown = 0;
   for (const Piece& piece : pieces) shown += piece.shown();
@@ -321,7 +326,7 @@ std::vector<Piece> without_small(std::vector<Piece> pieces) {
   return pieces;
 }
 
-/// An even choice of pieces with no more than `triangles` triangles; one piece stays.
+/// Returns an even choice of pieces with at most `triangles` triangles. At least one piece stays.
 std::vector<Piece> chosen(std::vector<Piece> pieces, std::size_t triangles) {
   std::size_t count = 0;
   std::vector<std::uint32_t> kept;
@@ -343,7 +348,7 @@ void take_triangles(Mesh& mesh, const std::vector<Piece>& pieces) {
   }
 }
 
-/// Stretches a flat piece across the line between its farthest vertices.
+/// Stretches a flat piece at right angles to the line between its farthest vertices.
 void widen(Mesh& mesh, const Piece& piece, double factor) {
   if (!piece.is_flat()) return;
   std::vector<std::uint32_t> vertices;
@@ -365,7 +370,8 @@ void widen(Mesh& mesh, const Piece& piece, double factor) {
   }
 }
 
-/// Whether all vertices have the normals of their triangles, which some have for themselves: the low-poly look.
+/// Returns true if all vertices have the normals of their triangles and some belong to a single triangle: the low-poly
+/// look.
 bool is_flat(const Mesh& mesh) {
   if (mesh.normals.empty()) return false;
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
@@ -376,7 +382,7 @@ bool is_flat(const Mesh& mesh) {
   });
 }
 
-/// A flat-shaded mesh whose triangles share their vertices where uvs agree.
+/// Returns a flat-shaded mesh whose triangles share their vertices where uvs agree.
 Mesh joined(const Mesh& mesh) {
   Mesh whole;
   std::map<std::tuple<float, float, float, float, float>, std::uint32_t> known;
@@ -396,7 +402,7 @@ Mesh joined(const Mesh& mesh) {
   return whole;
 }
 
-/// The mesh without vertices that no triangle has.
+/// Returns the mesh without unused vertices.
 Mesh without_loose_vertices(const Mesh& mesh) {
   constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
   Mesh left;
@@ -415,7 +421,7 @@ Mesh without_loose_vertices(const Mesh& mesh) {
   return left;
 }
 
-/// Cells of a grid over a mesh's box: as cubic as can be, at least two along its two longest sides.
+/// Cells of a grid over a mesh's box: as cubic as possible, at least two along its two longest sides.
 struct ClusterGrid {
   Vec3 low{0};
   std::array<float, 3> per_metre{};
@@ -443,11 +449,12 @@ struct ClusterGrid {
   }
 };
 
-/// The triangles between the vertices of the cells: in each cell all become the one farthest from the middle.
+/// Returns the triangles between the vertices of the cells. In each cell, all vertices become the one farthest from the
+/// middle.
 std::vector<Triangle> joined_in_cells(const Mesh& mesh, const Box& box, const ClusterGrid& grid) {
   const Vec3 middle = box.centre();
   const auto distance = [&](std::uint32_t v) { return glm::distance(mesh.positions[v], middle); };
-  // Vertices of pieces that were left out lie outside of the box.
+  // Vertices of removed pieces lie outside of the box.
   std::vector<bool> is_used(mesh.vertex_count());
   for (const Triangle& triangle : mesh.triangles) {
     for (const std::uint32_t vertex : triangle) is_used[vertex] = true;
@@ -471,7 +478,8 @@ std::vector<Triangle> joined_in_cells(const Mesh& mesh, const Box& box, const Cl
   return triangles;
 }
 
-/// Few large cells, then more, until the next would have more triangles than wanted; none if two are too many.
+/// Clusters vertices in few large cells, then in more, until the next grid would give more triangles than wanted. Does
+/// nothing if even the coarsest grid gives too many.
 void cluster(Mesh& mesh, std::size_t triangles) {
   Box box;
   for (const Triangle& triangle : mesh.triangles) {
@@ -512,7 +520,7 @@ Mesh quickly_coarsened(const Mesh& mesh, std::size_t triangles) {
     for (const Piece& piece : pieces) widen(coarse, piece, factor);
   } else {
     take_triangles(coarse, pieces);
-    // A grid of so large cells makes no outline.
+    // A grid of such large cells does not preserve the outline.
     cluster(coarse, std::max(triangles, kFewestClustered));
     if (triangles < kFewestClustered) HalfEdgeCollapse(coarse).run(triangles);
   }
@@ -523,7 +531,7 @@ Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
   if (mesh.triangle_count() <= std::max<std::size_t>(triangles, 2) || mesh.triangle_count() > kMostTriangles)
     return mesh;
   if (is_flat(mesh)) {
-    // A vertex per corner leaves nothing to collapse.
+    // Separate vertices per corner leave nothing to collapse, so join them first.
     const Mesh whole = joined(mesh);
     Progress progress;
     if (whole.vertex_count() < mesh.vertex_count()) return flat_shaded(coarsened(whole, triangles), progress);

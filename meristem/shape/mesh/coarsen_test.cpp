@@ -86,17 +86,17 @@ TEST(EvenOrder, EachBeginningIsSpreadEvenly) {
   constexpr std::size_t kCount = 4096;
   const std::vector<std::uint32_t> order = even_order(kCount, RandomKey(3));
   for (std::size_t shown = 4; shown <= kCount; shown *= 4) {
-    // Exactly one of each run.
+    // Exactly one index of each run is among the first ones.
     std::vector<int> of_run(shown, 0);
     for (std::size_t k = 0; k < shown; ++k) ++of_run[order[k] / (kCount / shown)];
     EXPECT_EQ(std::count(of_run.begin(), of_run.end(), 1), static_cast<std::ptrdiff_t>(shown));
   }
-  // But not always the same one: as many even as odd.
+  // The chosen ones are not always the same of each pair: as many even as odd indices.
   const auto even = std::count_if(order.begin(), order.begin() + kCount / 2, [](auto k) { return k % 2 == 0; });
-  EXPECT_NEAR(static_cast<double>(even), kCount / 4, 4 * 23);  // four deviations of a binomial
+  EXPECT_NEAR(static_cast<double>(even), kCount / 4, 4 * 23);  // four standard deviations of a binomial distribution
 }
 
-/// How often a thing wins, asked for it alone: its half of each group against the other half.
+/// Returns how often an item wins, computed for this item alone: its half of each group against the other half.
 int rounds_of(std::uint64_t thing, std::size_t count, const RandomKey& key) {
   for (unsigned round = 0; (std::uint64_t{1} << round) < count; ++round) {
     const std::uint64_t pair = thing >> (round + 1);

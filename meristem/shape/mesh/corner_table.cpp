@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Builds and updates a corner table. Corners are sorted by their opposite edge to find pairs, and a collapse rewires
+// the corners around the two removed triangles.
 #include "meristem/shape/mesh/corner_table.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ CornerTable::CornerTable(std::span<const std::array<std::uint32_t, 3>> triangles
 }
 
 void CornerTable::pair_corners(const Progress& progress) {
-  // Sort the corners by the lower vertex of the edge opposite, by counting: `end[v]` is where those of v end.
+  // Sort the corners by the lower vertex of the opposite edge, by counting. `end[v]` is the end of the corners of v.
   const std::size_t corners = sides_.size();
   const auto lower = [&](Corner c) { return std::min(sides_[next(c)].vertex, sides_[previous(c)].vertex); };
   const auto upper = [&](Corner c) { return std::max(sides_[next(c)].vertex, sides_[previous(c)].vertex); };
@@ -42,7 +44,7 @@ void CornerTable::pair_corners(const Progress& progress) {
     sorted[end[lower(c)]++] = c;
   }
 
-  // Pair those that have the edge in opposite directions; what else there is keeps its ends in place.
+  // Pair corners that have the edge in opposite directions. All other edges keep their ends in place.
   std::size_t begin = 0;
   for (std::size_t v = 0; v < vertex_count(); ++v) {
     if (v % kItemsBetweenChecks == 0) progress.check();
@@ -89,7 +91,8 @@ void CornerTable::find_inner(const Progress& progress) {
 void CornerTable::collapse(Corner c) {
   const std::uint32_t kept = sides_[c].vertex;
   const Corner gone = next(c);
-  const Corner beyond = sides_[previous(c)].opposite;  // its next is at the kept vertex, its previous at the other
+  const Corner beyond = sides_[previous(c)].opposite;  // its next corner is at the kept vertex, its previous corner at
+                                                       // the other one
   for (Corner around = turn(gone); around != gone; around = turn(around)) sides_[around].vertex = kept;
   first_[sides_[gone].vertex] = kNone;
   sides_[gone].vertex = kept;
@@ -97,7 +100,8 @@ void CornerTable::collapse(Corner c) {
   remove_triangle(previous(beyond), next(beyond));
 }
 
-/// Takes out the triangle of two corners that have become one vertex: what lay beyond its other edges is now adjacent.
+/// Removes the triangle of two corners whose vertices became one. The triangles beyond its other edges become
+/// neighbours.
 void CornerTable::remove_triangle(Corner a, Corner b) {
   const std::array<Corner, 2> outer{sides_[a].opposite, sides_[b].opposite};
   for (int k = 0; k < 2; ++k) {

@@ -10,9 +10,9 @@
 
 namespace meristem {
 
-/// Who is whose neighbour in a mesh, while its edges collapse. Corner 3t + k is triangle t at its k-th vertex; each
-/// knows the corner that looks at it across the edge opposite. Two whole numbers per corner and one per vertex, no
-/// lists.
+/// The neighbours in a mesh while its edges collapse. Corner 3t + k is the k-th vertex of triangle t. Each corner
+/// stores the corner on the other side of its opposite edge. The table has two whole numbers per corner and one per
+/// vertex, and no lists.
 ///
 /// Based on: J. Rossignac, A. Safonova, A. Szymczak: 3D Compression Made Simple: Edgebreaker on a Corner-Table (2001).
 class CornerTable {
@@ -20,7 +20,7 @@ class CornerTable {
   using Corner = std::uint32_t;
   static constexpr Corner kNone = 0xFFFFFFFF;
 
-  /// Linear. Vertices must be below `vertices`. Throws Cancelled.
+  /// Builds the table in linear time. Vertices must be below `vertices`. Throws Cancelled.
   CornerTable(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertices, const Progress& progress);
 
   static Corner next(Corner c) { return c % 3 == 2 ? c - 2 : c + 1; }
@@ -28,25 +28,28 @@ class CornerTable {
 
   std::size_t corner_count() const { return sides_.size(); }
   std::size_t vertex_count() const { return first_.size(); }
-  /// Triangles that are left.
+  /// Returns the number of remaining triangles.
   std::size_t triangle_count() const { return triangles_; }
 
   std::uint32_t vertex(Corner c) const { return sides_[c].vertex; }
-  /// The corner beyond the edge from next(c) to previous(c); kNone at a border.
+  /// Returns the corner beyond the edge from next(c) to previous(c), or kNone at a border.
   Corner opposite(Corner c) const { return sides_[c].opposite; }
-  /// Some corner of a vertex; kNone if it has none (any more).
+  /// Returns some corner of a vertex, or kNone if it has none (left).
   Corner corner_of(std::uint32_t vertex) const { return first_[vertex]; }
-  /// The corner of the same vertex in the triangle beyond the edge to previous(c), which is counter-clockwise.
+  /// Returns the corner of the same vertex in the triangle beyond the edge to previous(c), which is the next one
+  /// counter-clockwise.
   Corner turn(Corner c) const {
     const Corner beyond = sides_[next(c)].opposite;
     return beyond == kNone ? kNone : next(beyond);
   }
-  /// False for vertices on borders, on edges of more than two triangles or of two that are turned against each other,
-  /// and for those whose triangles are several fans. Only around the others can one turn.
+  /// Returns false for vertices on borders, on edges of more than two triangles, on edges of two triangles with
+  /// opposite orientation, and for vertices whose triangles form several fans. Only around other vertices can turn() be
+  /// repeated.
   bool is_inner(std::uint32_t vertex) const { return inner_[vertex] != 0; }
 
-  /// Takes out the two triangles at the edge from the vertex of `c` to the vertex of next(c), whose other triangles
-  /// become those of the vertex of `c`. Both vertices are inner and have, beside each other, two neighbours in common.
+  /// Removes the two triangles at the edge from the vertex of `c` to the vertex of next(c). The other triangles of the
+  /// second vertex become triangles of the vertex of `c`. Both vertices must be inner, and must have exactly two common
+  /// neighbours.
   void collapse(Corner c);
 
  private:
@@ -54,7 +57,7 @@ class CornerTable {
   void find_inner(const Progress& progress);
   void remove_triangle(Corner kept, Corner gone);
 
-  // Together, as whoever asks for one asks for the other.
+  // Stored together, because both are usually read together.
   struct Side {
     std::uint32_t vertex;
     Corner opposite;

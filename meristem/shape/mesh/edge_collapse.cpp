@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangle mesh comes in, one with fewer triangles of about the same form goes out. Each vertex remembers the planes
-// of the triangles that it stands for as a quadric; the edge whose ends can become one vertex at the least sum of
-// squared distances from their planes, weighted by area, collapses first. A collapse that would break the surface, turn
-// a triangle over or fold it onto its neighbour is left out.
+// Simplifies a triangle mesh and approximately keeps its form. Each vertex stores, as a quadric, the planes of the
+// triangles that it represents. The first edge to collapse is the one whose ends can become one vertex with the
+// smallest sum of squared distances from their planes, weighted by area. A collapse that would break the surface, turn
+// a triangle over or fold it onto its neighbour is skipped.
 //
-// Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997); T. K. Dey,
-// H. Edelsbrunner, S. Guha, D. V. Nekhayev: Topology Preserving Edge Contraction (1999), the link condition.
-// Deviations: the new vertex then moves along the mean normal so that the volume stays, without which crowns of spheres
-// brought to 100 triangles lose a fifth of it; a weak spring keeps the position near the edge where the planes leave it
-// open, and among edges that cost nothing short ones go first. The queue holds vertices instead of edges, each for its
-// edges to higher vertices, in steps of cost; costs are taken anew when a vertex comes to its front: sums of quadrics
-// only grow, so an old cost is a lower bound.
+// Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997); T. K. Dey, H.
+// Edelsbrunner, S. Guha, D. V. Nekhayev: Topology Preserving Edge Contraction (1999), the link condition. Deviations:
+// the new vertex then moves along the mean normal so that the volume stays. Without this, crowns of spheres reduced to
+// 100 triangles lose a fifth of their volume. A weak spring keeps the position near the edge if the planes do not
+// determine it, and among edges of cost 0 the short ones collapse first. The queue contains vertices instead of edges,
+// each for its edges to higher vertices, in steps of cost. Costs are recomputed when a vertex reaches the front: sums
+// of quadrics only grow, so an old cost is a lower bound.
 //
-// Why not meshoptimizer: its simplifier (0.18) has no link condition. A forked trunk of 38,820 triangles brought to
-// 5,000 had 54 edges with four triangles and 3.5 % less volume, at 500 23 % less, as vertices stay where they are; and
-// one call of it for 15 million triangles ran for 18 seconds that nobody can stop.
+// Why not meshoptimizer: its simplifier (0.18) has no link condition. A forked trunk of 38,820 triangles reduced to
+// 5,000 had 54 edges with four triangles and 3.5 % less volume. At 500 triangles, the volume was 23 % less, because
+// vertices do not move. A single call for 15 million triangles ran for 18 seconds and cannot be stopped.
 #include "meristem/shape/mesh/edge_collapse.h"
 
 #include <algorithm>
@@ -30,36 +30,37 @@ namespace meristem {
 namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
-/// Stiffness of the spring toward the edge, a share of the planes' weight.
+/// Stiffness of the spring toward the edge, as a share of the planes' weight.
 constexpr double kSpring = 1e-5;
-/// Stiffness of the spring that keeps apices of few triangles from standing out of round bodies as spikes, and how much
-/// the spring may raise the cost: at corners and ridges it would raise it by far more.
+/// Stiffness of the spring that prevents spikes: apices of few triangles that stand out of round bodies. kTameCost
+/// limits the increase of cost by this spring, which would be much larger at corners and ridges.
 constexpr double kTameSpring = 0.05;
 constexpr double kTameCost = 2;
-/// What an edge's squared length costs, a share of the same.
+/// Cost of an edge's squared length, as a share of the planes' weight.
 constexpr double kShortEdges = 1e-5;
-/// How far the surface departs at worst, over the root mean square of what a vertex has from its planes: on
-/// spheres 2.2 to 2.7.
+/// Maximum deviation of the surface, relative to the root mean square distance of a vertex from its planes. On spheres
+/// this is 2.2 to 2.7.
 constexpr double kWorstToMean = 3;
-/// Sweeps go on down to this multiple of the triangles that are wanted, or to this number. A crown of 512,000 triangles
-/// comes to 5,000 in 0.7 s with a root mean square distance of 0.95 mm, without sweeps in 1.7 s with 0.92 mm.
+/// Sweeps continue down to this multiple of the wanted triangles, or to this number. A crown of 512,000 triangles is
+/// reduced to 5,000 in 0.7 s with a root mean square distance of 0.95 mm, and without sweeps in 1.7 s with 0.92 mm.
 constexpr std::size_t kSweepDownTo = 3;
 constexpr std::size_t kSmallMesh = 32'768;
-/// What a sweep's edges may cost, over the median before: about what a quarter of the triangles is left at.
+/// Maximum cost of an edge in a sweep, relative to the median before. At this cost, about a quarter of the triangles
+/// remains.
 constexpr float kSweepCost = 64;
-/// Vertices of a part of a sweep: some 350 kB with their triangles.
+/// Number of vertices in a part of a sweep: some 350 kB with their triangles.
 constexpr std::uint32_t kSweepPart = 2048;
-/// How far an apex may move to keep the volume, as a share of the edge's length.
+/// Maximum move of an apex to keep the volume, as a share of the edge's length.
 constexpr double kVolumeShift = 0.5;
-/// The cosine of the angle that a collapse may turn a triangle: 75°.
+/// Minimum cosine of the angle that a collapse may turn a triangle: 75°.
 constexpr double kTurn = 0.26;
-/// The cosine of the angle between the normals of neighbours beyond which they count as folded: 143°.
+/// Cosine of the angle between the normals of neighbours beyond which they count as folded: 143°.
 constexpr double kFold = -0.8;
-/// Twice the area over the longest side squared, below which a triangle is too thin to be made.
+/// Minimum of twice the area divided by the squared longest side. Thinner triangles must not be made.
 constexpr double kThin = 2e-3;
-/// Below it a triangle's normal says nothing.
+/// Below this value, a triangle's normal has no meaning.
 constexpr double kNoNormal = 1e-5;
-/// Triangles around one vertex, at most.
+/// Maximum number of triangles around one vertex.
 constexpr std::size_t kMostAround = 40;
 
 double longest_squared(DVec3 a, DVec3 b, DVec3 c) {
@@ -97,13 +98,13 @@ void EdgeCollapse::add_quadrics(const Progress& progress) {
   }
 }
 
-/// A position as the mesh has it. By a call, since GCC 12 leaves out the rounding to float of two of the coordinates
-/// where it vectorises them together with the way back to double, and meshes would differ with the level of
-/// optimisation.
+/// Returns a position as the mesh stores it. This call must not be inlined. GCC 12 omits the rounding to float for two
+/// of the coordinates if it vectorises them together with the conversion back to double. Meshes would then depend on
+/// the optimisation level.
 [[gnu::noinline]] Vec3 EdgeCollapse::stored(DVec3 point) const { return Vec3(point + centre_); }
 
-/// Visits the edges that may collapse and whose lower end is the vertex, with a corner at the vertex whose next is the
-/// other end.
+/// Visits the edges that may collapse and whose lower end is the vertex. Passes a corner at the vertex whose next
+/// corner is at the other end.
 template <class Visit>
 void EdgeCollapse::for_each_edge(std::uint32_t vertex, Visit&& visit) const {
   if (!vertices_[vertex].is_inner) return;
@@ -129,13 +130,13 @@ EdgeCollapse::Candidate EdgeCollapse::candidate(std::uint32_t low, std::uint32_t
   if (both.at(tame) < kTameCost * both.at(apex)) apex = tame;
   const double a_error = a.at(apex);
   const double b_error = b.at(apex);
-  // Each end on its own: what is large beside a twig must not outvote it.
+  // Test each end separately: a large part next to a twig must not dominate the twig.
   const bool errs = a_error > squared_error_ * a.weight() || b_error > squared_error_ * b.weight();
   const double length_cost = kShortEdges * std::min(a.weight(), b.weight()) * squared_length(along);
   return {errs ? kNever : static_cast<float>(a_error + b_error + length_cost), corner, apex};
 }
 
-/// The cheapest edge of those to higher vertices that comes after `last`; its cost is kNever if there is none.
+/// Returns the cheapest edge to a higher vertex that comes after `last`. Its cost is kNever if there is no such edge.
 EdgeCollapse::Candidate EdgeCollapse::cheapest_after(const Candidate& last, std::uint32_t vertex) const {
   Candidate cheapest{kNever, 0, {}};
   for_each_edge(vertex, [&](std::uint32_t high, Corner c) {
@@ -146,8 +147,8 @@ EdgeCollapse::Candidate EdgeCollapse::cheapest_after(const Candidate& last, std:
 }
 
 void EdgeCollapse::run(std::size_t triangles, Progress& progress) {
-  // While there is much to do, go over the mesh in parts that fit into a processor's cache, each up to a like cost: in
-  // the order of costs alone, most of the time goes into waiting for memory.
+  // If there is much to do, sweep over the mesh in parts that fit into a processor's cache, each up to a similar cost.
+  // In the pure order of costs, most time is spent waiting for memory.
   const std::size_t enough = std::max(kSweepDownTo * triangles, kSmallMesh);
   std::size_t before = corners_.triangle_count() + 1;
   while (corners_.triangle_count() > enough && corners_.triangle_count() < before) {
@@ -164,7 +165,7 @@ void EdgeCollapse::run(std::size_t triangles, Progress& progress) {
   collapse_queued(triangles, progress);
 }
 
-/// The median cost of the vertices' cheapest edges, from a sample.
+/// Returns the median cost of the vertices' cheapest edges, from a sample.
 float EdgeCollapse::median_cost(const Progress& progress) const {
   std::vector<float> costs;
   const std::size_t stride = vertices_.size() / 4096 + 1;
@@ -180,7 +181,7 @@ float EdgeCollapse::median_cost(const Progress& progress) const {
 }
 
 void EdgeCollapse::put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress) {
-  // The last one first, so that lower ones are taken first.
+  // Insert the last one first, so that lower ones are taken first.
   for (std::uint32_t v = end; v-- > begin;) {
     if (v % 1024 == 0) progress.check();
     if (corners_.corner_of(v) == CornerTable::kNone) continue;
@@ -203,7 +204,7 @@ void EdgeCollapse::collapse_queued(std::size_t triangles, Progress& progress) {
   }
 }
 
-/// Collapses the cheapest edge of a vertex that may, or puts the vertex where it belongs by now.
+/// Collapses the cheapest edge of a vertex that may collapse, or moves the vertex to its present position in the queue.
 void EdgeCollapse::consider(std::uint32_t vertex) {
   Candidate edge;
   while (true) {
@@ -212,14 +213,14 @@ void EdgeCollapse::consider(std::uint32_t vertex) {
     const std::uint32_t step = VertexQueue::step(edge.cost);
     if (step > queue_.current_step()) return queue_.put(vertex, step);
     if (!keeps_manifold(edge.corner)) continue;
-    // What is checked is what is stored.
+    // The checks use the rounded position that will be stored.
     const DVec3 apex = rounded(with_volume(edge));
     if (keeps_form(apex) && keeps_folds(edge.corner, apex)) return collapse(edge.corner, apex);
   }
   vertices_[vertex].is_blocked = true;
 }
 
-/// The link condition; leaves in `fan_` the triangles around both ends that stay, counter-clockwise.
+/// Checks the link condition. Stores in `fan_` the remaining triangles around both ends, counter-clockwise.
 bool EdgeCollapse::keeps_manifold(Corner corner) {
   const auto add = [&](Corner c) {
     fan_.push_back({c, corners_.vertex(CornerTable::next(c)), corners_.vertex(CornerTable::previous(c))});
@@ -229,9 +230,9 @@ bool EdgeCollapse::keeps_manifold(Corner corner) {
   const std::size_t low_count = fan_.size();
   const Corner far = CornerTable::next(corner);
   for (Corner c = corners_.turn(corners_.turn(far)); c != far; c = corners_.turn(c)) add(c);
-  // A tetrahedron has no triangle to spare.
+  // No triangle of a tetrahedron can be removed.
   if (fan_.size() > kMostAround || (low_count == 1 && fan_.size() == 2)) return false;
-  // The ends share the third corners of the edge's two triangles, and may share no other neighbour.
+  // The ends share the third corners of the edge's two triangles, and must share no other neighbour.
   for (std::size_t high = low_count + 1; high < fan_.size(); ++high) {
     for (std::size_t low = 0; low < low_count; ++low) {
       if (fan_[low].from == fan_[high].from || fan_[low].to == fan_[high].from) return false;
@@ -240,12 +241,12 @@ bool EdgeCollapse::keeps_manifold(Corner corner) {
   return true;
 }
 
-/// The apex moved so that the fan, which is that of the edge, encloses as much as before; not far.
+/// Returns the apex, moved a limited distance so that the fan of the edge keeps the enclosed volume.
 DVec3 EdgeCollapse::with_volume(const Candidate& edge) const {
   const std::uint32_t low = corners_.vertex(edge.corner);
   const DVec3 origin = position(low);
   const DVec3 high = position(corners_.vertex(CornerTable::next(edge.corner))) - origin;
-  // Six times volumes of tetrahedra with a corner at the low end: triangles around that have none.
+  // Six times the volumes of tetrahedra with a corner at the low end. Triangles around this corner have no volume.
   DVec3 growth(0);
   double volume = 0;
   for (const FanTriangle& triangle : fan_) {
@@ -260,7 +261,7 @@ DVec3 EdgeCollapse::with_volume(const Candidate& edge) const {
   return edge.apex + (missing / squared_growth) * growth;
 }
 
-/// Whether no triangle of the fan turns over or becomes thin when its corner moves to `apex`.
+/// Returns true if no triangle of the fan turns over or becomes thin when its corner moves to `apex`.
 bool EdgeCollapse::keeps_form(DVec3 apex) {
   for (FanTriangle& triangle : fan_) {
     const DVec3 from = position(triangle.from);
@@ -273,7 +274,7 @@ bool EdgeCollapse::keeps_form(DVec3 apex) {
     const double longest = longest_squared(apex, from, to);
     const double old_longest = longest_squared(old_apex, from, to);
     if (!(length > kNoNormal * longest)) return false;
-    // What is thin may become less so.
+    // A thin triangle may become less thin.
     if (length < kThin * longest && length * old_longest < old_length * longest) return false;
     const bool has_normal = old_length > kNoNormal * old_longest;
     if (has_normal && glm::dot(front, old_front) < kTurn * length * old_length) return false;
@@ -282,7 +283,7 @@ bool EdgeCollapse::keeps_form(DVec3 apex) {
   return true;
 }
 
-/// Whether no two neighbours fold onto each other that did not before.
+/// Returns true if no two neighbours fold onto each other that did not before.
 bool EdgeCollapse::keeps_folds(Corner corner, DVec3 apex) {
   const std::uint32_t low = corners_.vertex(corner);
   const std::uint32_t high = corners_.vertex(CornerTable::next(corner));
@@ -302,7 +303,7 @@ bool EdgeCollapse::keeps_folds(Corner corner, DVec3 apex) {
   return sharpest > kFold || sharpest >= sharpest_fold(corner);
 }
 
-/// The least cosine between the normals of neighbours where one has a corner at an end of the edge.
+/// Returns the smallest cosine between the normals of neighbours if one of them has a corner at an end of the edge.
 double EdgeCollapse::sharpest_fold(Corner corner) const {
   const auto front = [&](Corner c) {
     const DVec3 at = position(corners_.vertex(c));
@@ -332,7 +333,7 @@ void EdgeCollapse::collapse(Corner corner, DVec3 apex) {
   corners_.collapse(corner);
   vertices_[low].position = stored(apex);
   vertices_[low].quadric += vertices_[high].quadric;
-  // Nothing around costs less than this did; who had no edge to collapse may have one now.
+  // No edge around costs less than this one did. A vertex without a possible edge may have one now.
   queue_.put(low, queue_.current_step());
   for (const FanTriangle& triangle : fan_) {
     if (!vertices_[triangle.from].is_blocked) continue;
@@ -345,7 +346,7 @@ Mesh EdgeCollapse::mesh(const Progress& progress) const {
   Mesh mesh;
   mesh.triangles.reserve(corners_.triangle_count());
   std::vector<std::uint32_t> index = filled(vertices_.size(), std::uint32_t{0}, progress);
-  // Number the vertices in their old order: 1 marks those in use, then each gets its number.
+  // Number the vertices in their old order: mark the used ones with 1, then assign numbers.
   for (Corner c = 0; c < corners_.corner_count(); ++c) {
     if (c % kItemsBetweenChecks == 0) progress.check();
     if (corners_.vertex(c) != CornerTable::kNone) index[corners_.vertex(c)] = 1;

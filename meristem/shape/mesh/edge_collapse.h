@@ -15,28 +15,28 @@ namespace meristem {
 /// A mesh whose edges collapse, the cheapest first.
 class EdgeCollapse {
  public:
-  /// No collapse may err by more than `error` metres. Indices are in range. Throws Cancelled.
+  /// No collapse may have an error above `error` metres. Indices must be in range. Throws Cancelled.
   EdgeCollapse(const Mesh& mesh, float error, const Progress& progress);
 
-  /// Collapses until there are no more than `triangles`, or no edge is left that may. Throws Cancelled.
+  /// Collapses edges until there are at most `triangles` triangles, or no edge can collapse. Throws Cancelled.
   void run(std::size_t triangles, Progress& progress);
 
-  /// What is left: positions and triangles.
+  /// Returns the remaining positions and triangles.
   Mesh mesh(const Progress& progress) const;
 
  private:
   using Corner = CornerTable::Corner;
 
-  /// In one place, as walks around a mesh wait for memory more than for arithmetic.
+  /// Stored together, because walks around a mesh wait for memory more than for arithmetic.
   struct Vertex {
     Quadric quadric;
     Vec3 position{0};
-    bool is_inner = false;    ///< may move
-    bool is_blocked = false;  ///< its edges may not collapse until something around changes
+    bool is_inner = false;    ///< true if the vertex may move
+    bool is_blocked = false;  ///< true if its edges must not collapse until something around it changes
   };
-  /// An edge, from the vertex of `corner` to that of the next one, which is the higher.
+  /// An edge from the vertex of `corner` to the vertex of the next corner, which has the higher index.
   struct Candidate {
-    float cost = -1;  ///< the default comes before all
+    float cost = -1;  ///< the default comes before all others
     Corner corner = 0;
     DVec3 apex{0};
 
@@ -44,11 +44,12 @@ class EdgeCollapse {
       return cost < other.cost || (cost == other.cost && corner < other.corner);
     }
   };
-  /// A triangle that stays when an edge collapses: `corner` is at the edge's end, the others are from and to.
+  /// A triangle that stays when an edge collapses. `corner` is at the edge's end, and the other two are `from` and
+  /// `to`.
   struct FanTriangle {
     Corner corner;
     std::uint32_t from, to;
-    DVec3 normal{0};  // unit, as it would be
+    DVec3 normal{0};  // unit normal after the collapse
   };
 
   void add_quadrics(const Progress& progress);
@@ -71,7 +72,7 @@ class EdgeCollapse {
   double sharpest_fold(Corner corner) const;
   void collapse(Corner corner, DVec3 apex);
 
-  DVec3 centre_;  // quadrics are about it, as they lose digits far from their origin
+  DVec3 centre_;  // origin of the quadrics, which lose digits far from their origin
   double squared_error_;
   CornerTable corners_;
   std::vector<Vertex> vertices_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Orders items by a knockout tournament: in each round, one of each two neighbouring winners is chosen at random. Items
+// with more wins come first.
 #include "meristem/shape/mesh/even_order.h"
 
 #include <algorithm>
@@ -8,8 +10,8 @@ namespace meristem {
 
 namespace {
 
-/// How often each thing wins: of each two neighbours one by lot, then of each two winners, until one is left. Who has
-/// no neighbour wins without one.
+/// Returns how often each item wins: one of each two neighbours at random, then one of each two winners, until one is
+/// left. An item without a neighbour wins.
 std::vector<std::uint8_t> rounds_won(std::size_t count, const RandomKey& key) {
   std::vector<std::uint8_t> rounds(count, 0);
   std::vector<std::uint32_t> winners(count);

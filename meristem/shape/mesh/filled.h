@@ -9,10 +9,11 @@
 
 namespace meristem {
 
-/// Items that a loop may go through between two looks at its Progress, at some 100 ns each.
+/// Number of items that a loop may process between two checks of its Progress, at some 100 ns each.
 inline constexpr std::size_t kItemsBetweenChecks = 1 << 16;
 
-/// `count` copies of `value`, made step by step: stopping need not wait for the memory of millions. Throws Cancelled.
+/// Returns `count` copies of `value`, made step by step, so that cancelling need not wait for the memory of millions.
+/// Throws Cancelled.
 template <class Value>
 std::vector<Value> filled(std::size_t count, Value value, const Progress& progress) {
   std::vector<Value> values;

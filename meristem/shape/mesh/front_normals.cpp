@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// In go normals that come from elsewhere than the triangles, as from a body's function; coarse triangles may
-// stray by more than a right angle. What lies behind a triangle starts anew as the mean of the faces about it and is
-// turned towards the one that it leans away from most, until it leans away from none.
+// Corrects normals that do not come from the triangles, but for example from a body's function. On coarse triangles
+// they can be off by more than a right angle. A normal behind a triangle is replaced by the mean of the faces around
+// it. It is then turned toward the face from which it leans away most, until it leans away from none.
 //
 // Based on: F. Rosenblatt: The perceptron (Psychological Review 65, 1958).
 #include "meristem/shape/mesh/front_normals.h"
@@ -18,7 +18,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kFront = 0.02;  // cosine that a normal has to a triangle's at least, or it is replaced
+constexpr double kFront = 0.02;  // minimum cosine between a normal and its triangles; below it the normal is replaced
 constexpr int kTurns = 200;
 
 DVec3 face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
@@ -35,7 +35,7 @@ struct Corner {
   DVec3 face;
 };
 
-/// A direction in front of these faces, or the best that was met.
+/// Returns a direction in front of these faces, or the best one that was found.
 DVec3 in_front_of(std::span<const Corner> corners, DVec3 otherwise) {
   DVec3 sum{0};
   for (const Corner& corner : corners) sum += corner.face;

@@ -6,9 +6,9 @@
 
 namespace meristem {
 
-/// Replaces those normals of `mesh` that lie behind one of their triangles: by ones that lie in front of all of these
-/// where there are such, as nearly everywhere, else by ones that lie in front of most. Cost linear in triangles. Counts
-/// nothing into the caller's stage; throws Cancelled.
+/// Replaces the normals of `mesh` that lie behind one of their triangles. The new normals lie in front of all their
+/// triangles if possible, which is nearly always, and otherwise in front of most. The cost is linear in triangles. Does
+/// not advance the caller's stage. Throws Cancelled.
 void turn_to_front(Mesh& mesh, Progress& progress);
 
 }  // namespace meristem

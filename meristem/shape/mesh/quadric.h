@@ -39,26 +39,26 @@ struct Quadric {
     return *this;
   }
 
-  /// The sum of all weights: each unit normal adds its own to the trace.
+  /// Returns the sum of all weights. Each unit normal adds its weight to the trace.
   double weight() const { return xx + yy + zz; }
 
-  /// Weighted sum of squared distances.
+  /// Returns the weighted sum of squared distances.
   double at(DVec3 p) const {
     const double square =
         p.x * (xx * p.x + 2 * (xy * p.y + xz * p.z)) + p.y * (yy * p.y + 2 * yz * p.z) + zz * p.z * p.z;
     const double value = square + 2 * glm::dot(linear, p) + constant;
-    return value > 0 ? value : 0;  // below 0 by rounding only
+    return value > 0 ? value : 0;  // below 0 only by rounding
   }
 
-  /// Where the sum is least, if a spring of `stiffness` (above 0, a share of the weight) pulls toward `rest`: so flat
-  /// and straight parts have one answer too.
+  /// Returns the position of the minimum if a spring of `stiffness` (above 0, a share of the weight) pulls toward
+  /// `rest`. The spring makes the minimum unique also for flat and straight parts.
   DVec3 least(DVec3 rest, double stiffness) const {
     const double spring = stiffness * weight();
     const double a = xx + spring;
     const double b = yy + spring;
     const double c = zz + spring;
     const DVec3 right = spring * rest - linear;
-    // Cramer's rule by cofactors of the symmetric matrix, which is positive definite by the spring.
+    // Cramer's rule with the cofactors of the symmetric matrix, which is positive definite because of the spring.
     const double aa = b * c - yz * yz;
     const double ab = xz * yz - xy * c;
     const double ac = xy * yz - xz * b;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes flat normals (one per face) or smooth normals (weighted means per vertex).
 #include "meristem/shape/mesh/shading.h"
 
 #include "meristem/base/frame.h"
@@ -32,8 +33,8 @@ Mesh flat_shaded(const Mesh& mesh, Progress& progress) {
   return flat;
 }
 
-// A corner's share is the sine of its angle over the lengths of its sides. Based on: N. Max: Weights for Computing
-// Vertex Normals from Facet Normals (1999).
+// The weight of a corner is the sine of its angle divided by the lengths of its sides. Based on: N. Max: Weights for
+// Computing Vertex Normals from Facet Normals (1999).
 Mesh smooth_shaded(const Mesh& mesh) {
   std::vector<DVec3> sums(mesh.vertex_count(), DVec3(0));
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals for meshes that have none, or other ones.
+// Computes normals for meshes that have none, or replaces their normals.
 #pragma once
 
 #include "meristem/base/mesh.h"
@@ -7,12 +7,12 @@
 
 namespace meristem {
 
-/// The mesh with one normal per face, the low-poly look: no two triangles share a vertex. Uvs stay; tangents go.
-/// Counts nothing into the caller's stage; throws Cancelled.
+/// Returns the mesh with one normal per face, the low-poly look: no two triangles share a vertex. Keeps uvs and drops
+/// tangents. Does not advance the caller's stage. Throws Cancelled.
 Mesh flat_shaded(const Mesh& mesh, Progress& progress);
 
-/// The mesh with one normal per vertex, a mean of those of its triangles: exact for vertices on a sphere. Up where a
-/// vertex has no triangles with an area. Uvs stay; tangents go.
+/// Returns the mesh with one normal per vertex, a mean over its triangles that is exact for vertices on a sphere. The
+/// normal is up if a vertex has no triangles with an area. Keeps uvs and drops tangents.
 Mesh smooth_shaded(const Mesh& mesh);
 
 }  // namespace meristem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Large meshes are collapsed in parts by index up to a like cost, then as a whole in the order of cost, on one
-// thread.
+// Simplifies a mesh on one thread. Large meshes are first collapsed in parts by index, up to a similar cost, and then
+// as a whole in the order of cost.
 #include "meristem/shape/mesh/simplify.h"
 
 #include <cmath>

@@ -11,7 +11,7 @@
 
 namespace meristem::simplify_test {
 
-/// 32,768 triangles at 6 splits.
+/// Returns a sphere, with 32,768 triangles at 6 splits.
 Mesh sphere(int splits, Vec3 centre = Vec3(0)) {
   Mesh mesh;
   const TriangleMesh body = sphere_mesh(splits);
@@ -26,7 +26,7 @@ Mesh torus(double tube) {
                     60);
 }
 
-/// Triangles above one another: `sides` around, closed at both ends.
+/// Returns a closed prism of rows of triangles, with `sides` sides.
 Mesh prism(std::uint32_t sides, std::uint32_t rows, double radius) {
   Mesh mesh;
   for (std::uint32_t row = 0; row <= rows; ++row) {
@@ -117,7 +117,7 @@ TEST(Simplify, StaysWithinTheErrorOfASphere) {
 }
 
 TEST(Simplify, LeavesOfABoxItsCorners) {
-  // A grid's planes are flat, so what is left is the box but for rounding.
+  // The planes of a grid are flat, so the result is the box, except for rounding.
   const Mesh original = prism(4, 40, 0.5);
   const Mesh mesh = simplified(original, {.error = 1e-3F});
   EXPECT_EQ(mesh.triangle_count(), 12U);
@@ -169,7 +169,7 @@ TEST(Simplify, SweepsOverLargeMeshes) {
 }
 
 TEST(Simplify, KeepsBordersInPlace) {
-  // Half a sphere: its border is the equator.
+  // Half a sphere, whose border is the equator.
   Mesh mesh = sphere(5);
   std::erase_if(mesh.triangles, [&](const auto& t) {
     return mesh.positions[t[0]].y + mesh.positions[t[1]].y + mesh.positions[t[2]].y < 0;

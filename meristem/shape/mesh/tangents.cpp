@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// In a triangle, position is a linear function of the uvs; its derivatives are the directions in which u and v rise. A
-// vertex takes the mean of its triangles' directions, weighted by their areas, and the tangent is what of it lies at
-// right angles to the normal. Vertices are split where uvs jump, so nothing is split here. Weights by angle, as
-// MikkTSpace has them, differ by less than a degree on tubes and blades and need an arc cosine for each corner.
+// Computes tangents. In a triangle, position is a linear function of the uvs, and its derivatives are the directions in
+// which u and v rise. A vertex takes the mean over its triangles, weighted by area. The tangent is the part of this
+// mean at right angles to the normal. Vertices are already split where uvs jump, so nothing is split here. Weights by
+// angle, as in MikkTSpace, differ by less than a degree on tubes and blades and need an arc cosine for each corner.
 //
 // Based on: E. Lengyel: Mathematics for 3D Game Programming and Computer Graphics (2011), section 7.8.
 #include "meristem/shape/mesh/tangents.h"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kVerticesPerBlock = 1 << 14;
 
-/// Directions in which u and v rise, each as long as the triangle is large; both 0 where uvs do not tell.
+/// Directions in which u and v rise, each as long as the triangle's area. Both are 0 if the uvs do not define them.
 struct Rise {
   Vec3 u{0};
   Vec3 v{0};
@@ -48,7 +48,7 @@ Vec4 tangent_of(Vec3 normal, const Rise& rise) {
 
 void add_tangents(Mesh& mesh) {
   if (mesh.normals.empty() || mesh.uvs.empty()) return;
-  // Add in the order of the triangles: what is parallel here would add in an order of its own.
+  // Add in the order of the triangles, because a parallel loop would add in a different order.
   std::vector<Rise> rises(mesh.vertex_count());
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
     const Rise rise = rise_in(mesh, triangle);

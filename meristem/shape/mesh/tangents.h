@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tangents for normal maps, from the way a mesh's uvs run over its triangles.
+// Computes tangents for normal maps from the directions of a mesh's uvs on its triangles.
 #pragma once
 
 #include <memory>
@@ -9,16 +9,17 @@
 
 namespace meristem {
 
-/// Gives `mesh` its tangents. Vertices whose triangles have no area on the picture, or none at all, get some direction
-/// at right angles to their normal. A mesh without normals or uvs stays as it is. Linear in vertices and triangles.
+/// Adds tangents to `mesh`. Vertices without triangles, or whose triangles have no area in uv, get an arbitrary
+/// direction at right angles to their normal. A mesh without normals or uvs stays unchanged. Linear in vertices and
+/// triangles.
 void add_tangents(Mesh& mesh);
 
-/// True for materials whose texture has normals.
+/// Returns true for materials whose texture has normals.
 inline bool needs_tangents(const Material& material) {
   return material.texture != nullptr && material.texture->has_normals();
 }
 
-/// The mesh as `material` needs it: with tangents, in a copy, where they are missing; else the same one.
+/// Returns the mesh as `material` needs it: a copy with tangents if they are missing, otherwise the mesh itself.
 std::shared_ptr<const Mesh> with_needed_tangents(std::shared_ptr<const Mesh> mesh, const Material& material);
 
 }  // namespace meristem

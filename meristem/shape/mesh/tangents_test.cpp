@@ -10,7 +10,7 @@
 
 namespace meristem::tangents_test {
 
-/// A unit square in the plane of x and y, seen from z.
+/// Returns a unit square in the plane of x and y, seen from z.
 Mesh square() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -61,7 +61,7 @@ TEST(Tangents, AreAtRightAnglesToTheNormal) {
 }
 
 TEST(Tangents, LargerTrianglesCountForMore) {
-  // Both triangles share an edge; u runs along x in the first, which is nine times as large, and along y in the second.
+  // Two triangles share an edge. u runs along x in the first, which is nine times as large, and along y in the second.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
   mesh.normals.assign(4, Vec3(0, 0, 1));

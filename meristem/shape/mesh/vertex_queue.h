@@ -12,30 +12,30 @@
 
 namespace meristem {
 
-/// Vertices by cost, the least first, in steps of 3 %: a list for each step, what was put last before what was put
-/// earlier. What is put while taking counts at least as the step reached. Putting and taking take constant time, where
-/// a heap of a quarter of a million vertices took as long as all the geometry.
+/// A queue of vertices by cost, the cheapest first, in steps of 3 %. Each step has a list, from which the last inserted
+/// vertex is taken first. Vertices inserted while taking count at least as the current step. Inserting and taking need
+/// constant time. A heap of a quarter of a million vertices took as long as all the geometry.
 class VertexQueue {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  /// For vertices below `vertices`. Throws Cancelled.
+  /// Creates a queue for vertices below `vertices`. Throws Cancelled.
   VertexQueue(std::size_t vertices, const Progress& progress)
       : first_(kSteps, kNone), next_(filled(vertices, kNone, progress)) {}
 
-  /// Costs (0 or above) of one step count as equal.
+  /// Returns the step of a cost (0 or above). Costs of one step count as equal.
   static std::uint32_t step(float cost) { return std::bit_cast<std::uint32_t>(cost) >> 18; }
-  /// The step of the vertex taken last.
+  /// Returns the step of the vertex taken last.
   std::uint32_t current_step() const { return step_; }
 
-  /// Empties it; what costs more than `limit` is not put from now on.
+  /// Empties the queue. From now on, vertices that cost more than `limit` are not inserted.
   void restart(float limit) {
     std::fill(first_.begin(), first_.end(), kNone);
     step_ = 0;
     end_ = step(limit) + 1;
   }
 
-  /// Puts a vertex that is not in the queue.
+  /// Inserts a vertex that is not in the queue.
   void put(std::uint32_t vertex, std::uint32_t step) {
     step = std::max(step, step_);
     if (step >= end_) return;
@@ -43,7 +43,7 @@ class VertexQueue {
     first_[step] = vertex;
   }
 
-  /// Takes a vertex of the lowest step; kNone if there is none.
+  /// Takes a vertex of the lowest step, or returns kNone if the queue is empty.
   std::uint32_t take() {
     while (step_ < end_ && first_[step_] == kNone) ++step_;
     if (step_ == end_) return kNone;
@@ -53,13 +53,13 @@ class VertexQueue {
   }
 
  private:
-  // A positive float's bits rise with it: 8 of exponent, 5 of mantissa.
+  // A positive float's bits rise with its value: 8 bits of exponent, 5 of mantissa.
   static constexpr std::uint32_t kSteps = 1 << 13;
 
   std::uint32_t step_ = 0;
   std::uint32_t end_ = kSteps;
-  std::vector<std::uint32_t> first_;  // of each step
-  std::vector<std::uint32_t> next_;   // of each vertex
+  std::vector<std::uint32_t> first_;  // for each step
+  std::vector<std::uint32_t> next_;   // for each vertex
 };
 
 }  // namespace meristem

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Turns organs and bodies over time into meshes that move. Parts with equal meshes at all keys become instances of one
+// mesh. Rigid parts become nodes of their own while there is room, and all other moving parts move by their vertices.
 #include <algorithm>
 #include <compare>
 #include <map>
@@ -14,19 +16,19 @@ namespace {
 
 using Motion = MeshMotion::Kind;
 
-/// What the instances of one mesh have in common.
+/// The common properties of the instances of one mesh.
 struct PartGroup {
   std::uint32_t component = 0;
   std::uint32_t material = 0;
   Motion kind = Motion::still;
-  bool has_tints = false;           ///< that change
-  std::size_t shown_at = 0;         ///< key
-  std::vector<const Mesh*> meshes;  ///< by key, or the only one
+  bool has_tints = false;           ///< tints change
+  std::size_t shown_at = 0;         ///< index of a key
+  std::vector<const Mesh*> meshes;  ///< one per key, or a single one
 
   auto operator<=>(const PartGroup&) const = default;
 };
 
-/// The blade with the vertices of the model; null where it cannot have them.
+/// Returns the blade with the vertices of the model, or null if this is impossible.
 SharedMesh cut_as(const Mesh& blade, const Mesh& model) {
   std::optional<Mesh> cut = as_model_is_cut(blade, model);
   if (!cut) return nullptr;
@@ -60,13 +62,15 @@ class PartGatherer {
   MovingParts& parts_;
   const std::size_t rigid_instances_;
   const Progress& progress_;
-  std::map<std::pair<const Mesh*, const Mesh*>, SharedMesh> cut_meshes_;  // as the second is cut; null: it cannot be
-  std::map<MovingLook, std::size_t> rigid_;                               // how many parts of a look may be nodes
+  std::map<std::pair<const Mesh*, const Mesh*>, SharedMesh> cut_meshes_;  // the first mesh with the vertices of the
+                                                                          // second; null if this is impossible
+  std::map<MovingLook, std::size_t> rigid_;                               // number of parts of each look that may be
+                                                                          // nodes
   std::vector<MovingMesh> made_;
   std::map<PartGroup, std::size_t> number_of_;
 };
 
-/// Gives the blades of a part that are cut in several ways the vertices of the one that has most.
+/// Gives all blades of a part the vertices of the blade with the most vertices, if they are cut differently.
 void PartGatherer::cut_alike(MovingPart& part) {
   SharedMesh model;
   for (const PartKey& key : part.keys) {
@@ -113,7 +117,8 @@ bool PartGatherer::can_be_rigid(const MovingPart& part) const {
                              [](const PartKey& key) { return key.mesh == nullptr || is_rigid_frame(key.frame); });
 }
 
-/// Looks of which few parts move are nodes, in their order, as long as there is room for them.
+/// Chooses the looks whose rigid parts become nodes. Each look, in the order of looks, is chosen if there is still room
+/// for all of its parts.
 void PartGatherer::count_rigid() {
   std::map<MovingLook, std::size_t> wanted;
   for (const MovingPart& part : parts_.parts) {
@@ -154,7 +159,7 @@ void PartGatherer::add(const MovingPart& part) {
     return nearest[k] == k ? there : Frame{Mat3(0), there.origin};
   };
 
-  // Parts with the same meshes at all keys are instances of one.
+  // Parts with equal meshes at all keys are instances of one mesh.
   std::vector<SharedMesh> of_keys;
   for (const std::size_t there : nearest) of_keys.push_back(part.keys[there].mesh);
   const bool is_one_mesh = std::ranges::all_of(of_keys, [&](const SharedMesh& mesh) { return mesh == of_keys[0]; });

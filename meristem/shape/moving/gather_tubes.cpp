@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Turns the tubes of axes over time into meshes that move. Each tube keeps the rings of its fullest key, and axes that
+// look alike at all keys are joined in one mesh.
 #include <map>
 #include <span>
 #include <string>
@@ -12,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-/// The colours of an axis at all keys, each at the nearest one at which it stands.
+/// Returns the colours of an axis at all keys, each at the nearest key at which the axis exists.
 std::string tints_of(const MovingParts& parts, const AxisTrack& track) {
   std::string tints;
   for (const std::size_t there : track.nearest()) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Transfers the vertices of one blade to another by their uvs. A grid over the picture finds the triangle at each
+// position, and vertices are interpolated in this triangle.
 #include "meristem/shape/moving/moving_blade.h"
 
 #include <algorithm>
@@ -11,13 +13,13 @@ namespace meristem {
 
 namespace {
 
-constexpr float kCoveredTwice = 1.05F;  // of the box around all places
-constexpr float kFarOff = 0.1F;         // of the picture's width: what lies beyond is on no triangle
+constexpr float kCoveredTwice = 1.05F;  // in areas of the box around all positions
+constexpr float kFarOff = 0.1F;         // share of the picture's width; positions farther away lie on no triangle
 constexpr int kCellsAcross = 16;
 
 float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// How many vertices at the front of the list are the stalk's.
+/// Returns the number of vertices of the stalk, which are at the front of the list.
 std::uint32_t stalk_vertices(const Mesh& mesh) {
   std::uint32_t count = 0;
   for (std::uint32_t t = 0; t < mesh.stalk_triangles; ++t) {
@@ -26,7 +28,7 @@ std::uint32_t stalk_vertices(const Mesh& mesh) {
   return count;
 }
 
-/// The triangles of a blade, found by their places on its picture.
+/// The triangles of a blade, found by their positions on its picture.
 class PictureMap {
  public:
   explicit PictureMap(const Mesh& mesh) : mesh_(mesh), cells_(kCellsAcross * kCellsAcross) {
@@ -45,7 +47,8 @@ class PictureMap {
     return covered_ > kCoveredTwice * size.x * size.y;
   }
 
-  /// The triangle at a place and the shares of its corners; far from all triangles, a share is far below 0.
+  /// Returns the triangle at a position, and the weights of its corners. Far from all triangles, a weight is far below
+  /// 0.
   std::uint32_t at(Vec2 place, std::array<float, 3>& shares) const {
     std::uint32_t best = 0;
     float least = -std::numeric_limits<float>::infinity();
@@ -59,7 +62,7 @@ class PictureMap {
       shares = own;
     };
     for (const std::uint32_t triangle : cells_[cell_of(place)]) look(triangle);
-    // On the outline, rounding may have put the place beside all triangles of its cell.
+    // On the outline, rounding can put the position outside all triangles of its cell.
     if (least < -1e-4F) {
       for (std::size_t t = mesh_.stalk_triangles; t < mesh_.triangle_count(); ++t) look(static_cast<std::uint32_t>(t));
     }
@@ -127,7 +130,7 @@ std::optional<Mesh> as_model_is_cut(const Mesh& blade, const Mesh& model) {
   for (std::size_t k = stalk; k < model.vertex_count(); ++k) {
     std::array<float, 3> shares{-1, -1, -1};
     const std::uint32_t triangle = map.at(model.uvs[k], shares);
-    // An outline that is cut otherwise may run a little beside all triangles.
+    // The outline of a differently cut blade can lie slightly outside all triangles.
     float sum = 0;
     for (float& share : shares) sum += share = std::max(share, 0.0F);
     if (!(sum > 0)) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blades over time: one whose proportions change may be cut into other triangles, and is the same blade nevertheless.
+// Blades over time. A blade whose proportions change can be cut into different triangles, but it is still one blade.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace meristem {
 
-/// The vertices that `model` has, where they lie on `blade`: at the same places of the picture that both carry. Without
-/// triangles. Nothing where a mesh has no uvs, covers places of the picture twice, or where stalks differ.
+/// Returns the vertices of `model`, moved to the corresponding positions on `blade`: the positions with equal uvs. The
+/// result has no triangles. Returns nothing if a mesh has no uvs, covers parts of the picture twice, or if the stalks
+/// differ.
 std::optional<Mesh> as_model_is_cut(const Mesh& blade, const Mesh& model);
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Compares frames, meshes and normals with tolerances, to decide how a part moves between two keys.
 #include "meristem/shape/moving/moving_likeness.h"
 
 #include <cmath>
@@ -7,10 +8,10 @@ namespace meristem {
 
 namespace {
 
-constexpr float kTurned = 0.94F;          // cosine, 20 degrees, of the turn from which on normals move with their faces
-constexpr double kTurnedShare = 0.01;     // of vertices
-constexpr float kShear = 4e-6F;           // as a node of glTF can hold
-constexpr float kPlaceOnPicture = 0.02F;  // of a picture's width
+constexpr float kTurned = 0.94F;          // cosine of 20 degrees: from this turn on, normals move with their faces
+constexpr double kTurnedShare = 0.01;     // share of vertices
+constexpr float kShear = 4e-6F;           // tolerance of a glTF node
+constexpr float kPlaceOnPicture = 0.02F;  // share of a picture's width
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Collects the meshes of a moving scene and counts their bytes against the limit.
 #include "meristem/shape/moving/moving_meshes.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of plants at some times as meshes that move: each part is told by what of it changes, and parts that change
-// alike and look alike become instances of one mesh.
+// Moving parts of plants as moving meshes. Parts that change alike and look alike become instances of one mesh.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +17,13 @@ struct MovingMesh {
   MeshMotion motion;
 };
 
-/// The meshes of a moving scene, with all that they take.
+/// The meshes of a moving scene, with the memory that they use.
 class MovingMeshes {
  public:
   MovingMeshes(const MovingLimits& limits, std::size_t keys) : limits_(limits), keys_(keys) {}
 
-  /// Adds a mesh, without what says nothing and with what its material, which is one of `materials`, needs. Throws
-  /// InputError where all that moves takes too many bytes.
+  /// Adds a mesh, without unnecessary attributes, but with the attributes that its material, one of `materials`, needs.
+  /// Throws InputError if the moving data need too many bytes.
   void add(MovingMesh mesh, const std::vector<Material>& materials);
 
   std::vector<MovingMesh> meshes;
@@ -35,10 +34,10 @@ class MovingMeshes {
   std::uint64_t bytes_ = 0;
 };
 
-/// Adds the tubes of all axes, which are let go.
+/// Adds the tubes of all axes and frees the axes.
 void gather_tubes(MovingParts& parts, MovingMeshes& to, Progress& progress);
 
-/// Adds all organs and bodies, which are let go. At most `rigid_instances` of them are nodes of their own.
+/// Adds all organs and bodies and frees them. At most `rigid_instances` of them become nodes of their own.
 void gather_parts(MovingParts& parts, std::size_t rigid_instances, MovingMeshes& to, Progress& progress);
 
 }  // namespace meristem

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Collects the parts of plants key by key. Each part is found by its name, and equal meshes are shared by their hash.
+// Limits are checked as early as possible.
 #include "meristem/shape/moving/moving_parts.h"
 
 #include <algorithm>
@@ -29,7 +31,7 @@ std::uint64_t hash_of_mesh(const Mesh& mesh) {
       .hash();
 }
 
-/// What is noted at the nearest key before one, or after it; nothing where there is none.
+/// Return the entry at the nearest key before `now`, or after it, or nothing if no such key exists.
 template <class Noted>
 Noted before(const std::vector<Noted>& keys, std::size_t now) {
   for (std::size_t key = now; key-- > 0;) {
@@ -46,7 +48,7 @@ Noted after(const std::vector<Noted>& keys, std::size_t now) {
   return {};
 }
 
-/// Throws where the plant's scene would pass a limit of meshes.
+/// Throws InputError if the plant's scene would exceed a limit of meshes.
 void check_scene(const Plant& plant, const std::vector<MeshInstances>& bodies, const std::deque<StemPlan>& stems,
                  const Limits& limits) {
   SceneTally tally;
@@ -82,7 +84,7 @@ std::vector<std::uint32_t> MovingParts::note_materials(const std::vector<Materia
       colours_.emplace_back(key_count);
     }
     std::vector<std::optional<Vec3>>& own = colours_[entry->second];
-    if (after(own, now_) == std::nullopt) materials[entry->second] = material;  // that of the last key
+    if (after(own, now_) == std::nullopt) materials[entry->second] = material;  // uses the material of the last key
     own[now_] = linear_from_srgb(material.colour);
     numbers.push_back(entry->second);
   }
@@ -118,7 +120,7 @@ std::uint32_t MovingParts::number_of(const std::string& component) {
 SharedMesh MovingParts::shared(const SharedMesh& mesh) {
   auto& [kept, one] = known_[mesh.get()];
   if (one != nullptr) return one;
-  kept = mesh;  // so that its address stays its own
+  kept = mesh;  // keeps its address in use
   return one = meshes_.try_emplace(hash_of_mesh(*mesh), mesh).first->second;
 }
 
@@ -130,7 +132,7 @@ void MovingParts::check_part_keys() const {
       .path = "animation"});
 }
 
-/// Two parts of one name and one key are told apart by their order.
+/// Two parts with one name at one key are distinguished by their order.
 MovingPart& MovingParts::part_of(std::uint64_t name, const MovingLook& look) {
   while (true) {
     const auto [entry, is_new] = part_by_name_.try_emplace(name, parts.size());
@@ -150,7 +152,7 @@ MovingPart& MovingParts::part_of(std::uint64_t name, const MovingLook& look) {
   }
 }
 
-/// What an axis takes at least if it moves: positions at all keys but one.
+/// Counts the minimum data of a moving axis: positions at all keys except one.
 void MovingParts::count_motion(AxisTrack& track, bool moves, std::uint64_t vertices) {
   const auto counted = [&] { return track.moves ? track.vertices : 0; };
   tube_vertices_ -= counted();
@@ -159,7 +161,7 @@ void MovingParts::count_motion(AxisTrack& track, bool moves, std::uint64_t verti
   tube_vertices_ += counted();
 }
 
-/// Two axes of one name and one key are told apart by their order.
+/// Two axes with one name at one key are distinguished by their order.
 void MovingParts::add_shape(std::uint64_t name, const MovingLook& look, Vec3 tint, TubeShape shape) {
   while (true) {
     const auto [entry, is_new] = axis_by_name_.try_emplace(name, axes.size());
@@ -230,12 +232,12 @@ void MovingParts::add(std::size_t key, double time, const Plant& plant, Progress
   for (std::size_t k = 0; !stems.empty(); ++k, stems.pop_front()) {
     if (stems.front().stem.skeleton.node_count() > 0) add_stem(stems.front(), k, material_numbers, numbers, progress);
   }
-  // Axes that are not there grow from nothing, or go.
+  // Missing axes grow from nothing, or vanish.
   for (AxisTrack& track : axes) {
     if (track.shapes[key] == nullptr) count_motion(track, true, 0);
   }
   check_moving_bytes(tube_vertices_ * sizeof(Vec3) * (key_count - 1), key_count, moving_);
-  std::map<std::uint32_t, std::uint64_t> bodies_of;  // by component
+  std::map<std::uint32_t, std::uint64_t> bodies_of;  // for each component
   for (const MeshInstances& body : bodies) {
     const MovingLook look{number_of(body.component), material_numbers[body.material], individual(body.individual(0))};
     const std::uint64_t ordinal = bodies_of[look.component]++;
@@ -260,7 +262,7 @@ void MovingParts::add(std::size_t key, double time, const Plant& plant, Progress
   is_added_[key] = true;
 }
 
-/// The tint as a factor on the colour that the scene's material has.
+/// Returns the tint as a factor on the colour of the scene's material.
 Vec3 MovingParts::tint_at(const MovingLook& look, Vec3 tint, std::size_t key) const {
   const std::optional<Vec3>& then = colours_[look.material][key];
   if (!then) return tint;

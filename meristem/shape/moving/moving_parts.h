@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parts of plants are at some times: organs and bodies with mesh, frame and tint, axes with their tube, each
-// by the name that it has at all of them.
+// The parts of plants at several times: organs and bodies with mesh, frame and tint, and axes with their tube. Each
+// part has one name at all times.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ namespace meristem {
 
 using SharedMesh = std::shared_ptr<const Mesh>;
 
-/// What tells parts apart to the eye.
+/// The visible properties that distinguish parts.
 struct MovingLook {
   std::uint32_t component = 0;
   std::uint32_t material = 0;
@@ -34,7 +34,7 @@ struct MovingLook {
   auto operator<=>(const MovingLook&) const = default;
 };
 
-/// A part at one key; no mesh where it is not there.
+/// A part at one key. The mesh is null if the part does not exist then.
 struct PartKey {
   SharedMesh mesh;
   Frame frame;
@@ -42,32 +42,32 @@ struct PartKey {
 };
 
 struct MovingPart {
-  MovingLook look;  ///< at the last key at which it is there
+  MovingLook look;  ///< at the last key at which the part exists
   std::vector<PartKey> keys;
 
-  /// By key: the nearest one at which it is there.
+  /// Returns, for each key, the nearest key at which the part exists.
   std::vector<std::size_t> nearest() const {
     return nearest_keys(keys.size(), [this](std::size_t key) { return keys[key].mesh != nullptr; });
   }
 };
 
 struct AxisTrack {
-  MovingLook look;  ///< at the last key at which it is there
-  /// By key: null where it is not there, and the same one where it is as at another key.
+  MovingLook look;  ///< at the last key at which the axis exists
+  /// For each key: null if the axis does not exist, and a shared pointer if the shape equals the shape of another key.
   std::vector<std::shared_ptr<const TubeShape>> shapes;
   std::vector<Vec3> tints;
-  std::uint64_t vertices = 0;  ///< of the fullest shape
-  bool moves = false;          ///< it is not there at all keys so far, or not the same
+  std::uint64_t vertices = 0;  ///< largest number of vertices of its shapes
+  bool moves = false;          ///< true if the axis has not existed at all keys so far, or has changed
 
   std::vector<std::size_t> nearest() const {
     return nearest_keys(shapes.size(), [this](std::size_t key) { return shapes[key] != nullptr; });
   }
 };
 
-/// Throws InputError where what moves in this number of keys takes more bytes than it may.
+/// Throws InputError if the moving data in this number of keys need more bytes than the limit.
 void check_moving_bytes(std::uint64_t bytes, std::size_t keys, const MovingLimits& limits);
 
-/// How a stem will be clothed.
+/// How the surface of a stem will be made.
 struct StemPlan {
   const Stem& stem;
   StemLooks looks;
@@ -82,10 +82,10 @@ class MovingParts {
   MovingParts(const Limits& limits, const MovingLimits& moving, std::size_t keys)
       : key_count(keys), times(keys), limits_(limits), moving_(moving), is_added_(keys) {}
 
-  /// As MovingSceneMaker::add.
+  /// Like MovingSceneMaker::add.
   void add(std::size_t key, double time, const Plant& plant, Progress& progress);
 
-  /// The tint as a factor on the colour that the material has in `materials`.
+  /// Returns the tint as a factor on the material's colour in `materials`.
   Vec3 tint_at(const MovingLook& look, Vec3 tint, std::size_t key) const;
 
   const std::size_t key_count;
@@ -110,18 +110,20 @@ class MovingParts {
 
   const Limits limits_;
   const MovingLimits moving_;
-  std::vector<bool> is_added_;  // by key
-  std::size_t now_ = 0;         // the key that is added
+  std::vector<bool> is_added_;  // for each key
+  std::size_t now_ = 0;         // the key that is being added
   std::unordered_map<std::string, std::uint32_t> number_of_component_;
-  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> number_of_material_;  // by name and how many before it
+  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> number_of_material_;  // by name, and number of earlier
+                                                                                       // materials with this name
   std::vector<std::vector<std::optional<Vec3>>> colours_;                              // linear, by material and key
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> number_of_individual_;
-  std::vector<std::size_t> individual_keys_;                                  // the last at which each is there
-  std::unordered_map<std::uint64_t, SharedMesh> meshes_;                      // by their hash
-  std::unordered_map<const Mesh*, std::pair<SharedMesh, SharedMesh>> known_;  // as they were given, and are shared
+  std::vector<std::size_t> individual_keys_;                                  // last key at which each individual
+                                                                              // exists
+  std::unordered_map<std::uint64_t, SharedMesh> meshes_;                      // by hash
+  std::unordered_map<const Mesh*, std::pair<SharedMesh, SharedMesh>> known_;  // the given mesh and its shared copy
   std::unordered_map<std::uint64_t, std::size_t> part_by_name_;
   std::unordered_map<std::uint64_t, std::size_t> axis_by_name_;
-  std::uint64_t tube_vertices_ = 0;  // of axes that move, so far
+  std::uint64_t tube_vertices_ = 0;  // vertices of moving axes so far
 };
 
 }  // namespace meristem

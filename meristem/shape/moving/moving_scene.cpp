@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// While plants are added, each part's keys are noted by its name. When all are there, they become meshes that move.
+// Builds moving scenes. While plants are added, each part's keys are recorded by its name. After the last plant, the
+// parts become moving meshes.
 #include "meristem/shape/moving/moving_scene.h"
 
 #include <algorithm>

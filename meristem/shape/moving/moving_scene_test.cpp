@@ -89,7 +89,7 @@ TEST(MovingScene, AColourThatChangesIsATint) {
   EXPECT_EQ(scene.motions[0].tints[1][0], Vec3(1));
 }
 
-/// One more axis, straight up, of this colour and name.
+/// Adds one axis, straight up, with this colour and name.
 void add_axis(float x, Vec3 tint, std::uint64_t name, Plant& plant) {
   Stem stem;
   stem.skeleton.add_node(kNoNode, {x, 0, 0}, 0);
@@ -145,7 +145,7 @@ TEST(MovingScene, TooMuchIsToldBeforeItIsWritten) {
   }
 }
 
-/// A stem of this height and name.
+/// Returns a stem of this height and name.
 Plant one_axis(float height, std::uint64_t name = 1) {
   Plant plant;
   plant.materials.resize(1);

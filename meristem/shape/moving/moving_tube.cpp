@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Resamples tubes to the rings and sides of another tube. Positions along the tube are matched in metres if one tube is
+// the beginning of the other, and by share of the length otherwise. The seam around the tube is found by trying turns.
 #include "meristem/shape/moving/moving_tube.h"
 
 #include <algorithm>
@@ -9,11 +11,12 @@ namespace meristem {
 
 namespace {
 
-constexpr float kSameWay = 0.05F;     // of a tube's length: how far its tip may lie from another tube that it begins
-constexpr float kTurnedSeam = 0.9F;   // cosine of the turn about the axis beyond which seams are brought together
-constexpr std::uint32_t kSeams = 64;  // turns that are tried
+constexpr float kSameWay = 0.05F;     // share of a tube's length: maximum distance of its tip from another tube that it
+                                      // begins
+constexpr float kTurnedSeam = 0.9F;   // cosine of the turn about the axis beyond which seams are aligned
+constexpr std::uint32_t kSeams = 64;  // number of turns that are tried
 
-/// The middle of each ring, and metres along them.
+/// The middle of each ring, and the metres along the middles.
 struct Spine {
   std::vector<Vec3> centre;
   std::vector<float> way;
@@ -28,7 +31,7 @@ struct Spine {
   }
 
   float length() const { return way.back(); }
-  /// The ring before a place, and the share of the way to the next.
+  /// Returns the ring before a position, and the share of the distance to the next ring.
   std::pair<std::uint32_t, float> at(float place) const {
     const auto after = std::upper_bound(way.begin(), way.end(), place);
     const auto last = static_cast<std::uint32_t>(way.size() - 1);
@@ -43,7 +46,7 @@ struct Spine {
   }
 };
 
-/// Reads a tube at any place along and around it.
+/// Reads a tube at any position along and around it.
 class TubeReader {
  public:
   TubeReader(const TubeShape& tube, const Spine& spine, const TubeShape& model, const Spine& of_model)
@@ -51,7 +54,7 @@ class TubeReader {
     find_seam(model, of_model);
   }
 
-  /// The vertex at a share of the way around the ring at this place.
+  /// Reads the vertex at a share of the circumference of the ring at this position.
   void read(float place, float around, Vec3& position, Vec3& normal) const {
     const auto [ring, share] = spine_.at(place);
     position = around_ring(tube_.positions, ring, around);
@@ -73,7 +76,7 @@ class TubeReader {
     return share > 0 ? glm::mix(value, values[tube_.ring_vertex(ring, before + 1)], share) : value;
   }
 
-  /// Where around the tube the model's first corner lies: tubes that bend begin at other sides.
+  /// Finds the position of the model's first corner around the tube. Bent tubes may begin at different sides.
   void find_seam(const TubeShape& model, const Spine& of_model) {
     const std::uint32_t ring = std::min(tube_.rings, model.rings) / 2;
     const Vec3 wanted = unit_or(model.positions[model.ring_vertex(ring, 0)] - of_model.centre[ring], Vec3(0));
@@ -98,7 +101,7 @@ class TubeReader {
   float seam_ = 0;
 };
 
-/// Where each ring of the model stands along the tube, and from which ring on they lie together at its tip.
+/// The position of each ring of the model along the tube, and the first of the rings that lie together at its tip.
 struct RingPlaces {
   std::vector<float> places;
   std::size_t first_beyond = 0;
@@ -205,7 +208,7 @@ void add_tube_vertices(const TubeShape& tube, const TubeShape& model, Mesh& to) 
   for (std::size_t ring = 0; ring < rings.places.size(); ++ring) {
     add_ring(rings.places[ring], model.sides + 1, nullptr);
     if (ring < rings.first_beyond) continue;
-    // What has no area may face as it will, so that normals need not move.
+    // Parts without area keep the model's normals, so that normals need not move.
     const auto own = model.normals.begin() + model.ring_vertex(static_cast<std::uint32_t>(ring), 0);
     std::copy(own, own + model.sides + 1, to.normals.end() - (model.sides + 1));
   }

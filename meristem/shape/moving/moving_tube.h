@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tube over time: the shapes that an axis has at some keys, all with the vertices and triangles of the key at which
-// it has most rings.
+// One tube over time: the shapes of an axis at several keys, all with the vertices and triangles of the key with the
+// most rings.
 //
-// A tube's rings stand at metres along it. Where an earlier tube is the beginning of the later one, as of a stem that
-// grows at its tip, rings keep their metres, and those beyond the tip lie at it. Where it is not, as of a stem whose
-// length has keys, rings keep their share of the length.
+// A tube's rings are positioned in metres along it. An earlier tube can be the beginning of the later one, as in a stem
+// that grows at its tip. Then rings keep their metres, and rings beyond the tip lie at the tip. Otherwise, as in a stem
+// with keyed length, rings keep their share of the length.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace meristem {
 
-/// The tube of one axis at one key, as it stands in its mesh: the start's vertices, rings of `sides` + 1, and the
-/// end's.
+/// The tube of one axis at one key, as it lies in its mesh: the start's vertices, rings of `sides` + 1 vertices, and
+/// the end's vertices.
 struct TubeShape {
   std::uint32_t sides = 0;
   std::uint32_t rings = 0;
@@ -34,20 +34,21 @@ struct TubeShape {
   }
 };
 
-/// The tube of an axis in the meshes that make_tubes has made of the plan; nothing where it has none.
+/// Returns the tube of an axis in the meshes that make_tubes has made of the plan. Returns nothing if the axis has no
+/// tube.
 std::optional<TubeShape> tube_shape(const TubePlan& plan, AxisIndex axis, const std::vector<Mesh>& meshes);
 
-/// Which of the shapes of one axis (null where it is not there) has most rings: the last of those.
+/// Returns which shape of one axis (null if it does not exist) has the most rings. Ties go to the last shape.
 std::size_t fullest_shape(const std::vector<std::shared_ptr<const TubeShape>>& shapes);
 
-/// The triangles of a tube whose first vertex has the number `first`, appended.
+/// Appends the triangles of a tube whose first vertex has the number `first`.
 void add_tube_triangles(const TubeShape& tube, std::uint32_t first, Mesh& to);
 
-/// The vertices of `tube` as `model` has them: as many, at the same places around and along it. Appended to `to`.
-/// On the rings of `tube` they lie on its sides, so that corners that `model` has not are cut.
+/// Appends the vertices of `tube` in the layout of `model`: equally many, at equal positions around and along it. They
+/// lie on the sides of the rings of `tube`, so corners that `model` does not have are cut.
 void add_tube_vertices(const TubeShape& tube, const TubeShape& model, Mesh& to);
 
-/// As many vertices as `model` has, all at the base of `tube`. Appended to `to`.
+/// Appends as many vertices as `model` has, all at the base of `tube`.
 void add_collapsed_vertices(const TubeShape& tube, const TubeShape& model, Mesh& to);
 
 }  // namespace meristem

@@ -10,7 +10,7 @@
 
 namespace meristem::moving_tube_test {
 
-/// A stem along a bent line, with a node per 0.1 m.
+/// Returns a stem along a bent line, with one node per 0.1 m.
 Skeleton bent_stem(int nodes, float radius) {
   Skeleton skeleton;
   for (int k = 0; k < nodes; ++k) {
@@ -77,7 +77,7 @@ TEST(MovingTube, WhatHasNotGrownLiesAtTheTip) {
   const Box mine = box_of(mesh.positions), own = box_of(young.positions);
   EXPECT_LT(glm::distance(mine.low, own.low), 0.004F);
   EXPECT_LT(glm::distance(mine.high, own.high), 0.004F);
-  // Rings that stand by then stand where they will stand.
+  // Rings that exist at this time are at their final positions.
   for (std::uint32_t ring = 1; ring < last.rings; ++ring) {
     const Vec3 there = last.positions[last.ring_vertex(ring, 0)];
     const Vec3 then = mesh.positions[last.ring_vertex(ring, 0)];
@@ -93,12 +93,12 @@ TEST(MovingTube, WhatHasNotGrownLiesAtTheTip) {
 TEST(MovingTube, ALongerOneOfTheSameFormKeepsItsShares) {
   Skeleton small = bent_stem(8, 0.02F);
   for (Vec3& position : small.position) position *= 0.5F;
-  small.position[7].x += 0.2F;  // another line, so that it is no beginning of the other
+  small.position[7].x += 0.2F;  // changes the line, so that it is not the beginning of the other
   const TubeShape model = tube_of(bent_stem(8, 0.02F));
   const Mesh mesh = as_model_has_it(tube_of(small), model);
   const Box mine = box_of(mesh.positions), own = box_of(tube_of(small).positions);
   EXPECT_LT(glm::distance(mine.high, own.high), 0.01F);
-  // No two rings lie together.
+  // No two rings coincide.
   for (std::uint32_t ring = 1; ring < model.rings; ++ring) {
     const std::uint32_t vertex = model.ring_vertex(ring, 2);
     EXPECT_GT(glm::distance(mesh.positions[vertex], mesh.positions[vertex - model.sides - 1]), 1e-3F);

@@ -7,8 +7,8 @@
 
 namespace meristem {
 
-/// For each of `count` keys the nearest one at which something is there, as `is_there(key)` says: itself, else the next
-/// one, else the last one before. Each key itself where it is never there.
+/// Returns, for each of `count` keys, the nearest key for which `is_there(key)` is true: the key itself, otherwise the
+/// next one, otherwise the last one before. Returns each key itself if `is_there` is always false.
 template <class IsThere>
 std::vector<std::size_t> nearest_keys(std::size_t count, IsThere is_there) {
   std::vector<std::size_t> nearest(count);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Builds meshes of simple solids from grids of vertices. Vertices at creases and at the ends of u are split.
 #include "meristem/shape/solid/primitives.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ std::uint32_t add_vertex(Mesh& mesh, Vec3 position, Vec3 normal, Vec2 uv) {
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
-/// The unit vector at share `turn` of a full turn about y, from +z over +x; whole turns give the same bytes as none.
+/// Returns the unit vector at a share of a full turn about y, from +z over +x. Whole turns give the same bytes as none.
 Vec3 around_y(int segment, int segments) {
   const double angle = 2 * kPi * (segment % segments) / segments;
   return {static_cast<float>(math::sin(angle)), 0, static_cast<float>(math::cos(angle))};
@@ -28,7 +29,7 @@ Vec3 around_y(int segment, int segments) {
 
 float share(int part, int whole) { return static_cast<float>(part) / static_cast<float>(whole); }
 
-/// Two triangles per cell of a grid of (columns + 1) x (rows + 1) vertices that begins at `first`, rows upward.
+/// Adds two triangles per cell of a grid of (columns + 1) x (rows + 1) vertices that begins at `first`, rows upward.
 void add_grid(Mesh& mesh, std::uint32_t first, int columns, int rows) {
   const auto stride = static_cast<std::uint32_t>(columns + 1);
   for (int row = 0; row < rows; ++row) {
@@ -40,7 +41,7 @@ void add_grid(Mesh& mesh, std::uint32_t first, int columns, int rows) {
   }
 }
 
-/// A flat disc at height y that faces up or down.
+/// Adds a flat disc at height y that faces up or down.
 void add_disc(Mesh& mesh, double radius, double y, int segments, bool up) {
   const Vec3 normal{0, up ? 1.0F : -1.0F, 0};
   const Vec3 centre{0, static_cast<float>(y), 0};
@@ -57,7 +58,7 @@ void add_disc(Mesh& mesh, double radius, double y, int segments, bool up) {
   }
 }
 
-/// A square face: `right` and `up` span it from its centre, `out` is its normal.
+/// Adds a square face. `right` and `up` span it from its centre, and `out` is its normal.
 void add_face(Mesh& mesh, Vec3 centre, Vec3 right, Vec3 up, Vec3 out) {
   const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
   for (const Vec2 at : {Vec2(-1, -1), Vec2(1, -1), Vec2(-1, 1), Vec2(1, 1)}) {
@@ -96,7 +97,7 @@ Mesh make_sphere(double radius, int segments) {
     const auto height = is_pole ? (row == 0 ? -1.0F : 1.0F) : static_cast<float>(math::sin(latitude));
     for (int k = 0; k <= segments; ++k) {
       const Vec3 out = ring * around_y(k, segments) + Vec3(0, height, 0);
-      // A pole has one vertex a triangle, in the middle of its u.
+      // A pole has one vertex per triangle, in the middle of the triangle's u.
       const float u = is_pole ? share(2 * k + 1, 2 * segments) : share(k, segments);
       add_vertex(mesh, static_cast<float>(radius) * out, out, {u, share(row, rows)});
     }
@@ -136,7 +137,7 @@ Mesh make_cone(double radius, double height, int segments) {
     const Vec3 out = around_y(k, segments);
     add_vertex(mesh, static_cast<float>(radius) * out, outward * out + Vec3(0, upward, 0), {share(k, segments), 0});
   }
-  // The apex has one vertex a triangle, whose normal is that of the middle of its side.
+  // The apex has one vertex per triangle, with the normal at the middle of the triangle's side.
   for (int k = 0; k < segments; ++k) {
     const Vec3 normal = outward * around_y(2 * k + 1, 2 * segments) + Vec3(0, upward, 0);
     const Vec3 apex{0, static_cast<float>(height), 0};
@@ -154,7 +155,7 @@ Mesh make_torus(double radius, double tube, int segments) {
   require(segments >= 3, "a torus needs at least 3 segments");
   const int rows = std::max(3, segments / 2);
   Mesh mesh;
-  // Rows run around the tube from its inner side over the lower one, so that they rise on the outside.
+  // Rows run around the tube from its inner side over the lower side, so that they rise on the outside.
   for (int row = 0; row <= rows; ++row) {
     const double angle = 2 * kPi * (row % rows) / rows;
     const auto inward = static_cast<float>(math::cos(angle));

@@ -10,7 +10,7 @@
 
 namespace meristem::primitives_test {
 
-/// The area of a regular polygon with `n` corners on a circle of radius `r`.
+/// Returns the area of a regular polygon with `n` corners on a circle of radius `r`.
 double polygon_area(int n, double r) { return 0.5 * n * r * r * std::sin(2 * kPi / n); }
 double polygon_side(int n, double r) { return 2 * r * std::sin(kPi / n); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each edge of the silhouette's chain, turned about the axis, is a band of quads or, beside the axis, of triangles. The
-// flat sides of a wedge are the polygon of chain and axis.
+// Turns a silhouette about the axis. Each edge of the silhouette's chain becomes a band of quads, or of triangles at
+// the axis. The flat sides of a wedge are the polygon of chain and axis.
 #include "meristem/shape/solid/revolution.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ class RevolutionMesher {
   }
 
  private:
-  /// The direction away from the axis after a number of halves of a column. Whole turns give the same bytes as none.
+  /// Returns the direction away from the axis after a number of half columns. Whole turns give the same bytes as none.
   DVec3 outward(int halves) const {
     if (is_whole_) halves %= 2 * columns_;
     const double angle = sweep_ * halves / (2 * columns_);
@@ -65,7 +65,8 @@ class RevolutionMesher {
     return static_cast<std::uint32_t>(mesh_.vertex_count() - 1);
   }
 
-  /// A vertex for each border of a column; on the axis for the middle of each. The number of the first.
+  /// Adds a vertex for each border of a column, or on the axis for the middle of each column. Returns the number of the
+  /// first.
   std::uint32_t add_row(Point at, Point direction, double v) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertex_count());
     const bool is_pole = at.x == 0;
@@ -92,7 +93,7 @@ class RevolutionMesher {
       low = glm::min(low, corner);
       high = glm::max(high, corner);
     }
-    // Cut as in the unit square, so that flat bodies and slim ones are cut as well as others.
+    // Cut in the unit square, so that flat and slim bodies are cut as well as others.
     std::vector<Point> pictured;
     for (const Point corner : corners) pictured.push_back((corner - low) / (high - low));
     const std::vector<FlatTriangle> triangles = cut_polygon(pictured, {});

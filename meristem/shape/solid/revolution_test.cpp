@@ -22,7 +22,7 @@ SolidOfRevolution lines(Silhouette silhouette, int segments = 24) {
   return {.silhouette = std::move(silhouette), .kind = CurveKind::linear, .segments = segments};
 }
 
-/// What a regular polygon has of the area of the circle around it.
+/// Returns the area of a regular polygon as a share of the circle around it.
 double share_of_circle(int corners) { return corners * std::sin(2 * kPi / corners) / (2 * kPi); }
 
 Silhouette half_circle(int points) {
@@ -50,7 +50,7 @@ TEST(Revolution, OpenEndsGetFlatDiscs) {
   const Mesh prism = make_revolution(lines({{1, 0}, {1, 2}}, 6));
   EXPECT_TRUE(check_mesh(prism));
   EXPECT_NEAR(signed_volume(prism), share_of_circle(6) * kPi * 2, 1e-6);
-  // The mesh equals that of lines with the discs written out.
+  // The mesh equals the mesh of lines with explicit discs.
   const Mesh written = make_revolution(lines({{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 6));
   EXPECT_EQ(prism.positions, written.positions);
   EXPECT_EQ(prism.triangles, written.triangles);
@@ -77,7 +77,7 @@ TEST(Revolution, ASplineThroughACircleIsNearlyASphere) {
 }
 
 TEST(Revolution, RingsStandWhereASplineBends) {
-  // Straight but for its upper end.
+  // Straight except for its upper end.
   const Silhouette flask{{1, 0}, {1, 4}, {1, 8}, {0.5F, 9}, {0, 9}};
   const auto error = [&](int rings) {
     const auto volume = [&](int of) { return signed_volume(make_revolution({.silhouette = flask, .rings = of})); };
@@ -129,7 +129,7 @@ TEST(Revolution, WedgesWithThreeCornersOnALineAreClosed) {
   EXPECT_TRUE(check_mesh(make_revolution(solid)));
 }
 
-/// A body with bumps and, half the time, a hollow inside; every third begins or ends in a disc.
+/// Returns a body with bumps and, half the time, a hollow inside. Every third body begins or ends in a disc.
 Silhouette random_silhouette(RandomKey key) {
   Silhouette outside;
   const int points = 3 + static_cast<int>(key.uniform(0) * 12);
@@ -155,7 +155,7 @@ TEST(Revolution, RandomSilhouettesGiveClosedBodies) {
     ASSERT_FALSE(find_fault(solid)) << find_fault(solid)->message;
     EXPECT_TRUE(check_mesh(make_revolution(solid))) << k;
     solid.kind = CurveKind::spline;
-    if (find_fault(solid)) continue;  // it may swing across itself
+    if (find_fault(solid)) continue;  // the spline may cross itself
     ++splines;
     EXPECT_TRUE(check_mesh(make_revolution(solid))) << k << " as a spline";
   }

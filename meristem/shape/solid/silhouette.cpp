@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The silhouette becomes a chain of straight edges that begins and ends on the axis: lines as they are, splines sampled
-// where they bend most, an edge in from an open end for its disc. Each corner of the chain knows in which direction the
-// true silhouette arrives and leaves, which differ at sharp edges only.
+// Converts a silhouette to a chain of straight edges that begins and ends on the axis. Lines stay as they are, splines
+// are sampled where they bend most, and an open end gets an edge to the axis for its disc. Each corner of the chain
+// stores the directions in which the true silhouette arrives and leaves, which differ only at sharp edges.
 #include "meristem/shape/solid/silhouette.h"
 
 #include <algorithm>
@@ -20,14 +20,15 @@ using Point = glm::dvec2;
 using CornerChain = std::vector<SilhouetteCorner>;
 
 constexpr std::size_t kMostPoints = 500;
-constexpr double kNearest = 1e-5;        // of the silhouette's length: what is nearer counts as the same point
-constexpr double kCreaseCosine = 0.766;  // of 40°: lines that bend by more make a sharp edge
-constexpr double kSteepest = 0.2;   // cosine between a smooth direction and its edge, below which the edge's counts
-constexpr double kStraight = 1e-6;  // of the silhouette's length: edges that miss the spline by less are not cut
+constexpr double kNearest = 1e-5;        // share of the silhouette's length: nearer points count as equal
+constexpr double kCreaseCosine = 0.766;  // cosine of 40°: lines that bend by more make a sharp edge
+constexpr double kSteepest = 0.2;   // cosine between a smooth direction and its edge; below it, the direction of the
+                                    // edge is used
+constexpr double kStraight = 1e-6;  // share of the silhouette's length: edges with a smaller error are not cut
 
 Point direction(Point from, Point to) { return glm::normalize(to - from); }
 
-/// Below this distance two points are one.
+/// Returns the distance below which two points are one.
 double resolution(const std::vector<Vec2>& silhouette) {
   double length = 0, farthest = 0;
   for (std::size_t k = 0; k < silhouette.size(); ++k) {
@@ -37,7 +38,7 @@ double resolution(const std::vector<Vec2>& silhouette) {
   return kNearest * std::max(length, farthest);
 }
 
-/// Radius and height as functions of the length of lines between the points.
+/// Radius and height as functions of the length of the lines between the points.
 struct Spline {
   Curve radius, height;
 
@@ -58,7 +59,8 @@ struct Spline {
   Point slope(double along) const { return {radius.slope(along), height.slope(along)}; }
 };
 
-/// Where the spline is sampled, rising: at its points, and between them where straight edges miss it most.
+/// Returns the sample positions of the spline, ascending: its points, and positions between where straight edges have
+/// the largest error.
 std::vector<double> sampled_places(const Spline& spline, std::size_t points, int rings) {
   struct Edge {
     double begin, end, error;
@@ -95,7 +97,7 @@ CornerChain spline_chain(const SolidOfRevolution& solid) {
   return chain;
 }
 
-/// One direction for both sides of a corner that is not sharp.
+/// Sets one direction for both sides of a corner that is not sharp.
 void smooth_over(SilhouetteCorner& corner) {
   if (glm::dot(corner.arriving, corner.leaving) < kCreaseCosine) return;
   corner.arriving = corner.leaving = glm::normalize(corner.arriving + corner.leaving);
@@ -111,7 +113,7 @@ CornerChain line_chain(const SolidOfRevolution& solid) {
   return chain;
 }
 
-/// Ends near the axis come to lie on it; a blunt one is round there. Other ends get their disc.
+/// Moves ends near the axis onto it. A blunt end is round there. Other ends get their disc.
 void close_ends(CornerChain& chain, double nearest) {
   const auto is_on_axis = [&](const SilhouetteCorner& corner) { return corner.at.x <= nearest; };
   const auto mirrored = [](Point direction) { return Point(direction.x, -direction.y); };
@@ -139,7 +141,7 @@ void close_ends(CornerChain& chain, double nearest) {
 std::vector<SilhouetteCorner> silhouette_chain(const SolidOfRevolution& solid) {
   CornerChain chain = solid.kind == CurveKind::linear ? line_chain(solid) : spline_chain(solid);
   close_ends(chain, resolution(solid.silhouette));
-  // Where few edges follow a tight bend, normals must still lie on the front of their triangles.
+  // If few edges follow a tight bend, normals must still lie on the front of their triangles.
   for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
     const Point edge = direction(chain[k].at, chain[k + 1].at);
     for (Point* smooth : {&chain[k].leaving, &chain[k + 1].arriving}) {
@@ -207,7 +209,7 @@ Fault place_fault(const std::vector<Vec2>& silhouette) {
   return {};
 }
 
-/// Splines swing beyond their points.
+/// Checks whether splines swing beyond their points into an invalid shape.
 Fault swing_fault(const SolidOfRevolution& solid) {
   const std::size_t points = solid.silhouette.size();
   const double nearest = resolution(solid.silhouette);
@@ -230,7 +232,7 @@ double distance_to(Point point, Point from, Point to) {
   return glm::distance(point, from + share * along);
 }
 
-/// Whether a corner of the closed polygon comes nearer than that to an edge that does not end there.
+/// Returns true if a corner of the closed polygon is nearer than this distance to an edge that does not end there.
 bool comes_near_itself(const std::vector<Point>& polygon, double nearest) {
   const std::size_t count = polygon.size();
   for (std::size_t edge = 0; edge < count; ++edge) {

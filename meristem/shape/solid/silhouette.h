@@ -10,18 +10,18 @@
 
 namespace meristem {
 
-/// Radius and height, metres, with the unit directions of the silhouette before and after, which differ at sharp edges.
-/// A direction turned clockwise by a right angle is the normal.
+/// A corner of the chain: radius and height in metres, and the unit directions of the silhouette before and after,
+/// which differ at sharp edges. A direction turned clockwise by a right angle is the normal.
 struct SilhouetteCorner {
   glm::dvec2 at;
   glm::dvec2 arriving{0, 0}, leaving{0, 0};
 };
 
-/// From the axis at the base to the axis at the tip: open ends have their discs. Only the first and the last corner lie
-/// on the axis, with radius 0. For a silhouette without a fault.
+/// Returns the chain from the axis at the base to the axis at the tip. Open ends have their discs. Only the first and
+/// the last corner lie on the axis, with radius 0. The silhouette must have no error.
 std::vector<SilhouetteCorner> silhouette_chain(const SolidOfRevolution& solid);
 
-/// Their positions.
+/// Returns the positions of the corners.
 std::vector<glm::dvec2> corners_of(const std::vector<SilhouetteCorner>& chain);
 
 }  // namespace meristem

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Answers whether a uv lies in a hole. Each block of pixels is classified once as solid, hole or edge, so that only
+// edge blocks need a lookup of pixels.
 #include "meristem/shape/texture/alpha_mask.h"
 
 #include <algorithm>
@@ -23,7 +25,8 @@ AlphaMask::AlphaMask(const Image& image)
   }
 }
 
-/// What is true of all positions whose first pixels lie in a block: their other pixels may lie one beyond it.
+/// Returns the state of all positions whose first pixels lie in a block. Their other pixels can lie one pixel beyond
+/// the block.
 AlphaMask::Block AlphaMask::block_at(int column, int row) const {
   constexpr int kSize = 1 << kBlockBits;
   bool has_solid = false;

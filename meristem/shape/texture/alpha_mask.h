@@ -12,12 +12,12 @@
 
 namespace meristem {
 
-/// Where a masked texture has holes. By itself, as rays ask for it at every leaf they meet: a small map of blocks,
-/// which stays at hand, answers most of them, and only along the edges of holes are pixels looked up.
+/// The holes of a masked texture, for rays that query them at every leaf they hit. A small map of blocks, which stays
+/// in the cache, answers most queries. Pixels are looked up only along the edges of holes.
 class AlphaMask {
  public:
   explicit AlphaMask(const Image& image);
-  /// Whether alpha, bilinear between pixels, is below one half.
+  /// Returns true if alpha, bilinear between pixels, is below one half.
   bool is_hole(Vec2 uv) const;
 
  private:
@@ -30,10 +30,10 @@ class AlphaMask {
   int height_;
   int blocks_across_;
   std::vector<std::uint8_t> alpha_;
-  std::vector<Block> blocks_;  ///< what all positions in a square of 8 pixels are, row by row
+  std::vector<Block> blocks_;  ///< state of all positions in a square of 8 pixels, row by row
 };
 
-/// The texture whose mask cuts holes into a mesh of this material; null where there are none.
+/// Returns the texture whose mask cuts holes into a mesh of this material, or null if there are no holes.
 const Texture* texture_with_holes(const Material& material, const Mesh& mesh);
 
 }  // namespace meristem

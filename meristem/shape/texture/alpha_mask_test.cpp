@@ -15,7 +15,7 @@ TEST(AlphaMask, IsAHoleBelowOneHalf) {
   EXPECT_TRUE(mask.is_hole({0.75F, 0.25F}));
 }
 
-// A wrong map of blocks would show at the edges of blocks and of the picture, which repeats.
+// An error in the map of blocks would show at the edges of blocks and of the picture, which repeats.
 TEST(AlphaMask, IsAHoleWhereTheMeanOfItsPixelsSaysSo) {
   constexpr int kWidth = 37;
   constexpr int kHeight = 21;
@@ -34,7 +34,7 @@ TEST(AlphaMask, IsAHoleWhereTheMeanOfItsPixelsSaysSo) {
   const AlphaMask mask(image);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = -kWidth; x < kWidth; ++x) {
-      // Three quarters of the way from the middle of one pixel to the next, both ways.
+      // Three quarters of the distance from the middle of one pixel to the next, in both directions.
       const Vec2 uv((static_cast<float>(x) + 1.25F) / kWidth, 1 - (static_cast<float>(y) + 1.25F) / kHeight);
       const double upper = 0.25 * alpha(x, y) + 0.75 * alpha(x + 1, y);
       const double lower = 0.25 * alpha(x, y + 1) + 0.75 * alpha(x + 1, y + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the styles of bark share, and the function of each that paints it.
+// Common parts of the bark styles, and the function that paints each style.
 #pragma once
 
 #include <algorithm>
@@ -14,26 +14,26 @@
 
 namespace meristem {
 
-/// A recipe made ready for painting.
+/// A recipe prepared for painting.
 struct BarkPaints {
-  /// `work` outlives it.
+  /// `work` must outlive this object.
   BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side, const Progress& work);
 
-  /// How many features stand in a row, at least `least`, where there are `usual` at scale 1.
+  /// Returns the number of features in a row, at least `least`. `usual` is the number at scale 1.
   int count(double usual, int least = 1) const;
   int even_count(double usual) const { return std::max(2, 2 * count(usual / 2)); }
-  /// How many features there are on the tile's area.
+  /// Returns the number of features on the tile's area.
   int area_count(double usual) const;
-  /// A noise of its own for each name. Throws Cancelled.
+  /// Returns a separate noise for each name. Throws Cancelled.
   std::vector<float> noise(std::string_view name, const NoiseParameters& form) const {
     progress.check();
     return noise_field(key.child(name), form, pixels);
   }
-  /// From one linear colour to another as far as the contrast wants it.
+  /// Returns a mix of two linear colours, scaled by the contrast.
   Vec3 toward(Vec3 from, Vec3 to, float share) const {
     return glm::mix(from, to, std::clamp(share * contrast, 0.0F, 1.0F));
   }
-  /// A factor on lightness.
+  /// Returns a factor on lightness.
   float tone(float lighter) const { return std::max(0.05F, 1 + contrast * lighter); }
 
   int pixels;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Paints bark: prepares colours and noise from a recipe, lets the function of the style fill a canvas, and makes the
+// texture from the canvas.
 #include <cmath>
 
 #include "meristem/base/colour.h"

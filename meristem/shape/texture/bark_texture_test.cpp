@@ -21,7 +21,7 @@ int difference(const std::uint8_t* a, const std::uint8_t* b) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 
-/// Mean difference between the columns (or rows) `from` and `to`.
+/// Returns the mean difference between the columns (or rows) `from` and `to`.
 double mean_step(const Image& image, int from, int to, bool rows) {
   double sum = 0;
   for (int k = 0; k < kPixels; ++k) {
@@ -31,7 +31,7 @@ double mean_step(const Image& image, int from, int to, bool rows) {
   return sum / kPixels;
 }
 
-/// The largest mean difference between neighbours within the picture.
+/// Returns the largest mean difference between neighbours within the picture.
 double largest_step(const Image& image, bool rows) {
   double largest = 0;
   for (int k = 1; k < kPixels; ++k) largest = std::max(largest, mean_step(image, k - 1, k, rows));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coverage is exact along rows and sampled at four heights of each. Distances are those between pixels' middles.
+// Draws an outline into pixels. Coverage is exact along rows and sampled at four heights of each row. Distances are
+// measured between the middles of pixels.
 //
 // Based on: Felzenszwalb, Huttenlocher: Distance transforms of sampled functions (2012), the lower envelope.
 #include "meristem/shape/texture/blade_map.h"
@@ -14,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-constexpr int kHeights = 4;  // a row of pixels is sampled at
+constexpr int kHeights = 4;  // heights at which a row of pixels is sampled
 constexpr std::size_t kMapRowsPerBlock = 8;
 
 const std::vector<Vec2> kUnitSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -30,7 +31,7 @@ void add_span(float from, float to, float weight, float* row, int pixels) {
   }
 }
 
-/// One row's coverage and reach; true if the outline meets it.
+/// Draws one row's coverage and extent. Returns true if the outline meets the row.
 bool draw_row(const std::vector<Vec2>& outline, int y, int pixels, float* cover, BladeMap::Reach& reach) {
   const auto size = static_cast<float>(pixels);
   BladeMap::Reach found{1, 0};
@@ -49,7 +50,7 @@ bool draw_row(const std::vector<Vec2>& outline, int y, int pixels, float* cover,
   return true;
 }
 
-/// Gives rows without a reach that of the nearest row with one.
+/// Gives rows without an extent the extent of the nearest row with one.
 void fill_rows(std::vector<BladeMap::Reach>& rows, const std::vector<bool>& is_met) {
   const auto first = std::find(is_met.begin(), is_met.end(), true);
   if (first == is_met.end()) return;
@@ -60,8 +61,8 @@ void fill_rows(std::vector<BladeMap::Reach>& rows, const std::vector<bool>& is_m
   }
 }
 
-/// Squared distances of the pixels of a row from what is outside, from those along their columns, in which a pixel is
-/// `step` wide. What lies beyond the row is outside.
+/// The squared distances of a row's pixels from the outside, computed from the distances along their columns. A pixel
+/// is `step` wide. Positions beyond the row are outside.
 class RowEnvelope {
  public:
   explicit RowEnvelope(std::size_t size) : sites_(size + 2), heights_(size + 2), starts_(size + 3) {}
@@ -102,11 +103,12 @@ class RowEnvelope {
   std::vector<float> starts_;
 };
 
-/// Distance from the nearest pixel that is mostly outside, the border of the picture included.
+/// Returns the distance of each pixel from the nearest pixel that is mostly outside. The border of the picture counts
+/// as outside.
 std::vector<float> margin_distances(const std::vector<float>& cover, std::size_t size, float aspect) {
   const float step = 1 / static_cast<float>(size);
   std::vector<float> squares(size * size);
-  // Along the columns, down and up again.
+  // Along the columns, down and then up.
   for (std::size_t x = 0; x < size; ++x) {
     float distance = 0;
     for (std::size_t y = 0; y < size; ++y) {

@@ -8,9 +8,10 @@
 
 namespace meristem {
 
-/// Pixels stand row by row from top to bottom. Lengths are in heights of the texture as it lies on the blade.
+/// The coverage and distances of pixels, row by row from top to bottom. Lengths are in heights of the texture on the
+/// blade.
 struct BladeMap {
-  /// How far a row of pixels, or a column, reaches.
+  /// The extent of a row or column of pixels.
   struct Reach {
     float low = 0;
     float high = 1;
@@ -20,13 +21,13 @@ struct BladeMap {
 
   std::vector<float> cover;   ///< share of each pixel within the outline
   std::vector<float> margin;  ///< distance of each pixel from the outline, 0 outside
-  float widest = 0;           ///< the greatest of these distances
-  std::vector<Reach> rows;    ///< in u; rows that the outline misses are as the nearest that it does not
+  float widest = 0;           ///< maximum of these distances
+  std::vector<Reach> rows;    ///< in u; rows that the outline misses have the values of the nearest row that it meets
   Reach midrib;               ///< where the line u = 1/2 enters and leaves the outline, in v
 };
 
-/// Where a line crosses a closed polygon, in order: at height `level` of its points' coordinate `axis`, the other
-/// coordinate.
+/// Returns where a line crosses a closed polygon, in order. The line is at `level` of coordinate `axis`, and the result
+/// is the other coordinate.
 std::vector<float> crossings(const std::vector<Vec2>& outline, int axis, float level);
 
 }  // namespace meristem

@@ -51,7 +51,7 @@ TEST(BladeMap, MarginsOfACircleGrowTowardItsCentre) {
 }
 
 TEST(BladeMap, MarginsAreMeasuredOnTheSurface) {
-  // A square in uv that is a quarter as wide as high: its middle is nearer to the sides.
+  // A square in uv that is a quarter as wide as high, so its middle is nearer to the sides.
   EXPECT_NEAR(BladeMap(TextureShape{.aspect = 0.25}, kPixels).widest, 0.125, 0.005);
 }
 
@@ -61,7 +61,7 @@ TEST(BladeMap, TellsHowFarRowsAndTheMidribReach) {
   EXPECT_NEAR(map.midrib.high, 0.8F, 1e-5F);
   EXPECT_NEAR(map.rows[50].low, 0.1F, 0.015F);
   EXPECT_NEAR(map.rows[50].high, 0.9F, 0.015F);
-  // Above and below, rows are as the last that the outline meets.
+  // Rows above and below have the values of the last row that the outline meets.
   EXPECT_EQ(map.rows[0].low, map.rows[19].low);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Old oak, ash, poplar, willow: ridges that run along the stem, part and join again, with dark furrows between. They
-// are long cells in a brick bond, whose pointed ends make the network; where the furrow's width, which varies, falls
-// below nothing, neighbours grow together.
+// Old oak, ash, poplar, willow: ridges that run along the stem, separate and join again, with dark furrows between
+// them. Ridges are long cells in a brick bond, whose pointed ends form the network. The width of furrows varies, and
+// neighbours grow together where it falls below 0.
 #include "meristem/shape/texture/bark_style.h"
 #include "meristem/shape/texture/tileable_cells.h"
 
@@ -23,7 +23,7 @@ Canvas paint_furrowed_bark(const BarkPaints& paints) {
 
   Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
-    // Slip the ridges along each other, so that their ends do not stand in rows.
+    // Shift the ridges along each other, so that their ends do not form rows.
     const float bent_u = u + 0.33F * ridge * bend[i];
     const TileableCells::Spot spot = ridges.at(bent_u, v + 0.75F * length * slip[i]);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A leaf from above: veins sunk between swellings of the tissue, tissue mottled, and where asked for the colour of
-// autumn, which comes in from the margin and reaches the veins last. Outside the outline the picture goes on as the
-// leaf's margin, so that filtering draws in no other colour.
+// Paints a leaf from above: veins sunk between swellings of the tissue, mottled tissue and, if requested, the colour of
+// autumn, which spreads from the margin and reaches the veins last. Outside the outline, the picture continues the
+// leaf's margin, so that filtering adds no other colour.
 #include "meristem/base/colour.h"
 #include "meristem/shape/texture/leaf_veins.h"
 #include "meristem/shape/texture/noise_field.h"

@@ -50,7 +50,7 @@ TEST(LeafTexture, FillsTheSquareWithoutAMask) {
 }
 
 TEST(LeafTexture, OutsideItsMaskHasColoursOfItsMargin) {
-  // Pixels that filters mix with those inside must not be far from them.
+  // Pixels that filters mix with inner pixels must have a similar colour.
   for (const LeafRecipe::Veins veins : kVeins) {
     const Texture texture = make_leaf_texture({.veins = veins}, kLozenge, kGreen, kPixels);
     for (int y = 10; y < kPixels - 10; ++y) {
@@ -143,7 +143,7 @@ TEST(LeafTexture, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(LeafTexture, VeinsEndForEveryAspectAndWhereFannedOnesLieOutside) {
-  // The base of this one lies over its corners, and below all veins that fan out to the sides.
+  // The base of this shape lies above its corners, and below all veins that fan out to the sides.
   const TextureShape tent{{{0, 0}, {0.5F, 0.4F}, {1, 0}, {0.5F, 1}}, true};
   for (const LeafRecipe::Veins veins : kVeins) {
     for (const double aspect : {1e-6, 1.0, 1e3, 1e6}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions are in heights of the leaf, from the middle of its base. A side vein that leaves its main vein at y0
-// passes, at distance s from it, through y0 + lean s + arch s^2; solved for y0 this tells at any position which side
-// veins are next to it and how far they are, without following any of them.
+// Computes the veins of a leaf. Positions are in heights of the leaf, from the middle of its base. A side vein that
+// leaves its main vein at y0 passes, at distance s from it, through y0 + lean s + arch s^2. Solved for y0, this gives
+// at any position the neighbouring side veins and their distances, without following any vein.
 #include "meristem/shape/texture/leaf_veins.h"
 
 #include <algorithm>
@@ -14,23 +14,23 @@ namespace meristem {
 
 namespace {
 
-constexpr float kMidribWidth = 0.011F;  // half of it, at the base
+constexpr float kMidribWidth = 0.011F;  // half width at the base
 constexpr float kSideWidth = 0.0042F;
 constexpr float kCrossWidth = 0.0012F;
 constexpr float kCrossSpacing = 0.032F;
-constexpr float kSidesOfPalm = 0.11F;     // spacing along the main veins of a palm
-constexpr float kArch = 0.5F;             // of side veins, toward the tip
-constexpr float kShortestVein = 1e-3F;    // a fanned one may lie outside of the outline
+constexpr float kSidesOfPalm = 0.11F;     // spacing along the main veins of a palmate leaf
+constexpr float kArch = 0.5F;             // curvature of side veins toward the tip
+constexpr float kShortestVein = 1e-3F;    // minimum length of a fanned vein, which may lie outside of the outline
 constexpr std::uint64_t kMostSides = 64;  // side veins on one side of a main vein
-constexpr double kPalmSpread = 105;       // degrees to each side, of main veins that follow no lobes
+constexpr double kPalmSpread = 105;       // degrees to each side, for main veins that follow no lobes
 
 float angle_between(Vec2 a, Vec2 b) {
   return static_cast<float>(math::acos(glm::dot(a, b) / std::sqrt(glm::dot(a, a) * glm::dot(b, b))));
 }
 
-/// How far the outline is from `base` along `heading`, where it is farthest.
+/// Returns the largest distance of the outline from `base` along `heading`.
 float ray_length(const std::vector<Vec2>& outline, Vec2 base, Vec2 heading) {
-  // Turned so that the heading is the second axis.
+  // Turn the outline so that the heading is the second axis.
   std::vector<Vec2> turned;
   for (const Vec2 point : outline) {
     const Vec2 from = point - base;
@@ -40,7 +40,8 @@ float ray_length(const std::vector<Vec2>& outline, Vec2 base, Vec2 heading) {
   return crossed.empty() ? 0 : std::max(0.0F, crossed.back());
 }
 
-/// The lobes' tips: points of the outline farther from `base` than all others within an angle, the farthest first.
+/// Returns the lobes' tips: points of the outline that are farther from `base` than all others within an angle, the
+/// farthest first.
 std::vector<Vec2> lobe_tips(const std::vector<Vec2>& outline, Vec2 base, std::size_t most) {
   const float apart = 0.5F * static_cast<float>(kPi) / static_cast<float>(most);
   std::vector<Vec2> points;
@@ -50,7 +51,7 @@ std::vector<Vec2> lobe_tips(const std::vector<Vec2>& outline, Vec2 base, std::si
   std::stable_sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return glm::dot(a, a) > glm::dot(b, b); });
   std::vector<Vec2> tips;
   for (std::size_t k = 0; k < points.size() && tips.size() < most; ++k) {
-    // A farther point near it means that it is on the flank of a lobe.
+    // A farther point nearby means that this point is on the flank of a lobe.
     const bool is_tip = std::none_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(k),
                                      [&](Vec2 farther) { return angle_between(farther, points[k]) < apart; });
     if (is_tip) tips.push_back(points[k]);
@@ -80,7 +81,7 @@ LeafVeins::LeafVeins(const LeafRecipe& recipe, const TextureShape& shape, const 
   }
 }
 
-/// Main veins to the lobes of the outline, or fanned out where it has none.
+/// Places main veins toward the lobes of the outline, or fans them out if it has no lobes.
 void LeafVeins::find_palm(const TextureShape& shape) {
   std::vector<Vec2> outline;
   for (const Vec2 point : shape.outline) outline.emplace_back((point.x - 0.5F) * aspect_, point.y);
@@ -104,7 +105,7 @@ float LeafVeins::line(float distance, float half_width) const {
   return (half_width / drawn) * std::clamp((drawn - distance) / pixel_ + 0.5F, 0.0F, 1.0F);
 }
 
-/// Side veins on both sides of a main vein, and the cross veins between them.
+/// Adds side veins on both sides of a main vein, and the cross veins between them.
 void LeafVeins::add_sides(const MainVein& vein, const SideVeins& form, float along, float across, float wobble,
                           Spot& spot) const {
   const float s = std::abs(across);
@@ -113,7 +114,7 @@ void LeafVeins::add_sides(const MainVein& vein, const SideVeins& form, float alo
   const float slope = lean_ + 2 * kArch * s;
   const float upright = 1 / std::sqrt(1 + slope * slope);
 
-  // Look at the nearest ones before and after, each shifted a little; toward the tip they stand closer.
+  // Check the nearest side veins before and after, each shifted a little. Toward the tip they stand closer.
   const float closer = start / vein.length;
   const float spacing = form.spacing / (0.75F + 0.8F * std::max(closer, 0.0F));
   const float position = (start * (0.75F + 0.4F * closer) - form.first) / form.spacing + (side == 1 ? 0.25F : 0.0F);
@@ -131,7 +132,7 @@ void LeafVeins::add_sides(const MainVein& vein, const SideVeins& form, float alo
   const float share = std::clamp(2 * nearest / spacing, 0.0F, 1.0F);
   spot.swell = share * (2 - share) * rise(0, 0.3F * form.spacing, s);
 
-  // Cross veins stand across the side veins, displaced from one gap to the next.
+  // Cross veins run across the gaps between side veins, displaced from gap to gap.
   const float step = s / (upright * kCrossSpacing) + 0.37F * below + 0.5F * wobble;
   const float to_cross = std::abs(step - std::floor(step) - 0.5F) * kCrossSpacing;
   spot.cross = line(to_cross * 0.8F, kCrossWidth);
@@ -153,7 +154,7 @@ LeafVeins::Spot LeafVeins::pinnate_at(Vec2 position, std::size_t row, float wobb
 }
 
 LeafVeins::Spot LeafVeins::palmate_at(Vec2 position, float wobble) const {
-  // Belong to the main vein whose line is nearest.
+  // The position belongs to the main vein whose line is nearest.
   const Vec2 from = position - Vec2(0, map_.midrib.low);
   const MainVein* own = &mains_.front();
   float nearest = 1e9F;
@@ -176,7 +177,7 @@ LeafVeins::Spot LeafVeins::palmate_at(Vec2 position, float wobble) const {
   spot.main = line(std::abs(std::sqrt(nearest) + 0.002F * wobble), kMidribWidth * (0.9F - 0.7F * share));
   const float count = std::floor(0.9F * own->length / kSidesOfPalm);
   add_sides(*own, {0.15F * own->length, kSidesOfPalm, count, 0.3F * own->length}, along, across, wobble, spot);
-  // Where the parts of two main veins meet, neither swells.
+  // Where the areas of two main veins meet, neither swells.
   spot.swell *= rise(0, 0.06F, border);
   return spot;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the veins of a leaf run, in closed form: at any point, how much of them lies there.
+// The course of a leaf's veins in closed form: the amount of vein at any point.
 #pragma once
 
 #include <vector>
@@ -20,22 +20,24 @@ class LeafVeins {
     float swell = 0;  ///< 0 on side veins, 1 midway between two
   };
 
-  /// `map` must outlive this.
+  /// `map` must outlive this object.
   LeafVeins(const LeafRecipe& recipe, const TextureShape& shape, const BladeMap& map, int pixels);
-  /// `row` is the row of pixels that has v; `wobble`, about [-1, 1], bends the veins.
+  /// Returns the veins at a point. `row` is the row of pixels that contains v. `wobble`, about [-1, 1], bends the
+  /// veins.
   Spot at(float u, float v, std::size_t row, float wobble) const;
 
  private:
   struct MainVein {
     Vec2 heading{0, 1};
     float length = 1;
-    std::vector<float> shifts;  // of side veins along it, in their spacing: right and left in turn
+    std::vector<float> shifts;  // shifts of side veins along the main vein, in their spacing, alternating right and
+                                // left
   };
   struct SideVeins {
-    float first;    // where the first one leaves its main vein
-    float spacing;  // between one and the next
+    float first;    // where the first side vein leaves its main vein
+    float spacing;  // distance between side veins
     float count;
-    float reach;  // how far they go from their main vein
+    float reach;  // length of side veins across their main vein
   };
 
   Spot pinnate_at(Vec2 position, std::size_t row, float wobble) const;
@@ -50,7 +52,7 @@ class LeafVeins {
   const BladeMap& map_;
   float aspect_;
   float pixel_;
-  float lean_;  // how far side veins go along while they go 1 across
+  float lean_;  // distance along the main vein per distance across
   std::vector<MainVein> mains_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws marks into a tile that repeats, and reads it with bilinear interpolation.
 #include "meristem/shape/texture/mark_map.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace meristem {
 
 namespace {
 
-constexpr float kLeastReach = 0.9F;  // of a mark, in pixels
+constexpr float kLeastReach = 0.9F;  // minimum half size of a mark, in pixels
 
 int wrapped(int index, int period) { return ((index % period) + period) % period; }
 
@@ -30,7 +31,7 @@ void MarkMap::add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 position)> mar
 
 float MarkMap::at(float u, float v) const {
   const auto size = static_cast<float>(pixels_);
-  // One tile further on, where whole parts are found by cutting off.
+  // One tile further on, so that truncation finds the whole part.
   const float x = (u + 1) * size - 0.5F;
   const float y = (2 - v) * size - 0.5F;
   const int left = static_cast<int>(x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small separate marks on a tile, such as lenticels: drawn one by one, which is quicker than asking at each pixel for
-// the marks around it. What crosses an edge of the tile comes in at the other.
+// Small separate marks on a tile, such as lenticels. They are drawn one by one, which is faster than a search for
+// nearby marks at each pixel. Marks that cross an edge of the tile continue at the opposite edge.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,12 @@ class MarkMap {
  public:
   explicit MarkMap(int pixels) : pixels_(pixels), values_(static_cast<std::size_t>(pixels) * pixels) {}
 
-  /// Raises what lies within `reach` (half width and height, in widths of the tile) of `centre` to the value of `mark`
-  /// at positions from -1 to 1 in both directions, where that is higher. Marks are at least about a pixel thick.
+  /// Draws a mark: raises the pixels within `reach` (half width and height, in widths of the tile) of `centre` to the
+  /// value of `mark` where this is higher. `mark` receives positions from -1 to 1 in both directions. Marks are at
+  /// least about a pixel thick.
   void add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 position)> mark);
   float at(std::size_t index) const { return values_[index]; }
-  /// Between the pixels around; u and v lie in [-1, 2).
+  /// Returns the value, interpolated between the surrounding pixels. u and v must be in [-1, 2).
   float at(float u, float v) const;
 
  private:
@@ -28,7 +29,7 @@ class MarkMap {
   std::vector<float> values_;
 };
 
-/// `count` marks at random positions, each drawn by `draw` from a key of its own.
+/// Returns `count` marks at random positions. `draw` draws each mark with its own key.
 MarkMap scattered_marks(int pixels, int count, RandomKey key,
                         FunctionRef<void(MarkMap& map, Vec2 centre, RandomKey own, int number)> draw);
 

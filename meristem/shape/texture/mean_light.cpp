@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Averages the linear light of a picture. Bytes are counted first, so that the sums are exact and independent of order.
 #include "meristem/shape/texture/mean_light.h"
 
 #include <array>
@@ -23,7 +24,7 @@ std::array<double, 256> light_of_bytes() {
 
 Vec3 mean_light(const Image& colour, bool masked) {
   static const std::array<double, 256> light_of_byte = light_of_bytes();
-  // Sums of whole numbers are exact, so the counts of each byte come first.
+  // Sums of whole numbers are exact, so count the bytes first.
   std::array<std::array<std::uint64_t, 256>, 3> counts{};
   std::uint64_t total = 0;
   for (std::size_t k = 0; k < colour.rgba.size(); k += 4) {

@@ -6,7 +6,8 @@
 
 namespace meristem {
 
-/// The linear mean of a picture's colours, weighted by alpha where `masked`; white for one that is all cut out.
+/// Returns the linear mean of a picture's colours, weighted by alpha if `masked`. Returns white for a picture without
+/// visible pixels.
 Vec3 mean_light(const Image& colour, bool masked);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gradient noise in single precision, row by row: what depends on the row alone is blended once for each lattice
+// Gradient noise in single precision, row by row. Terms that depend only on the row are blended once for each lattice
 // column, which leaves five operations per pixel and octave. Measured four times as fast as a function of (u, v).
 //
 // Based on: Perlin: Improving noise (SIGGRAPH 2002), in the plane, on a lattice that repeats.
@@ -32,14 +32,14 @@ class Octave {
     }
   }
 
-  /// Adds the octave at height `v` of the tile to a row of pixels; `lines` is scratch.
+  /// Adds the octave at height `v` of the tile to a row of pixels. `lines` is scratch memory.
   void add_row(float v, float* row, std::vector<Vec2>& lines) const {
     const float place = v * static_cast<float>(along_);
     const int below = static_cast<int>(place);
     const int above = below + 1 == along_ ? 0 : below + 1;
     const float t = place - static_cast<float>(below);
     const float weight = quintic(t);
-    // In this row each lattice column has a linear function of the distance from it.
+    // In this row, each lattice column has a linear function of the distance from it.
     lines.resize(static_cast<std::size_t>(across_) + 1);
     for (int k = 0; k < across_; ++k) {
       const Vec2 low = slope(k, below);
@@ -65,7 +65,7 @@ class Octave {
     float weight;
   };
 
-  /// A direction of length sqrt(2), so that four slopes toward the middle of a cell meet at 1.
+  /// Returns a direction of length sqrt(2), so that four slopes toward the middle of a cell meet at 1.
   static Vec2 direction(std::uint64_t bits) {
     const Vec2 slope(static_cast<float>(bits >> 40) * 0x1p-23F - 1, static_cast<float>(bits & 0xffffff) * 0x1p-23F - 1);
     const float square = glm::dot(slope, slope);
@@ -78,14 +78,14 @@ class Octave {
 
   int across_;
   int along_;
-  std::vector<Vec2> slopes_;     // of the lattice points, row by row
-  std::vector<Column> columns_;  // of the pixels
+  std::vector<Vec2> slopes_;     // slopes of the lattice points, row by row
+  std::vector<Column> columns_;  // one per column of pixels
 };
 
 }  // namespace
 
 std::vector<float> noise_field(RandomKey key, const NoiseParameters& form, int pixels) {
-  // The first octave's height, with which the sum has the power of one octave of height 1.
+  // The first octave's height. With it, the sum has the power of a single octave of height 1.
   float power = 0;
   float share = 1;
   for (int k = 0; k < form.octaves; ++k, share *= form.gain) power += share * share;

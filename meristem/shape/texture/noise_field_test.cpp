@@ -39,12 +39,12 @@ TEST(NoiseField, HasMeanNothingAndStaysWithinAboutOne) {
     sum += value;
     ASSERT_LT(std::abs(value), 1.5F);
   }
-  // 256 cells of deviation 0.4: four deviations of their mean.
+  // 256 cells with standard deviation 0.4: the tolerance is four standard deviations of their mean.
   EXPECT_NEAR(sum / static_cast<double>(field.size()), 0, 0.1);
 }
 
 TEST(NoiseField, ASingleCellIsOddAboutItsMiddle) {
-  // All its corners are the same lattice point, with one slope.
+  // All corners are one lattice point, with one slope.
   const auto field = noise_field(RandomKey(5), {.across = 1, .along = 1, .octaves = 1}, kPixels);
   float highest = 0;
   for (int x = 0; x < kPixels; ++x) {
@@ -62,7 +62,7 @@ TEST(NoiseField, LeavesOutOctavesTooFineForThePixels) {
   coarse.octaves = 2;
   const auto many = noise_field(RandomKey(6), fine, kPixels);
   const auto two = noise_field(RandomKey(6), coarse, kPixels);
-  // Only the heights differ: the sum of six squares against that of two.
+  // Only the heights differ: the sum of six squares compared with the sum of two.
   const double ratio = std::sqrt((1 + 0.25) / (1 + 0.25 + 1.0 / 16 + 1.0 / 64 + 1.0 / 256 + 1.0 / 1024));
   for (std::size_t k = 0; k < many.size(); ++k) ASSERT_NEAR(many[k], ratio * two[k], 1e-5);
 }

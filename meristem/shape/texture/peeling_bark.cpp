@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Birch and cherry: thin pale sheets that wrap the stem and peel off across it, lenticels drawn out into long dashes,
-// and rough black patches where the bark has burst.
+// Birch and cherry: thin pale sheets around the stem that peel off across it, lenticels as long dashes, and rough black
+// patches where the bark has burst.
 #include <cmath>
 
 #include "meristem/shape/texture/bark_style.h"
@@ -24,7 +24,7 @@ MarkMap dashes_of(const BarkPaints& paints) {
   return scattered_marks(paints.pixels, paints.area_count(300), paints.key.child("dashes"), draw);
 }
 
-/// Where a sheet has come loose along a tear: from 0 far above to 1 at the curled edge.
+/// Returns where a sheet is loose along a tear: from 0 far above to 1 at the curled edge.
 MarkMap tears_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.06, 0.22), own.uniform(3, 0.006, 0.014));
@@ -37,7 +37,7 @@ MarkMap tears_of(const BarkPaints& paints) {
   return scattered_marks(paints.pixels, paints.area_count(13), paints.key.child("tears"), draw);
 }
 
-/// Black marks, 1 in their middle and 0 at their edge: lozenges, and the two-winged beards over old branches.
+/// Returns black marks, 1 in their middle and 0 at their edge: lozenges, and the two-winged beards over old branches.
 MarkMap scars_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int k) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.04, 0.15), own.uniform(3, 0.025, 0.07));
@@ -76,12 +76,12 @@ Canvas paint_peeling_bark(const BarkPaints& paints) {
     light = paints.toward(light, open, 0.4F * rise(0.1F, 0.9F, bands[i]));
     light = paints.toward(light, paints.seams, 0.75F * dashes.at(i));
 
-    // Open the bark above a loose sheet, whose edge curls up and throws a shadow.
+    // Open the bark above a loose sheet, whose edge curls up and casts a shadow.
     const float tear = tears.at(u, v + 0.35F * wandering + paints.scale * 0.002F * rough[i]);
     light = paints.toward(light, open, 0.7F * rise(0, 0.5F, tear));
     light = paints.toward(light, paints.seams, 0.8F * rise(0.72F, 0.95F, tear));
 
-    // Burst it into rough black patches with grey about them.
+    // Burst it into rough black patches surrounded by grey.
     const float scar = scars.at(u + wandering, v - wandering);
     const float black = scar > 0 ? rise(0.12F, 0.34F, scar + 0.26F * rough[i]) : 0.0F;
     light =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A petal: its throat in a colour of its own, lines that fan out from the claw, and a thin edge that is a little paler.
+// Paints a petal: a throat with its own colour, lines that fan out from the claw, and a thin, slightly paler edge.
 #include <cmath>
 
 #include "meristem/base/colour.h"
@@ -11,9 +11,9 @@ namespace meristem {
 
 namespace {
 
-constexpr int kLines = 13;  // that fan out from the claw to each side
+constexpr int kLines = 13;  // lines that fan out from the claw to each side
 
-/// How strong each line is, and which way it strays, from -1 to 1.
+/// The strength of each line, and its deviation to one side, from -1 to 1.
 struct Line {
   float strength;
   float stray;
@@ -48,7 +48,7 @@ Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape,
     const float half_width = std::max(u < 0.5F ? 0.5F - reach.low : reach.high - 0.5F, 1e-3F);
     const float along = (v - map.midrib.low) / length;
 
-    // Toward the claw the lines stand too close to be told apart.
+    // Near the claw, the lines are too close to be distinguished.
     const float last = static_cast<float>(kLines);
     const float place = std::clamp(last * ((u - 0.5F) / half_width + 0.04F * waver[i]), -last, last);
     const float nearest = std::floor(place + 0.5F);

@@ -6,13 +6,13 @@
 
 namespace meristem {
 
-/// The two pixels along one way of a picture that lie about a position, and the share of the second; pictures repeat.
+/// The two pixels along one direction of a picture around a position, and the weight of the second. Pictures repeat.
 struct PixelNeighbours {
   int first;
   int second;
   float share;
 
-  /// `turns` is the position in widths (or heights) of the picture, which has `count` pixels that way.
+  /// `turns` is the position in widths (or heights) of the picture. `count` is its number of pixels in this direction.
   PixelNeighbours(float turns, int count) {
     const float at = (turns - std::floor(turns)) * static_cast<float>(count) - 0.5F;
     const float below = std::floor(at);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Old pines and planes: thick plates outlined by dark cracks. Each plate is a stack of thin scales; where upper ones
-// have come off, lower ones of another tone lie open, with a step at their edge.
+// Old pines and planes: thick plates outlined by dark cracks. Each plate is a stack of thin scales. Where upper scales
+// have fallen off, lower ones with another tone are visible, with a step at their edge.
 #include "meristem/shape/texture/bark_style.h"
 #include "meristem/shape/texture/tileable_cells.h"
 
@@ -18,7 +18,7 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
   const auto gaps = paints.noise("gaps", {.across = columns, .along = 2 * rows, .octaves = 4});
   const auto grain = paints.noise("grain", {.across = 6 * columns, .along = 12 * rows, .octaves = 2});
   const auto crusts = paints.noise("crusts", {.across = 4, .along = 3, .octaves = 5, .gain = 0.65F});
-  const Vec3 fresh = Vec3(1.25F, 0.93F, 0.68F) * paints.bark;  // scales that lay covered until lately
+  const Vec3 fresh = Vec3(1.25F, 0.93F, 0.68F) * paints.bark;  // scales that were uncovered recently
 
   Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {

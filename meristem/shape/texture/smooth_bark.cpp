@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beech, hornbeam and the young stems of most trees: even, clouded in soft patches, finely wrinkled across, with
+// Beech, hornbeam and the young stems of most trees: even bark with soft cloudy patches, finely wrinkled across, with
 // scattered lenticels.
 #include "meristem/shape/texture/bark_style.h"
 #include "meristem/shape/texture/mark_map.h"
@@ -8,7 +8,7 @@ namespace meristem {
 
 namespace {
 
-/// Short corky warts, wider than high.
+/// Returns short corky warts, wider than high.
 MarkMap lenticels_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.003, 0.01), own.uniform(3, 0.0014, 0.003));
@@ -36,7 +36,7 @@ Canvas paint_smooth_bark(const BarkPaints& paints) {
     const float wart = lenticels.at(i);
     const float shade = 0.2F * clouds[i] + 0.04F * wrinkles[i] + 0.06F * grain[i];
     Vec3 light = paints.tone(shade) * paints.bark;
-    // Dark stains, and pale crusts of lichen that are hardly seen apart from the bark.
+    // Dark stains, and pale crusts of lichen that hardly differ from the bark.
     light = paints.toward(light, 0.72F * paints.bark, 0.8F * rise(0.25F, 0.8F, crusts[i]));
     const float patch = rise(0.25F, 0.45F, patches[i] + 0.08F * grain[i]);
     light = paints.toward(light, paints.marks.value_or(Vec3(1.3F, 1.34F, 1.25F) * paints.bark), 0.7F * patch);

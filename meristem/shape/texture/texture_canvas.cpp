@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts a canvas to a texture. A gain per channel, found from a histogram of light, brings the mean to the wanted
+// colour in spite of clipping. Heights become normals.
 #include "meristem/shape/texture/texture_canvas.h"
 
 #include <array>
@@ -12,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-/// Bytes of linear light, by its square root, which is nearly even to the eye.
+/// Converts linear light to bytes by its square root, which is nearly even to the eye.
 class ByteOfLight {
  public:
   ByteOfLight() {
@@ -30,7 +32,7 @@ class ByteOfLight {
   std::array<std::uint8_t, 8192> bytes_{};
 };
 
-/// How often each light of one channel occurs on a canvas, in steps of the brightest.
+/// A histogram of the light of one channel on a canvas, in steps of the brightest.
 struct LightCounts {
   LightCounts(const Canvas& canvas, int channel) {
     for (const Dab& dab : canvas.dabs) brightest = std::max(brightest, dab.light[channel]);
@@ -43,7 +45,7 @@ struct LightCounts {
     }
   }
 
-  /// The mean after all lights are multiplied by `gain` and cut off at 1.
+  /// Returns the mean after all lights are multiplied by `gain` and clipped at 1.
   double mean(double gain) const {
     double sum = 0;
     std::uint64_t count = 0;
@@ -59,7 +61,7 @@ struct LightCounts {
   std::array<std::uint64_t, 2048> counts{};
 };
 
-/// The factor that brings a channel to its mean.
+/// Returns the factor that brings a channel to its mean.
 float gain_to(const LightCounts& lights, double mean) {
   constexpr int kHalvings = 30;
   if (lights.brightest <= 0) return 0;

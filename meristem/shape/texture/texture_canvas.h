@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What textures are painted on, and how a texture is made of it.
+// A canvas on which textures are painted, and the conversion to a texture.
 #pragma once
 
 #include <algorithm>
@@ -16,20 +16,20 @@ namespace meristem {
 
 /// One pixel of a canvas.
 struct Dab {
-  Vec3 light{1};     ///< linear colour; only proportions count, as the whole is brought to a mean in the end
+  Vec3 light{1};     ///< linear colour; only proportions count, because the result is scaled to a mean
   float height = 0;  ///< in heights of the texture
 };
 
 /// A square, rows from top to bottom.
 struct Canvas {
-  /// `work` outlives it.
+  /// `work` must outlive the canvas.
   Canvas(int pixels_a_side, const Progress& work)
       : pixels(pixels_a_side), progress(work), dabs(static_cast<std::size_t>(pixels) * pixels) {}
 
   int pixels;
   const Progress& progress;
   std::vector<Dab> dabs;
-  std::vector<float> cover;  ///< share of each pixel that is not cut out; empty where nothing is
+  std::vector<float> cover;  ///< visible share of each pixel; empty if nothing is cut out
 };
 
 /// Calls `dab_at(u, v, index)` for the middle of each pixel, v up. Throws Cancelled.
@@ -49,7 +49,7 @@ void paint(Canvas& canvas, const DabAt& dab_at) {
   });
 }
 
-/// Rises smoothly from 0 at `low` to 1 at `high`; falls where `high` is the lower.
+/// Rises smoothly from 0 at `low` to 1 at `high`. Falls if `high` is lower than `low`.
 inline float rise(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
   return t * t * (3 - 2 * t);
@@ -57,12 +57,12 @@ inline float rise(float low, float high, float x) {
 
 struct Finish {
   std::string name;
-  Vec3 colour{0.5F};  ///< sRGB: the mean to come out where it can
+  Vec3 colour{0.5F};  ///< sRGB; wanted mean, reached if possible
   ReliefParameters form;
 };
 
-/// The texture of a canvas: its colours brought to the mean channel by channel, white where they would be brighter than
-/// that, and its normals unless it is flat.
+/// Returns the texture of a canvas. Colours are scaled channel by channel to the mean, and clipped to white if they
+/// would be brighter. Normals are computed unless the canvas is flat.
 Texture finish_texture(const Canvas& canvas, const Finish& finish);
 
 }  // namespace meristem

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Converts a field of heights to a normal map by central differences.
 #include "meristem/shape/texture/texture_normals.h"
 
 #include <algorithm>

@@ -7,15 +7,15 @@
 
 namespace meristem {
 
-/// How heights lie on the surface.
+/// The relation between heights and the surface.
 struct ReliefParameters {
   double relief = 1;   ///< factor on the heights
-  double aspect = 1;   ///< width over height of the picture
-  bool wraps = false;  ///< neighbours across the edges count
+  double aspect = 1;   ///< width divided by height of the picture
+  bool wraps = false;  ///< true if pixels at opposite edges are neighbours
 };
 
-/// The normals of a square field of heights, which are in heights of the picture, rows from top to bottom: x along u
-/// (right), y along v (up), z outward, each from [-1, 1] as a byte.
+/// Returns the normals of a square field of heights, which are in heights of the picture, rows from top to bottom. x is
+/// along u (right), y along v (up), z outward, each from [-1, 1] as a byte.
 Image normals_of_heights(const std::vector<float>& heights, int pixels, const ReliefParameters& form);
 
 }  // namespace meristem

@@ -11,7 +11,7 @@ namespace meristem::texture_normals_test {
 
 constexpr int kPixels = 16;
 
-/// Heights of a plane that rises by the given amounts over the whole width (to the right) and height (upward).
+/// Returns heights of a plane that rises by the given amounts over the whole width (to the right) and height (upward).
 std::vector<float> plane(float along_u, float along_v) {
   std::vector<float> heights;
   for (int y = 0; y < kPixels; ++y) {
@@ -47,7 +47,7 @@ TEST(TextureNormals, OnAWiderSurfaceLeanLessAcross) {
 }
 
 TEST(TextureNormals, OfATileSeeTheOppositeEdge) {
-  // A plane that rises to the right falls off a cliff at its edge, if it is a tile.
+  // As a tile, a plane that rises to the right has a cliff at its edge.
   const Image tile = normals_of_heights(plane(1, 0), kPixels, {.wraps = true});
   EXPECT_GT(normal_at(tile, 0, 8).x, 0.9F);
   EXPECT_GT(normal_at(tile, kPixels - 1, 8).x, 0.9F);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Based on: Worley: A cellular texture basis function (SIGGRAPH 1996); the true distance to the border, instead of the
+// Finds the cell at a position and its distance to the nearest border. The true distance to the border, instead of the
 // difference of the two nearest distances, keeps cracks equally wide.
+//
+// Based on: Worley: A cellular texture basis function (SIGGRAPH 1996).
 #include "meristem/shape/texture/tileable_cells.h"
 
 #include <cmath>
@@ -26,7 +28,7 @@ TileableCells::TileableCells(RandomKey key, int columns, int rows, float jitter)
   const RandomKey random = key.child("random");
   for (int r = -kBorder; r < rows + kBorder; ++r) {
     for (int c = -kBorder; c < columns + kBorder; ++c) {
-      // `columns` twice, because a tile may be narrower than the margin.
+      // `columns` is added twice, because a tile may be narrower than the margin.
       const int column = (c + 2 * columns) % columns;
       const auto cell = static_cast<std::uint32_t>((r + 2 * rows) % rows * columns + column);
       const auto strayed = [&](unsigned lane) {
@@ -46,14 +48,14 @@ TileableCells::Spot TileableCells::at(float u, float v) const {
   const Vec2 counts(columns_, rows_);
   const Vec2 position = Vec2(wrapped(u), wrapped(v)) * counts;
 
-  // Measure to the nine points around; plain arrays, which become vector code.
+  // Measure the distances to the nine points around. Plain arrays become vector code.
   float across[9];
   float along[9];
   float squares[9];
   const Point* points[3];
   const int row = static_cast<int>(position.y);
   for (int r = 0; r < 3; ++r) {
-    // Cut off one cell further on, where nothing is negative.
+    // Truncate one cell further on, where no number is negative.
     const bool is_shifted = ((row - 1 + r) & 1) != 0;
     const int column = static_cast<int>(position.x + (is_shifted ? 0.5F : 1.0F)) - 1;
     points[r] = points_.data() + static_cast<std::ptrdiff_t>(row - 1 + r + kBorder) * stride_ + column - 1 + kBorder;
@@ -66,8 +68,8 @@ TileableCells::Spot TileableCells::at(float u, float v) const {
   int nearest = 0;
   for (int k = 1; k < 9; ++k) nearest = squares[k] < squares[nearest] ? k : nearest;
 
-  // Find the nearest of the lines halfway to the others, in widths of the tile. That to itself is no number, and less
-  // than nothing.
+  // Find the nearest bisector between this point and the others, in widths of the tile. The distance to the point
+  // itself is NaN and never less than the border.
   float border = std::numeric_limits<float>::max();
   for (int k = 0; k < 9; ++k) {
     const float difference = squares[k] - squares[nearest];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tile, the unit square, divided into irregular cells: the Voronoi cells of a jittered lattice whose rows are
-// displaced by half a cell, so that cells interlock as bricks do, or with long cells as the ridges of bark.
+// A tile, the unit square, divided into irregular cells: the Voronoi cells of a jittered lattice. Its rows are
+// displaced by half a cell, so that cells interlock like bricks, or like the ridges of bark if cells are long.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ class TileableCells {
     Vec2 offset{0};    ///< from the cell's point, in cells
   };
 
-  /// `rows` is even. `jitter`, in [0, 0.4], is how far points stray from the lattice, in cells.
+  /// `rows` must be even. `jitter`, in [0, 0.4], is the maximum deviation of points from the lattice, in cells.
   TileableCells(RandomKey key, int columns, int rows, float jitter);
-  /// u and v lie in [-1, 2).
+  /// u and v must be in [-1, 2).
   Spot at(float u, float v) const;
-  /// Uniform in [0, 1) for each cell; `which` is 0 to 3.
+  /// Returns a random number in [0, 1) for each cell. `which` is 0 to 3.
   float random(std::uint32_t cell, std::size_t which) const { return randoms_[cell][which]; }
 
  private:
@@ -36,7 +36,7 @@ class TileableCells {
   int columns_;
   int rows_;
   int stride_;
-  std::vector<Point> points_;  // with copies of those across the tile's edges
+  std::vector<Point> points_;  // with copies across the tile's edges
   std::vector<std::array<float, 4>> randoms_;
 };
 

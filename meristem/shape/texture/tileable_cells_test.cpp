@@ -40,7 +40,7 @@ TEST(TileableCells, BordersAreWhereTheCellChanges) {
   int changes = 0;
   for (int k = 1; k < kSteps; ++k) {
     const TileableCells::Spot spot = cells.at(static_cast<float>(k) / kSteps, 0.37F);
-    // A step nears a border by no more than its length.
+    // A step reduces the distance to a border by no more than its length.
     if (spot.cell != last.cell) {
       EXPECT_LE(spot.border + last.border, 1.01F / kSteps);
       ++changes;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Plans the collar of a branch. The parent's bark is a row of cones around the branch's node, and the branch is
+// followed outward until a full ring lies outside the bark. The fillet fills the corner between both.
 #include "meristem/shape/tube/collar.h"
 
 namespace meristem {
@@ -6,12 +8,12 @@ namespace {
 
 constexpr float kLeastSine = 0.2F;  // of the angle between branch and bark: 11.5 degrees
 constexpr float kGap = 0.3F;        // radii between the first free ring and the next
-constexpr float kThickest = 0.95F;  // of the parent's radius
+constexpr float kThickest = 0.95F;  // share of the parent's radius
 constexpr float kLeastFillet = 0.2F;
 constexpr int kBisections = 10;
 constexpr int kTraceSteps = 32;
 
-/// A position on a path: at a share of the way from a point to the next.
+/// A position on a path: at a share of the distance from a point to the next.
 struct Stop {
   std::size_t point = 0;
   float share = 0;
@@ -25,14 +27,14 @@ Vec3 place_at(const AxisPath& path, Stop stop) {
   return glm::mix(path.position(stop.point), path.position(stop.point + 1), stop.share);
 }
 
-/// Metres from a position to the path's end.
+/// Returns the distance from a position to the path's end, metres.
 float way_left(const AxisPath& path, Stop from) {
   float way = (1 - from.share) * gap_after(path, from.point);
   for (std::size_t i = from.point + 1; i + 1 < path.size(); ++i) way += gap_after(path, i);
   return way;
 }
 
-/// The position a number of metres on along the path, which goes at least that far.
+/// Returns the position a number of metres further along the path, which must be at least that long.
 Stop walk(const AxisPath& path, Stop from, float metres) {
   metres += from.share * gap_after(path, from.point);
   while (from.point + 2 < path.size() && metres > gap_after(path, from.point)) {
@@ -50,7 +52,7 @@ Bark::Bark(const AxisPath& parent, std::size_t point, float reach) : radius_(par
   const auto add_from = [&](std::size_t from) {
     add(parent.position(from), parent.position(from + 1), parent.radius(from), parent.radius(from + 1));
   };
-  // Half of the cones before the point, half after it.
+  // Use half of the cones before the point, half after it.
   float way = 0;
   for (std::size_t i = point; i > 0 && way < reach && count_ < kMostCones / 2; --i) {
     add_from(i - 1);
@@ -95,7 +97,7 @@ Bark::Column Bark::distances(Vec3 position, const Column& shares) const {
 
 float Bark::distance(Vec3 position) const {
   Column least = distances(position, shares(position));
-  // Halves against each other, as a processor takes them.
+  // Compare one half with the other, as processors do.
   for (std::size_t k = 0; k < kMostCones / 2; ++k) least[k] = std::min(least[k], least[k + kMostCones / 2]);
   for (std::size_t k = 0; k < kMostCones / 4; ++k) least[k] = std::min(least[k], least[k + kMostCones / 4]);
   return std::min(std::min(least[0], least[1]), std::min(least[2], kNever));
@@ -142,7 +144,7 @@ std::optional<Collar> plan_collar(const AxisPath& path, const Bark& bark, float 
   const Vec3 direction = path.direction(point, kUp);
   const float sine = std::abs(glm::dot(direction, bark.nearest(place_at(path, exit)).normal()));
   if (sine < kLeastSine) return std::nullopt;
-  // Its side toward the crotch leaves later; there it is free, and a fillet's height on.
+  // Its side toward the crotch leaves later. The ring is placed there, plus the height of the fillet.
   const float radius = path.radius(point + 1);
   if (radius > kThickest * bark.radius()) return std::nullopt;
   const float crotch = radius * std::sqrt(std::max(0.0F, 1 - sine * sine)) / sine;
@@ -153,7 +155,7 @@ std::optional<Collar> plan_collar(const AxisPath& path, const Bark& bark, float 
   collar.fillet = fillet;
   collar.centre = place_at(path, free);
   collar.radius = glm::mix(path.radius(free.point), path.radius(free.point + 1), free.share);
-  // The next ring stands far enough from this one.
+  // Find the next ring at a sufficient distance from this one.
   collar.next_point = free.point + 1;
   while (collar.next_point + 1 < path.size() &&
          glm::distance(collar.centre, path.position(collar.next_point)) < kGap * radius) {

@@ -13,7 +13,7 @@
 
 namespace meristem::collar_test {
 
-// A stem of five nodes along y, 0.2 m thick in radius, with a branch of the next axis from its third node.
+// Returns a stem of five nodes along y with a radius of 0.2 m, and a branch of another axis at its third node.
 Skeleton fork(double angle_deg, float branch_radius, float segment = 0.4F) {
   Skeleton skeleton;
   const auto add = [&](NodeIndex parent, Vec3 position, float radius, AxisIndex axis) {
@@ -47,7 +47,7 @@ TEST(Bark, IsTheSurfaceOfItsCones) {
   EXPECT_NEAR(bark.distance({0, 0.1F, 0.05F}), -0.15F, 1e-6F);
   EXPECT_NEAR(glm::distance(bark.nearest({0, 0.3F, -2}).normal(), Vec3(0, 0, -1)), 0, 1e-6F);
   EXPECT_NEAR(bark.trace({1, 0.2F, 0}, {-1, 0, 0}, 2), 0.8F, 1e-3F);
-  // Rays that miss it stop where they are nearest.
+  // Rays that miss the bark stop where they are nearest.
   EXPECT_EQ(bark.trace({1, 0.2F, 0}, {1, 0, 0}, 2), 0);
   EXPECT_NEAR(bark.trace({1, 0.2F, 0.25F}, {-1, 0, 0}, 2), 1, 0.05F);
 }
@@ -75,7 +75,7 @@ TEST(Collar, LeavesOutBranchesAlongTheBarkAndStubs) {
   EXPECT_FALSE(TubePlan(stub, {{surface}})[1].collar.has_value());
   const Skeleton equal = fork(90, 0.2F);
   EXPECT_FALSE(TubePlan(equal, {{surface}})[1].collar.has_value());
-  // Twigs whose swelling nobody could see have none.
+  // Twigs whose swelling would be invisible have no collar.
   const Skeleton twig = fork(90, 0.002F);
   EXPECT_FALSE(TubePlan(twig, {{surface}})[1].collar.has_value());
 }
@@ -98,7 +98,7 @@ TEST(Collar, FlowsIntoTheBarkWithItsNormalsAtEveryAngle) {
         EXPECT_GT(glm::dot(mesh.normals[hidden + stride + k], outward), 0.999F);
         const Vec3 below = mesh.positions[hidden + k];
         EXPECT_LT(std::hypot(below.x, below.z), std::hypot(low.x, low.z));
-        // In between it turns steadily from the bark's direction to the branch's.
+        // In between, the normal turns steadily from the bark's direction to the branch's.
         const Vec3 free = mesh.normals[hidden + 4 * stride + k];
         const Vec3 inner = mesh.normals[hidden + 2 * stride + k];
         EXPECT_GT(glm::dot(inner, outward) + 0.05F, glm::dot(free, outward));
@@ -126,7 +126,8 @@ TEST(Collar, RandomTreesStayClosed) {
       has_next[parent] = true;
       has_next.push_back(false);
     }
-    // Branches as thick as their parent leave it at any angle here: edges and volume must hold, normals need not.
+    // Branches as thick as their parent leave at any angle here. Edges and volume must be correct, but normals need
+    // not.
     Mesh mesh = tubes(tree, Surface{.sides = 12});
     mesh.normals.clear();
     EXPECT_TRUE(check_mesh(mesh, {.outward = false})) << seed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each section becomes a row of vertices, each pair of neighbours a band of triangles that walks along both rows at
-// once. Normals are the means of the triangles at a vertex by their angles there, so corners of a section are split by
-// giving them two vertices, one for what arrives and one for what leaves.
+// Builds a loft. Each section becomes a row of vertices, and each pair of neighbours a band of triangles that advances
+// along both rows at once. Normals are means over the triangles at a vertex, weighted by angle. A sharp corner of a
+// section therefore has two vertices, one for the arriving and one for the leaving side.
 #include "meristem/shape/tube/loft.h"
 
 #include <algorithm>
@@ -19,20 +19,22 @@ namespace meristem {
 
 namespace {
 
-constexpr double kSharpCosine = 0.766;  // of 40°
-constexpr double kSamePlace = 1e-6;     // of a section's extent; points of neighbours that are nearer are one
-constexpr double kDegenerate = 1e-8;    // twice a triangle's area over its longest edge squared
-constexpr double kFacing = 0.02;        // cosine between a normal and its triangle, below which the triangle's counts
+constexpr double kSharpCosine = 0.766;  // cosine of 40°
+constexpr double kSamePlace = 1e-6;     // share of a section's extent; nearer points of neighbouring sections are
+                                        // joined
+constexpr double kDegenerate = 1e-8;    // twice a triangle's area divided by its longest edge squared
+constexpr double kFacing = 0.02;        // cosine between a normal and its triangle; below it, the triangle's normal is
+                                        // used
 constexpr double kSameLength = 1e-6;    // a diagonal is preferred if it is shorter by this share
 constexpr std::uint32_t kOfCap = 0xffffffffU;
 
-/// The vertices along a section, a column each; those of a ring begin and end at its first point.
+/// The vertices along a section, one column each. The columns of a ring begin and end at its first point.
 struct Row {
   std::vector<Vec3> places;
   std::vector<double> u;
-  std::vector<std::uint32_t> arriving, leaving;  ///< vertices, the same but at corners
+  std::vector<std::uint32_t> arriving, leaving;  ///< vertices, which differ only at corners
   bool is_point = false;
-  bool is_smooth_ring = false;  ///< without a corner at the first point
+  bool is_smooth_ring = false;  ///< true if there is no corner at the first point
 
   std::size_t last() const { return places.size() - 1; }
 };
@@ -67,7 +69,8 @@ class LoftMesher {
   }
 
  private:
-  /// By the sign of the volume between the rings, which also holds for what turns inside like a cup.
+  /// Decided by the sign of the volume between the rings, which is also correct for shapes that turn inside, like a
+  /// cup.
   bool faces_inward() const {
     double volume = 0, extent = 0;
     bool has_ring = false;
@@ -97,7 +100,7 @@ class LoftMesher {
       if (c > 0) length += glm::distance(DVec3(row.places[c]), DVec3(row.places[c - 1]));
       row.u.push_back(length);
     }
-    if (row.is_point) return row;  // its vertices are made with their triangles
+    if (row.is_point) return row;  // its vertices are made together with their triangles
     row.is_smooth_ring = is_ring && !is_corner(section, 0);
     for (std::size_t c = 0; c <= row.last(); ++c) {
       row.u[c] = length > 0 ? row.u[c] / length : static_cast<double>(c) / static_cast<double>(row.last());
@@ -117,7 +120,7 @@ class LoftMesher {
     }
   }
 
-  /// Whether the section bends sharply at its point `k`; the ends of rows do not.
+  /// Returns true if the section bends sharply at its point `k`. The ends of open rows do not count.
   static bool is_corner(const LoftSection& section, std::size_t k) {
     const std::vector<Vec3>& points = section.points;
     const std::size_t count = points.size();
@@ -134,7 +137,8 @@ class LoftMesher {
     return static_cast<std::uint32_t>(mesh_.vertex_count() - 1);
   }
 
-  /// Between vertices that run counter-clockwise while the section runs to the right and the surface goes up.
+  /// Adds a triangle between vertices that run counter-clockwise while the section runs to the right and the surface
+  /// goes up.
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (is_degenerate(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c])) return;
     if (is_turned_) std::swap(b, c);
@@ -146,7 +150,7 @@ class LoftMesher {
     return !(glm::length(glm::cross(b - a, c - a)) > kDegenerate * longest);
   }
 
-  /// Returns the mean way across.
+  /// Returns the mean distance across.
   double add_band(const Row& lower, const Row& upper, std::size_t k) {
     const auto number = static_cast<std::uint32_t>(k);
     if (lower.is_point && upper.is_point) return glm::distance(DVec3(lower.places[0]), DVec3(upper.places[0]));
@@ -169,8 +173,8 @@ class LoftMesher {
     return across / static_cast<double>(lower.places.size());
   }
 
-  /// Whether the diagonal of a quad goes from its lower right to its upper left: where that is shorter, or the other
-  /// one leaves a triangle without area.
+  /// Returns true if the diagonal of a quad goes from its lower right to its upper left. This is so if it is shorter,
+  /// or if the other diagonal leaves a triangle without area.
   static bool prefers_falling(const Row& lower, const Row& upper, std::size_t c) {
     const DVec3 a(lower.places[c]), b(lower.places[c + 1]), d(upper.places[c + 1]), e(upper.places[c]);
     const int lost_rising = (is_degenerate(a, b, d) ? 1 : 0) + (is_degenerate(a, d, e) ? 1 : 0);
@@ -179,7 +183,7 @@ class LoftMesher {
     return glm::distance(b, e) < (1 - kSameLength) * glm::distance(a, d);
   }
 
-  /// Steps along the row whose next edge has its middle first.
+  /// Advances along the row whose next edge has its middle first.
   double add_walk(const Row& lower, const Row& upper) {
     std::size_t i = 0, j = 0, ways = 1;
     double across = glm::distance(DVec3(lower.places[0]), DVec3(upper.places[0]));
@@ -219,7 +223,7 @@ class LoftMesher {
   }
 
   void add_cap(const Row& row, bool is_up) {
-    // Both are seen from outside, so that the one at the base runs backward.
+    // Both caps are seen from outside, so the ring at the base runs backward.
     std::vector<Vec3> ring(row.places.begin(), row.places.end() - 1);
     if (!is_up) std::ranges::reverse(ring);
     const DVec3 area = area_vector(ring);
@@ -261,13 +265,13 @@ class LoftMesher {
     for (const DVec3 normal : sum) mesh_.normals.emplace_back(normal);
   }
 
-  /// Vertices of one point with a side of the surface each, which are in `sides_`.
+  /// The vertices of one point, each for one side of the surface. The sides are in `sides_`.
   struct Tip {
     std::uint32_t begin, end;
     std::size_t first_side;
   };
 
-  /// A blunt tip has one normal; on a pointed one each side keeps its own.
+  /// A blunt tip has one normal. On a pointed tip, each side keeps its own normal.
   void set_tip_normals(const Tip& tip, std::vector<DVec3>& normals) const {
     DVec3 mean(0);
     for (std::uint32_t vertex = tip.begin; vertex < tip.end; ++vertex) mean += normals[vertex];
@@ -317,7 +321,7 @@ class LoftMesher {
   std::vector<Row> rows_;
   std::vector<Tip> tips_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_;  // vertices at the foot of each triangle of a tip
-  std::vector<std::uint32_t> row_of_;                           // by vertex
+  std::vector<std::uint32_t> row_of_;                           // for each vertex
   Loft loft_;
   Mesh& mesh_ = loft_.mesh;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks the sections of lofts for points from which no surface can be made.
 #include <cmath>
 
 #include "meristem/shape/flat/cut_polygon.h"
@@ -10,9 +11,9 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMostSectionPoints = 1000;
-constexpr double kSameSectionPoint = 1e-6;  // of a section's extent
+constexpr double kSameSectionPoint = 1e-6;  // share of a section's extent
 
-/// The first point at which a row or ring stands still.
+/// Returns the first point of a row or ring that repeats the point before.
 std::optional<std::size_t> repeated_point(const LoftSection& section) {
   const std::vector<Vec3>& points = section.points;
   const double nearest = kSameSectionPoint * extent_of(points);

@@ -12,7 +12,7 @@
 
 namespace meristem::loft_test {
 
-// Counter-clockwise seen from above.
+// Returns a ring that runs counter-clockwise seen from above.
 LoftSection ring(int points, double radius, double height, bool is_round = true) {
   LoftSection section{.is_round = is_round};
   for (int k = 0; k < points; ++k) {
@@ -25,7 +25,7 @@ LoftSection ring(int points, double radius, double height, bool is_round = true)
 LoftSection row(std::vector<Vec3> points) { return {.points = std::move(points), .is_closed = false}; }
 LoftSection tip(Vec3 point) { return {.points = {point}}; }
 
-// The area of a regular polygon.
+// Returns the area of a regular polygon.
 double polygon_area(int corners, double radius) {
   return 0.5 * corners * radius * radius * math::sin(2 * kPi / corners);
 }

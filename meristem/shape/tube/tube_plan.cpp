@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Plans the tubes of a skeleton: sides, rings, collars and successors of each axis, and the place of each tube in its
+// mesh. Nodes get no ring where axis and radius are straight within the allowed error. Sizes are known before memory is
+// used.
 #include "meristem/shape/tube/tube_plan.h"
 
 #include "meristem/base/frame.h"
@@ -9,15 +12,18 @@
 namespace meristem {
 namespace {
 
-constexpr float kRunsOn = 0.94F;  // cosine of the angle, 20 degrees, up to which one axis goes on another
-constexpr float kAsThick = 0.7F;  // of a tip's radius: what goes on there and is as thick is one piece of wood with it
+constexpr float kRunsOn = 0.94F;  // cosine of 20 degrees: largest angle at which one axis continues another
+constexpr float kAsThick = 0.7F;  // share of a tip's radius: an axis that continues there with at least this radius is
+                                  // one piece of wood with it
 constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
 constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
-constexpr float kHidden = 0.95F;           // of the parent's inner radius that a lateral's first ring may fill
-constexpr float kBarkReach = 6;            // of the parent's radius along its axis that a collar may touch
-constexpr float kFlareHeight = 4;          // of a root's radius
-constexpr float kLeastCollar = 0.3F;       // of a branch's radius that must exceed what roundness allows
-constexpr std::uint32_t kRoundCollar = 6;  // sides: coarser tubes show no collar, which would double a twig's triangles
+constexpr float kHidden = 0.95F;           // share of the parent's inner radius that a lateral's first ring may fill
+constexpr float kBarkReach = 6;            // distance along the parent's axis that a collar may touch, in the parent's
+                                           // radii
+constexpr float kFlareHeight = 4;          // in radii of the root
+constexpr float kLeastCollar = 0.3F;       // share of a branch's radius that must exceed the allowed roundness error
+constexpr std::uint32_t kRoundCollar = 6;  // minimum number of sides; coarser tubes have no collar, which would double
+                                           // a twig's triangles
 constexpr std::size_t kPlannedAxesPerBlock = 64;
 
 }  // namespace
@@ -65,7 +71,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
       if (!nodes.empty()) is_tip_[nodes.back()] = 1;
     }
   });
-  // Sides first: how much of a lateral its parent hides depends on the parent's.
+  // Sides first: the hidden part of a lateral depends on the parent's sides.
   parallel_for(plans_.size(), kPlannedAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       find_start(static_cast<AxisIndex>(axis));
@@ -101,8 +107,9 @@ void TubePlan::find_start(AxisIndex axis) {
   base_radius_[axis] = base_radius(axis, goes_on);
 }
 
-/// A lateral begins with its own first node's radius, for its base lies within its parent. One that goes on where that
-/// ends shows it, and begins as thick as its taper says, but no thicker than the parent's tip.
+/// Returns the radius at the start of an axis. A lateral begins with the radius of its first node, because its base is
+/// hidden in the parent. An axis that continues a parent's end is visible there. It begins with the radius of its
+/// taper, but not more than the parent's tip.
 float TubePlan::base_radius(AxisIndex axis, bool goes_on) const {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const float first = radii_[nodes[0]];
@@ -114,7 +121,7 @@ float TubePlan::base_radius(AxisIndex axis, bool goes_on) const {
   return std::clamp(first + fallen, first, std::max(first, skeleton_->radius[parent]));
 }
 
-/// Whether an axis begins at the tip of another and runs on in its direction, or nearly so.
+/// Returns true if an axis begins at the tip of another and continues in about the same direction.
 bool TubePlan::find_whether_it_goes_on(AxisIndex axis) const {
   const NodeIndex first = axes_.of(axis)[0];
   const NodeIndex parent = skeleton_->parent[first];
@@ -126,8 +133,8 @@ bool TubePlan::find_whether_it_goes_on(AxisIndex axis) const {
   return glm::dot(theirs, own) > kRunsOn;
 }
 
-/// Finds the tubes that are one piece of wood: where an axis ends, as a leader that was cut back to a lateral, the
-/// thickest of those that go on there nearly as thick succeeds it, if both are clothed alike.
+/// Finds tubes that are one piece of wood. An axis may end where others continue, for example a leader that was cut
+/// back to a lateral. The thickest axis that continues with a similar radius succeeds it, if both have equal surfaces.
 void TubePlan::find_successors() {
   for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
     if (goes_on_[axis] == 0 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) continue;
@@ -156,21 +163,21 @@ float TubePlan::roundness(std::size_t axis) const {
 
 Bark TubePlan::bark_below(const AxisPath& lateral) const {
   const AxisPath parent = path(skeleton_->axis[lateral.parent]);
-  // Its nearest ring at or before the node.
+  // The nearest ring at or before the node.
   const auto after = std::upper_bound(parent.nodes.begin(), parent.nodes.end(), lateral.parent);
   const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - parent.nodes.begin() - 1));
   const std::size_t point = before + (parent.is_lateral() ? 1 : 0);
   return {parent, point, kBarkReach * parent.radius(point)};
 }
 
-/// Spreads the steps in which radii fall at forks: each becomes the mean over a stretch of the axis to both sides; the
+/// Spreads the steps of radii at forks. Each radius becomes the mean over a stretch of the axis to both sides. The
 /// stretch is shorter near the axis's ends, which keep their radii.
 void TubePlan::smooth_radii(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   for (const NodeIndex node : nodes) radii_[node] = skeleton_->radius[node];
   const float smooth = surface(axis).smooth;
   if (nodes.size() < 3 || !(smooth > 0)) return;
-  // Sum up length and the area under the radii along the axis.
+  // Add up the length, and the area under the radii along the axis.
   std::vector<float> way(nodes.size(), 0);
   std::vector<double> area(nodes.size(), 0);
   for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -196,7 +203,7 @@ void TubePlan::smooth_radii(AxisIndex axis) {
   }
 }
 
-/// Leaves out the nodes between which axis and radius run straight within the error that the surface allows.
+/// Removes nodes between which axis and radius are straight within the allowed error of the surface.
 void TubePlan::choose_rings(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const std::span<NodeIndex> kept = std::span(kept_).subspan(axes_.first[axis], nodes.size());
@@ -210,7 +217,7 @@ void TubePlan::choose_rings(AxisIndex axis) {
   for (std::size_t i = 0; i < nodes.size();) {
     kept[count++] = nodes[i];
     std::size_t next = i + 1;
-    // Only a few at a time, so that the cost stays linear.
+    // Check only a few nodes at a time, so that the cost stays linear.
     const std::size_t last = std::min(nodes.size() - 1, i + longest);
     while (error > 0 && i > 0 && next < last && are_straight(i, next + 1)) ++next;
     i = next;
@@ -218,7 +225,7 @@ void TubePlan::choose_rings(AxisIndex axis) {
   kept_count_[axis] = count;
 }
 
-/// Whether the axis's nodes between two of it lie on the line that joins them, and their radii too.
+/// Returns true if the nodes between two nodes of the axis lie on the line between them, in position and radius.
 bool TubePlan::is_straight(std::span<const Vec3> positions, std::span<const NodeIndex> nodes, std::size_t from,
                            std::size_t to, float error) const {
   const Vec3 base = positions[nodes[from]];
@@ -253,7 +260,7 @@ void TubePlan::count_rings(AxisIndex axis) {
   if (points.size() < 2 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) return;
   AxisPlan& plan = plans_[axis];
   plan_start(points, plan, axis);
-  // The start, the bends between it and the tip, and the tip.
+  // The start, the bends between start and tip, and the tip.
   plan.rings = plan.collar ? AxisPlan::kCollarRings + 1 : 2 + plan.flare_rings;
   Vec3 before = plan.collar ? plan.collar->direction : points.direction(0, kUp);
   for (std::size_t i = plan.collar ? plan.collar->next_point : 1; i + 1 < points.size(); ++i) {
@@ -266,7 +273,7 @@ void TubePlan::count_rings(AxisIndex axis) {
 }
 
 Surface::Cap TubePlan::cap(AxisIndex axis) const {
-  // A cone stays hidden in the tube that goes on.
+  // A cone stays hidden in the successor's tube.
   if (plans_[axis].successor != kNoAxis) return Surface::Cap::pointed;
   const auto cut = skeleton_->extra.find(kCutColumn);
   const bool is_cut = cut != skeleton_->extra.end() && cut->second[axes_.of(axis).back()] != 0;
@@ -276,14 +283,14 @@ Surface::Cap TubePlan::cap(AxisIndex axis) const {
 void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const {
   plan.start_radius = points.radius(0);
   if (!points.is_lateral()) {
-    // Where nodes are far apart the flare needs rings of its own.
+    // If nodes are far apart, the flare needs additional rings.
     const float first = glm::distance(points.position(0), points.position(1));
     const bool flares = surface(axis).flare > 0 && first > 0.5F * kFlareHeight * plan.start_radius;
     if (flares) plan.flare_rings = AxisPlan::kFlareRings;
     return;
   }
   if (plan.succeeds) return;
-  // What goes on where its parent ends, and is no thicker than that is there, needs no room inside it.
+  // An axis that continues the parent's end, and is no thicker, needs no room inside the parent.
   if (goes_on_[axis] != 0 && plan.start_radius <= radii_[points.parent]) return;
   const float hollow = roundness(skeleton_->axis[points.parent]);
   const bool is_round = plan.sides >= kRoundCollar;
@@ -294,11 +301,11 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
   if (!plan.collar) plan.start_radius = std::min(plan.start_radius, room_inside(points.parent));
 }
 
-/// The radius of the largest disc about a node that its tube hides however the disc is turned.
+/// Returns the radius of the largest disc around a node that its tube hides in any orientation.
 float TubePlan::room_inside(NodeIndex node) const {
   const std::span<const NodeIndex> nodes = axes_.of(skeleton_->axis[node]);
   const float radius = std::max(radii_[node], kThinnestTube);
-  // The flats of the tube are nearer than its corners, its line may stray from the node, and where it tapers the
+  // The flat sides of the tube are nearer than its corners, its line may deviate from the node, and where it tapers the
   // nearest point lies ahead.
   const AxisIndex axis = skeleton_->axis[node];
   const double flat = std::max(0.3, math::cos(kPi / plans_[axis].sides) - 2.0 * surface(axis).error);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a skeleton to closed tubes, one per axis. Two passes: the first counts each axis's rings, so that every axis
-// knows where in the arrays it writes; the second writes all axes side by side.
+// Turns a skeleton into closed tubes, one per axis, in two passes. The first pass counts each axis's rings, so that
+// every axis knows its position in the arrays. The second pass writes all axes in parallel.
 //
 // A ring lies in its node's mitre plane, at right angles to the middle of the two directions that meet there. A frame
-// reflected at that plane passes from one segment to the next with no turn about either: the exact parallel transport
-// of a polyline, which the double reflection approximates between samples of a curve. A bend too sharp for one mitre
-// gets a fan of rings about its node. On the inner side of a bend rings reach back no farther than their segments let
-// them, so that neighbours never cross.
+// that is reflected at this plane passes from one segment to the next without twist. This is the exact parallel
+// transport of a polyline, which double reflection approximates between samples of a curve. A bend too sharp for one
+// mitre gets a fan of rings around its node. On the inner side of a bend, rings extend back no farther than their
+// segments allow, so neighbouring rings never cross.
 //
-// A lateral grows out of its parent with a collar (collar.h), a root flares toward the ground. Axes that are one piece
-// of wood, as a leader and the lateral that leads on where it was cut, are written one after another: the next tube
-// begins with the last ring of the one before, as a bend of one tube would have it.
+// A lateral grows out of its parent with a collar (collar.h), and a root flares toward the ground. Axes that are one
+// piece of wood, such as a cut leader and the lateral that continues it, are written one after another. The next tube
+// begins with the last ring of the tube before, as at a bend of one tube.
 //
-// Deliberately left to others: smoothing of the axis (plant/finish.h).
+// Not done here: smoothing of the axis (plant/finish.h).
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 3.6.1 (equation 3.26 holds for the interior angle); W. Wang et al., Computation of rotation minimizing
@@ -38,15 +38,16 @@
 namespace meristem {
 namespace {
 
-constexpr float kSharpestMitre = 0.25881905F;  // of half a bend: the sharpest mitre
-constexpr float kInnerReach = 0.45F;           // of the shorter segment; two neighbours leave a tenth of it free
+constexpr float kSharpestMitre = 0.25881905F;  // cosine of half a bend: the sharpest mitre
+constexpr float kInnerReach = 0.45F;           // share of the shorter segment; two neighbours leave a tenth of it free
 constexpr float kFanSpacing = 0.05F;           // between a fan's rings, in radii
-constexpr float kStartDepth = 0.5F;            // how far a lateral's closed start reaches back, in radii
-constexpr float kInJoint = 0.999F;             // of a joint's radius: two closed bodies share no edges there
-constexpr float kHiddenFillet = 0.3F;          // of a fillet that runs on below the parent's bark
-constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
+constexpr float kStartDepth = 0.5F;            // how far a lateral's closed start extends back, in radii
+constexpr float kInJoint = 0.999F;             // share of a joint's radius, so that two closed bodies share no edges
+                                               // there
+constexpr float kHiddenFillet = 0.3F;          // share of a fillet that continues below the parent's bark
+constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // shares of the first segment
 constexpr float kSqrt2 = 1.4142135F;
-constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii
+constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // step along a dome, in radii
 constexpr std::size_t kMeshedAxesPerBlock = 64;
 constexpr std::size_t kRingsPerCheck = 4096;
 
@@ -54,7 +55,7 @@ struct Turn {
   float cosine, sine;
 };
 
-/// Cosines and sines of the corners of polygons with 3 to `most` sides; the last corner is the first once more.
+/// Cosines and sines of the corners of polygons with 3 to `most` sides. The last corner repeats the first.
 class CornerTable {
  public:
   explicit CornerTable(int most) {
@@ -75,14 +76,14 @@ class CornerTable {
   std::vector<Turn> turns_;
 };
 
-/// How a ring lies between the segment before it and the one after.
+/// The position of a ring between the segments before and after it.
 struct Mitre {
   Vec3 before, after;       // directions of the segments
-  Vec3 across;              // normal of the ring's plane, halfway between them
-  Vec3 outer{0}, inner{0};  // towards the outside of the bend: in the ring's plane, and in that of the whole bend
-  float outer_stretch = 1;  // of the radius towards the outside
-  float inner_stretch = 1;  // and the inside
-  float half_cosine = 1;    // of half the angle between before and after
+  Vec3 across;              // normal of the ring's plane, halfway between both directions
+  Vec3 outer{0}, inner{0};  // toward the outside of the bend: in the ring's plane, and in the plane of the whole bend
+  float outer_stretch = 1;  // factor on the radius toward the outside
+  float inner_stretch = 1;  // factor on the radius toward the inside
+  float half_cosine = 1;    // cosine of half the angle between before and after
 
   explicit Mitre(Vec3 straight) : before(straight), after(straight), across(straight) {}
   Mitre(Vec3 before_, Vec3 after_, Vec3 across_, Vec3 outer_) : before(before_), after(after_), across(across_) {
@@ -92,18 +93,18 @@ struct Mitre {
   }
 };
 
-/// The ring from which one tube goes on in another.
+/// The ring at which one tube continues another.
 struct Joint {
   Mitre mitre;
-  float slope_before, slope_after;  // of the radius
-  Vec3 x;                           // the first corner's direction before the ring
+  float slope_before, slope_after;  // slopes of the radius
+  Vec3 x;                           // direction of the first corner before the ring
   float tiles, v;
 };
 
 /// Writes one axis into its part of the mesh.
 class AxisMesher {
  public:
-  /// `joint` is the last ring of the axis that this one succeeds.
+  /// `joint` is the last ring of the axis that this axis succeeds.
   AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, const std::optional<Joint>& joint,
              Mesh& mesh)
       : tubes_(tubes),
@@ -123,7 +124,7 @@ class AxisMesher {
     }
   }
 
-  /// Returns the joint with the axis that succeeds this one, if one does.
+  /// Returns the joint with the axis that succeeds this one, if there is one.
   std::optional<Joint> run(const Progress& progress) {
     Vec3 before = plan_.collar ? plan_.collar->direction : path_.direction(0, kUp);
     x_ = joint_ ? joint_->x : any_perpendicular(before);
@@ -149,7 +150,7 @@ class AxisMesher {
   }
 
  private:
-  /// The point before the first bend, where a branch comes free, stands for all before it.
+  /// The point before the first bend, where a branch comes free, represents all points before it.
   bool is_free_point(std::size_t i) const { return plan_.collar && i + 1 == plan_.collar->next_point; }
   Vec3 position(std::size_t i) const { return is_free_point(i) ? plan_.collar->centre : path_.position(i); }
   float radius(std::size_t i) const {
@@ -159,14 +160,15 @@ class AxisMesher {
   }
   float flare(float metres) const { return flare_factor(surface_, plan_.start_radius, metres); }
   float length(std::size_t i) const { return glm::distance(position(i), position(i + 1)); }
-  /// The radius's growth a metre from point i to the next.
+  /// Returns the growth of the radius per metre from point i to the next.
   float slope(std::size_t i) const { return (radius(i + 1) - radius(i)) / std::max(length(i), kThinnestTube); }
-  /// v of a metre along the tube where it has this radius; equal to u of a metre around it.
+  /// Returns the growth of v per metre along the tube at this radius, which equals the growth of u per metre around it.
   float tiles_per_metre(float at_radius) const { return tiles_ / (static_cast<float>(2 * kPi) * at_radius); }
 
   void advance_v(std::size_t i) { v_ += length(i - 1) * tiles_per_metre(0.5F * (radius(i - 1) + radius(i))); }
 
-  /// The closed start: for a lateral a collar or a point behind its first ring, inside the parent; else a disc.
+  /// Writes the closed start. A lateral has a collar, or a point behind its first ring, inside the parent. A root has a
+  /// disc.
   void start(Vec3 direction) {
     if (plan_.collar) return start_collar();
     const Vec3 centre = path_.position(0);
@@ -188,7 +190,7 @@ class AxisMesher {
     next_vertex_ += plan_.sides;
     const float first = flare_slope(0);
     ring(centre, radius(0), Mitre(direction), first, first);
-    // The disc's rim is the ring once more, with the disc's own normal and uvs.
+    // The disc's rim repeats the ring, with the disc's own normal and uvs.
     for (std::uint32_t k = 0; k < plan_.sides; ++k) {
       const std::uint32_t vertex = middle + 1 + k;
       mesh_.positions[vertex] = mesh_.positions[vertex + plan_.sides];
@@ -205,7 +207,7 @@ class AxisMesher {
     v_ = 0;
   }
 
-  /// The radius's growth per metre at a height, in metres, on the first segment.
+  /// Returns the growth of the radius per metre at a height, in metres, on the first segment.
   float flare_slope(float metres) const {
     const float step = 0.01F * length(0);
     const auto radius_at = [&](float way) {
@@ -214,8 +216,8 @@ class AxisMesher {
     return (radius_at(metres + step) - radius_at(metres)) / std::max(step, kThinnestTube);
   }
 
-  /// The rings between the parent's bark and the first free one, along a curve for each corner that leaves the bark
-  /// flat and ends in the branch's own direction.
+  /// Writes the rings between the parent's bark and the first free ring. Each corner follows a curve that leaves the
+  /// bark flat and ends in the branch's direction.
   void start_collar() {
     const Collar& collar = *plan_.collar;
     const Bark bark = tubes_.bark_below(path_);
@@ -248,13 +250,13 @@ class AxisMesher {
         put_collar_vertex(first + j * stride + k, position, normal, k);
       }
     }
-    // The last corner is the first once more.
+    // The last corner repeats the first.
     for (std::uint32_t j = 0; j < AxisPlan::kCollarRings; ++j) {
       const std::uint32_t vertex = first + j * stride;
       put_collar_vertex(vertex + plan_.sides, mesh_.positions[vertex], mesh_.normals[vertex], plan_.sides);
     }
     middle += mesh_.positions[first];
-    // The hidden point lies deeper than the ring about it.
+    // The hidden point lies deeper than the ring around it.
     middle /= static_cast<float>(stride);
     mesh_.positions[point] = middle - kHiddenFillet * collar.fillet * bark.nearest(middle).normal();
     mesh_.normals[point] = -collar.direction;
@@ -289,10 +291,10 @@ class AxisMesher {
     }
   }
 
-  /// Triangles between a point and the rim about it that is written next.
+  /// Adds triangles between a point and the rim around it, which is written next.
   void close_start(std::uint32_t point) {
     const std::uint32_t rim = next_vertex_;
-    // A lateral's rim is its first ring; there the last corner is the first once more.
+    // A lateral's rim is its first ring, whose last corner repeats the first.
     const std::uint32_t sides = plan_.sides;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const std::uint32_t next = path_.is_lateral() ? k + 1 : (k + 1) % sides;
@@ -300,7 +302,7 @@ class AxisMesher {
     }
   }
 
-  /// The ring or rings at an inner point.
+  /// Writes the ring or rings at an inner point.
   void bend(std::size_t i, Vec3 before, Vec3 after) {
     const float cosine = glm::dot(before, after);
     const std::uint32_t count = fan_size(cosine);
@@ -312,7 +314,8 @@ class AxisMesher {
     join();
   }
 
-  /// A sharp bend in equal parts: rings about one point, set a little apart so that no two of their vertices coincide.
+  /// Divides a sharp bend into equal parts: rings around one point, slightly apart so that no two of their vertices
+  /// coincide.
   void fan(std::size_t i, Vec3 before, Vec3 after, std::uint32_t count) {
     const Vec3 hinge = unit_or(glm::cross(before, after), any_perpendicular(before));
     const Vec3 side = glm::cross(hinge, before);
@@ -332,7 +335,7 @@ class AxisMesher {
       const float shift = (static_cast<float>(j) - 0.5F * static_cast<float>(count - 1)) * kFanSpacing * radius(i);
       ring(position(i) + shift * middle, radius(i), mitre, j == 0 ? slope(i - 1) : 0, j + 1 == count ? slope(i) : 0);
       join();
-      // The middle of the tube stands still here, its outside turns by the part's angle.
+      // The middle of the tube does not move here, and its outside turns by the part's angle.
       if (j + 1 < count) v_ += 0.5F * static_cast<float>(angle * part) * tiles_ / static_cast<float>(2 * kPi);
     }
   }
@@ -340,8 +343,8 @@ class AxisMesher {
   float inner_stretch(std::size_t i, float half_cosine) const {
     return inner_stretch(std::min(length(i - 1), length(i)), radius(i), half_cosine);
   }
-  /// How far a ring may reach towards the inside of its bend, in radii: to the mitre, unless the shorter segment beside
-  /// it is too short.
+  /// Returns how far a ring extends toward the inside of its bend, in radii: to the mitre, or less if the shorter
+  /// adjacent segment is too short.
   static float inner_stretch(float shorter, float ring_radius, float half_cosine) {
     const float half_sine = std::sqrt(std::max(0.0F, 1 - half_cosine * half_cosine));
     const float room = kInnerReach * shorter;
@@ -349,7 +352,7 @@ class AxisMesher {
     return room < mitre * ring_radius * half_sine ? room / (ring_radius * half_sine) : mitre;
   }
 
-  /// The last ring and the cap.
+  /// Writes the last ring and the cap.
   void finish(Vec3 direction) {
     const std::size_t last = path_.size() - 1;
     const float width = radius(last);
@@ -381,7 +384,8 @@ class AxisMesher {
     }
   }
 
-  /// The last ring where the successor's first one stands, and a cone that is hidden inside it.
+  /// Writes the last ring at the position of the successor's first ring, and a cone that is hidden inside the
+  /// successor.
   Joint finish_in_successor(Vec3 before) {
     const std::size_t last = path_.size() - 1;
     const AxisPath successor = tubes_.path(plan_.successor);
@@ -398,8 +402,8 @@ class AxisMesher {
     return joint;
   }
 
-  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex per side, as each has its own
-  /// u.
+  /// Adds triangles from the last ring to a tip `metres` farther along the surface. The tip has a vertex per side,
+  /// because each side has its own u.
   void close_tip(Vec3 tip, Vec3 direction, float metres) {
     const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
     const float tip_v = v_ + metres * tiles_per_metre(radius(path_.size() - 1));
@@ -409,7 +413,7 @@ class AxisMesher {
     }
   }
 
-  /// A disc on the last ring, with its own normal and uvs.
+  /// Adds a disc on the last ring, with its own normal and uvs.
   void close_end(Vec3 centre, Vec3 direction) {
     const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
     const float scale = radius(path_.size() - 1) * tiles_per_metre(radius(path_.size() - 1));
@@ -423,13 +427,13 @@ class AxisMesher {
     }
   }
 
-  /// Writes a ring and carries the frame across it. The slopes are those of the radius before and after.
+  /// Writes a ring and carries the frame across it. The slopes belong to the radius before and after.
   void ring(Vec3 centre, float ring_radius, const Mitre& mitre, float slope_before, float slope_after) {
     const Vec3 y = glm::cross(mitre.before, x_);
     const float weight_before = 1 / std::sqrt(1 + slope_before * slope_before);
     const float weight_after = 1 / std::sqrt(1 + slope_after * slope_after);
     const Vec3 taper = weight_before * slope_before * mitre.before + weight_after * slope_after * mitre.after;
-    // What lies along the hinge stays; what lies across it is laid into the mitre plane, on either side.
+    // The component along the hinge stays. The component across it is turned into the mitre plane, on either side.
     const auto laid = [&](Vec3 out, float stretch, Vec3 toward) {
       const float outward = glm::dot(out, mitre.outer);
       const Vec3 along_hinge = out - glm::dot(out, mitre.across) * mitre.across - outward * mitre.outer;
@@ -439,7 +443,7 @@ class AxisMesher {
       const Vec3 reflected = out - 2 * glm::dot(out, mitre.across) * mitre.across;
       return weight_before * out + weight_after * reflected;
     };
-    // All of that is linear in the corner's direction but for the side of the bend that it lies on.
+    // All of this is linear in the corner's direction, apart from the side of the bend on which it lies.
     const Vec3 outer_x = laid(x_, mitre.outer_stretch, mitre.outer);
     const Vec3 outer_y = laid(y, mitre.outer_stretch, mitre.outer);
     const Vec3 inner_x = laid(x_, mitre.inner_stretch, mitre.inner);
@@ -495,7 +499,7 @@ class AxisMesher {
   Mesh& mesh_;
   std::uint32_t next_vertex_ = 0;
   std::uint64_t next_triangle_ = 0;
-  Vec3 x_{0};  // the first corner's direction, at right angles to the segment before the next ring
+  Vec3 x_{0};  // direction of the first corner, at right angles to the segment before the next ring
   float tiles_ = 1;
   float v_ = 0;
 };
@@ -514,7 +518,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
       throw std::invalid_argument("a mesh has at most 2^32 vertices");
     }
-    meshes[k].positions.reserve(size.vertices + 1);  // with room behind, rays read them without a copy
+    meshes[k].positions.reserve(size.vertices + 1);  // with spare capacity, so that rays read them without a copy
     resize_large(meshes[k].positions, size.vertices);
     resize_large(meshes[k].normals, size.vertices);
     resize_large(meshes[k].uvs, size.vertices);

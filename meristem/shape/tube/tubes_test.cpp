@@ -21,7 +21,7 @@
 
 namespace meristem::tubes_test {
 
-/// A skeleton written axis by axis.
+/// Builds a skeleton axis by axis.
 class Builder {
  public:
   NodeIndex add(NodeIndex parent, Vec3 position, float radius, AxisIndex axis) {
@@ -33,7 +33,7 @@ class Builder {
   Skeleton skeleton;
 };
 
-/// One axis through the given points.
+/// Returns one axis through the given points.
 Skeleton polyline(const std::vector<Vec3>& points, const std::vector<float>& radii) {
   Builder builder;
   NodeIndex last = kNoNode;
@@ -49,7 +49,7 @@ Vec3 tilted(double angle_deg, double azimuth_deg = 0) {
   return {std::sin(angle) * std::cos(azimuth), std::cos(angle), std::sin(angle) * std::sin(azimuth)};
 }
 
-/// A stem with one branch that leaves it at an angle.
+/// Returns a stem with one branch that leaves it at an angle.
 Skeleton fork(double angle_deg, float stem_radius, float branch_radius) {
   Builder builder;
   NodeIndex stem = builder.add(kNoNode, Vec3(0), stem_radius, 0);
@@ -62,7 +62,7 @@ Skeleton fork(double angle_deg, float stem_radius, float branch_radius) {
   return builder.skeleton;
 }
 
-/// A random tree of many axes, for bytes and for counting.
+/// Returns a random tree of many axes, to compare bytes and counts.
 Skeleton random_tree(std::uint64_t seed, int nodes) {
   Builder builder;
   const RandomKey key(seed);
@@ -80,7 +80,7 @@ Skeleton random_tree(std::uint64_t seed, int nodes) {
   return builder.skeleton;
 }
 
-/// Tubes as the skeleton says, without collars, flares and levelled radii.
+/// Returns a surface without collars, flares and smoothed radii.
 Surface bare(int sides, float uv_scale = 1) {
   return {.sides = sides, .error = 0, .uv_scale = uv_scale, .smooth = 0, .collar = 0, .flare = 0};
 }
@@ -127,7 +127,7 @@ TEST(Tubes, AMitredBendKeepsTheCrossSectionOfBothSegments) {
     const Vec3 turned = tilted(angle);
     const Mesh tube = tubes(polyline({{0, -3, 0}, {0, 0, 0}, 3.0F * turned}, {0.2F}), bare(8));
     EXPECT_TRUE(check_mesh(tube));
-    // The volume of a mitred prism is its cross-section by the length of its axis.
+    // The volume of a mitred prism is its cross-section times the length of its axis.
     EXPECT_NEAR(signed_volume(tube), polygon_area(8, 0.2) * (6 + 0.2 / 3), 1e-4) << angle;
   }
 }
@@ -138,7 +138,7 @@ TEST(Tubes, SharpBendsHaveNeitherSpikesNorCrossedRings) {
     std::vector<Vec3> points{{0, 0, 0}};
     for (int i = 0; i < 8; ++i) points.push_back(points.back() + tilted(i % 2 == 0 ? 0 : angle) + Vec3(0, 0, 0.01F));
     Mesh tube = tubes(polyline(points, {0.1F}));
-    // A segment that turns straight back is pressed flat on its inner side, where normals mean little.
+    // A segment that turns straight back is pressed flat on its inner side, where normals have little meaning.
     if (angle > 175) tube.normals.clear();
     EXPECT_TRUE(check_mesh(tube)) << angle;
     for (const Vec3 position : tube.positions) {
@@ -152,7 +152,7 @@ TEST(Tubes, SharpBendsHaveNeitherSpikesNorCrossedRings) {
 }
 
 TEST(Tubes, ThickTubesBendWithinTheirOwnRadius) {
-  // An arc whose radius is less than the tube's: inner sides are pressed together but do not cross.
+  // An arc whose radius is smaller than the tube's: inner sides are compressed but do not cross.
   std::vector<Vec3> points;
   for (int i = 0; i <= 20; ++i) points.push_back(0.15F * tilted(9 * i));
   Mesh tube = tubes(polyline(points, {0.2F}));
@@ -163,7 +163,7 @@ TEST(Tubes, ThickTubesBendWithinTheirOwnRadius) {
 }
 
 TEST(Tubes, FramesDoNotTwistAlongAHelix) {
-  // Between neighbouring rings a corner moves as its axis does; twist would add to it.
+  // Between neighbouring rings, a corner moves exactly as its axis does. Twist would add to this move.
   std::vector<Vec3> points;
   for (int i = 0; i <= 200; ++i) {
     points.emplace_back(std::cos(0.1 * i), 0.05 * i, std::sin(0.1 * i));
@@ -190,7 +190,7 @@ TEST(Tubes, EveryRadiusAndSegmentIsTurnedWithTheSkeleton) {
   const Mesh moved_mesh = tubes(moved);
   EXPECT_TRUE(check_mesh(mesh));
   EXPECT_EQ(mesh.triangles, moved_mesh.triangles);
-  // The first corner of a ring may stand elsewhere, so a few per cent are left to the polygons' orientation.
+  // The first corner of a ring may have a different position, so allow a few per cent for the orientation of polygons.
   EXPECT_NEAR(surface_area(moved_mesh) / surface_area(mesh), 4, 0.04);
   EXPECT_NEAR(signed_volume(moved_mesh) / signed_volume(mesh), 8, 0.08);
 }
@@ -202,7 +202,8 @@ TEST(Tubes, ALateralStartsInsideItsParent) {
       const Surface surface = bare(10);
       const Mesh mesh = tubes(skeleton, surface);
       EXPECT_TRUE(check_mesh(mesh)) << angle;
-      // The lateral's closed start and its first ring follow the stem's vertices; its sides fall with its radius.
+      // The lateral's closed start and first ring follow the stem's vertices. Its number of sides falls with its
+      // radius.
       const auto sides = static_cast<std::size_t>(std::lround(10 * std::cbrt(branch_radius / 0.2F)));
       const std::size_t stem = 5 * 11 + 11 + 10;
       const float inside = 0.2F * static_cast<float>(std::cos(kPi / 10));
@@ -211,14 +212,14 @@ TEST(Tubes, ALateralStartsInsideItsParent) {
         const float taper = at.y > 1 ? 0.04F * (at.y - 1) : 0.0F;
         EXPECT_LT(std::hypot(at.x, at.z), inside - taper * inside / 0.2F) << angle << " " << branch_radius;
       }
-      // Outside it has its own radius.
+      // Outside the stem, it has its own radius.
       const Vec3 second = mesh.positions[stem + 1 + (sides + 1)];
       EXPECT_NEAR(distance_to_segment(second, {0, 1, 0}, Vec3(0, 1, 0) + 2.0F * tilted(angle)), branch_radius, 1e-5F);
     }
   }
 }
 
-/// A stem of two segments that another axis succeeds, or one axis along the same nodes.
+/// Returns a stem of two segments that another axis succeeds, or one axis along equal nodes.
 Skeleton succeeded_stem(double angle_deg, float successor_radius, AxisIndex successor) {
   Builder builder;
   NodeIndex last = builder.add(kNoNode, Vec3(0), 0.1F, 0);
@@ -237,12 +238,12 @@ TEST(Tubes, WhatSucceedsAnAxisGoesOnWithItsRingFrameAndTexture) {
     const Mesh two = tubes(succeeded_stem(angle, 0.1F, 1), surface);
     EXPECT_TRUE(check_mesh(two)) << angle;
     EXPECT_EQ(euler_number(two), 4);
-    // A disc of 11 vertices and rings of 11: the stem's third, and the first of its successor after the stem's cone and
-    // the successor's own hidden point.
+    // A disc of 11 vertices and rings of 11: the stem's third ring, and the first ring of its successor after the
+    // stem's cone and the successor's own hidden point.
     const std::size_t stem_ring = 11 + 2 * 11;
     const std::size_t successor_ring = stem_ring + 11 + 10 + 1;
     for (std::size_t k = 0; k < 3 * 11; ++k) {
-      // The ring at the joint lies a thousandth inside the stem's, so that both bodies are closed.
+      // The ring at the joint lies a thousandth inside the stem's ring, so that both bodies are closed.
       const float inside = k < 11 ? 1.1e-4F : 1e-6F;
       EXPECT_LT(glm::distance(two.positions[successor_ring + k], one.positions[stem_ring + k]), inside) << angle;
       EXPECT_LT(glm::distance(two.normals[successor_ring + k], one.normals[stem_ring + k]), 1e-5F) << angle;
@@ -346,7 +347,7 @@ TEST(Tubes, LoneNodesMakeNothingAndLoneLateralNodesAStub) {
 }
 
 TEST(Tubes, BrokenSkeletonsGiveFiniteMeshes) {
-  // Coinciding nodes and radii of 0 break the skeleton's promises; the mesh is of no use, but finite.
+  // Coinciding nodes and radii of 0 are invalid in a skeleton. The mesh is useless then, but must be finite.
   const Mesh mesh = tubes(polyline({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}}, {0, 0.1F, 0, 0}));
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     EXPECT_TRUE(std::isfinite(glm::dot(mesh.positions[i], mesh.normals[i]) + mesh.uvs[i].x + mesh.uvs[i].y));
@@ -363,7 +364,8 @@ RC_GTEST_PROP(Tubes, AreClosedAndFiniteForAnyPath, ()) {
     points.push_back(points.back() + step);
     radii.push_back(radii.back() * (0.3F + 0.7F * share()));
   }
-  // A random walk turns within its own radius, where triangles may lie behind normals; edges and volume must hold.
+  // A random walk bends within its own radius, where triangles may lie behind normals. Edges and volume must be
+  // correct.
   Mesh mesh = tubes(polyline(points, radii), bare(*rc::gen::inRange(3, 12)));
   mesh.normals.clear();
   RC_ASSERT(check_mesh(mesh, {.outward = false}));
@@ -380,7 +382,7 @@ TEST(Tubes, CountNodesAsProgressAndStopWhenAsked) {
   EXPECT_THROW(make_tubes(skeleton, {}, progress), Cancelled);
 }
 
-/// A stem of many short segments along a quarter circle of 1 m, with an even taper.
+/// Returns a stem of many short segments along a quarter circle of 1 m, with an even taper.
 Skeleton quarter_circle(int segments) {
   Skeleton stem;
   for (int i = 0; i <= segments; ++i) {
@@ -439,7 +441,7 @@ TEST(Tubes, CapsCloseTheTipAsAsked) {
     EXPECT_EQ(size.triangles, mesh.triangle_count());
     return signed_volume(mesh);
   };
-  // Beyond a flat end a cone and a half ball of the tip's radius.
+  // Compared with a flat end: a cone and a half ball of the tip's radius.
   const double cube = 0.05 * 0.05 * 0.05;
   const double flat = volume(Surface::Cap::flat);
   EXPECT_NEAR(volume(Surface::Cap::pointed) - flat, kPi / 3 * cube, 0.03 * cube);
@@ -464,7 +466,7 @@ TEST(Tubes, AxesOfOneSkeletonMayWearTheirOwn) {
   }
   EXPECT_EQ(plan[0].sides, 16U);
   EXPECT_EQ(plan[1].sides, 4U);
-  // Side by side they are what one mesh of equal wear would be.
+  // Side by side, they equal one mesh of equal surfaces.
   const Mesh one = tubes(stem, bare(16));
   EXPECT_EQ(std::vector<Vec3>(one.positions.begin(), one.positions.begin() + 16),
             std::vector<Vec3>(meshes[0].positions.begin(), meshes[0].positions.begin() + 16));

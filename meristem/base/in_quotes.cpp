@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Quotes a text for a message. A long text is cut before the character that would exceed the limit.
 #include "meristem/base/in_quotes.h"
 
 #include <cstddef>

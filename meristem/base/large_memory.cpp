@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Requests large pages with madvise, and returns freed memory with malloc_trim. Both are hints that other systems
+// ignore.
 #include "meristem/base/large_memory.h"
 
 #include <cstdint>

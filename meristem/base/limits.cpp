@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Formats the errors of exceeded limits.
 #include "meristem/base/limits.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads a file that an input names. The checks run before the file is opened: existence, kind, and size against the
+// limit.
 #include "meristem/base/read_file.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Parses seeds. The whole text must be digits, and the number must fit into a JSON number.
 #include "meristem/base/seed.h"
 
 #include <charconv>

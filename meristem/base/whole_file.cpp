@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads and writes whole files, and creates scratch folders. A scratch folder has a random name and a lock, so that the
+// next program can recognise and remove it if this process is killed.
 #include "meristem/base/whole_file.h"
 
 #include <cerrno>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The table of functions and constants that every expression knows, with their signatures and numbers of arguments.
+// Names are found by a linear search.
 #include "meristem/base/expression/expression_functions.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes an animation as binary glTF, the only format that can store one, and refuses all other endings.
 #include "meristem/output/moving_file.h"
 
 #include <fmt/format.h>

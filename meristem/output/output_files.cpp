@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks paths of output files before the work. Each file is opened as a temporary file and discarded, so that refused
+// paths are found early.
 #include "meristem/output/output_files.h"
 
 #include <filesystem>

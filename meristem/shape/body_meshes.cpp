@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes blended stems and crowns. All parts of a stem with one component, material and deformation form one implicit
-// body. Its isosurface is simplified to the wanted number of triangles, then shaded and deformed.
+// body. Its isosurface is simplified to the wanted number of triangles, then deformed and shaded.
 #include "meristem/shape/body_meshes.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes attraction points as rows of CSV, growth by growth, formatted in blocks on all threads.
 #include "meristem/output/overlay/trace_csv.h"
 
 #include <array>

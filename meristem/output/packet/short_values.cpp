@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Shortens floats: the shortest text that reads back as the given float is parsed as a double.
 #include "meristem/output/packet/short_values.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes cylinders as rows of CSV in the columns of TreeQSM (source in the header). Cylinders of one tree are grouped
-// together.
+// Writes cylinders as rows of CSV in the columns of TreeQSM (source in the header). Rows are formatted in blocks on all
+// threads.
 #include "meristem/output/skeleton/cylinder_csv.h"
 
 #include <string_view>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Quotes the fields of CSV tables (RFC 4180).
 #include "meristem/output/write/csv.h"
 
 namespace meristem {

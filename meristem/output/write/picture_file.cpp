@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes pictures as PNG or JPEG by the ending of the path, and checks the options of both formats.
 #include "meristem/output/write/picture_file.h"
 
 #include <algorithm>

@@ -189,13 +189,14 @@ void bind_progress(py::module_& module) {
   using WatchPointer = std::shared_ptr<Watch>;
   py::class_<Watch, WatchPointer>(module, "Progress", R"(Watches a long call and cancels it.
 
-Give it to one call at a time. `callback`, if given, is called with the stage (a str) and its done share in [0, 1],
-whenever that has grown by a hundredth, from other threads than the caller's; what it raises cancels the call and is
-raised from it.)")
+Use it for one call at a time. `callback`, if given, is called with the stage (a str) and its finished share in [0, 1],
+whenever the share has grown by a hundredth. It is called from other threads than the caller's thread. An exception of
+`callback` cancels the call, and the call raises it.)")
       .def(py::init<py::object>(), py::arg("callback") = py::none())
       .def(
           "cancel", [](const WatchPointer& w) { w->cancel(); },
-          "Has the call raise Cancelled within 50 ms; further calls with this Progress as well. From any thread.")
+          "Makes the call raise Cancelled within 50 ms, and further calls with this Progress, too. May be called from "
+          "any thread.")
       .def_property_readonly(
           "cancelled", [](const WatchPointer& w) { return w->is_cancelled(); }, "Whether cancel() was called.")
       .def_property_readonly(

@@ -117,18 +117,17 @@ void bind_colonize(py::module_& module) {
              py::arg("finish") = py::none(), py::arg("light") = py::none(), py::arg("shed") = py::none(),
              py::arg("scene") = py::none(), py::arg("seed") = 1, py::arg("threads") = 0,
              py::arg("progress") = py::none(),
-             R"(Grows into your own attraction points by space colonization, and gives a Skeleton.
+             R"(Grows a tree into your own attraction points by space colonization. Returns a Skeleton.
 
 `points` (n, 3) and `roots` (3,) or (k, 3) are positions in the world, metres. Trees of several roots compete for the
-points and are one skeleton; a root that no point pulls grows straight toward the nearest one first. `step` (m) is the
-length of a segment, points pull within `influence` (m) and are used up within `kill` (m), and growth ends after
-`iterations` steps at the latest; `bias` is added to each direction. `tip_radius` (m) and `pipe_exponent` give radii.
-`finish`, `light` and `shed` are what a document's colonize component says of them: {"relax": False}, {"shift": 0.1},
-"height < 2".
+points and are one skeleton. A root without a point in reach first grows straight toward the nearest point. `step` (m)
+is the length of a segment. Points pull within `influence` (m) and are used up within `kill` (m). Growth ends after at
+most `iterations` steps. `bias` is added to each direction. `tip_radius` (m) and `pipe_exponent` give radii. `finish`,
+`light` and `shed` have the values of a document's colonize component: {"relax": False}, {"shift": 0.1}, "height < 2".
 
-In a `scene` no segment enters an obstacle, and points inside are left out. `seed` (0 to 2^53) breaks ties. Results are equal on
-any number of `threads`. Raises TypeError and ValueError for wrong arrays, InputError for parameters out of range and
-points out of reach, Cancelled.)");
+In a `scene` no segment enters an obstacle, and points inside are left out. `seed` (0 to 2^53) breaks ties. Results are
+equal on any number of `threads`. Raises TypeError and ValueError for wrong arrays, InputError for parameters out of
+range and points out of reach, Cancelled.)");
 }
 
 }  // namespace meristem::python

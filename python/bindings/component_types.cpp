@@ -65,23 +65,24 @@ const Registry& component_types() { return registries().empty() ? builtin_compon
 void bind_component_types(py::module_& module) {
   module.def(
       "load_plugin", [](const std::filesystem::path& path) { load_plugin(path.string()); }, py::arg("path"),
-      R"(Loads the component types of a shared library, which documents that are read from here on may name.
+      R"(Loads the component types of a shared library. Documents that are read afterwards may use these types.
 
-path: of the library, as in "build/libthorn.so". It stays loaded as long as Python runs. Worker processes load it by
-themselves: name it in their `initializer`.
-Raises InputError for a file that does not exist, is not a plug-in, was built for another version of Meristem, or has a
-type of a name that is taken.)");
-  module.def("components", &components, R"(The types of components and their parameters: {type: {"doc", "parameters"}}.
+`path` is the path of the library, such as "build/libthorn.so". It stays loaded as long as Python runs. Worker processes
+must load it too: call this function in their `initializer`. Raises InputError for a file that does not exist, is not a
+plug-in, was built for another version of Meristem, or has a type whose name is in use.)");
+  module.def("components", &components, R"(Returns the component types and their parameters: {type: {"doc",
+"parameters"}}.
 
-Each parameter, by its name: {"doc", "expected", "required", "default"}, objects also have "parameters" of their own.)");
+Parameters are dicts by name: {"doc", "expected", "required", "default"}. Objects also have "parameters" of their
+own.)");
   module.def(
       "parameter_tables", [] { return to_python(parameter_tables(component_types())); },
-      R"(All tables of what documents may say, for editors, a dict in the form of `meristem components --json`.
+      R"(Returns all parameter tables for editors, a dict in the form of `meristem components --json`.
 
 {"components": {type: {"table", ...}}, "tables": {name: {"rows": [{"name", "kind", "min", "max", "usual", ...}]}}, ...})");
   module.def(
       "schema", [] { return to_python(document_schema(component_types())); },
-      "The JSON Schema (draft 7) of documents, a dict.");
+      "Returns the JSON Schema (draft 7) of documents, a dict.");
 }
 
 }  // namespace meristem::python

@@ -253,19 +253,19 @@ void bind_dataset(py::module_& module) {
   py::class_<PlanInPython, PlanPointer>(module, "DatasetPlan",
                                         R"(A plan of a data set with its documents, by content.
 
-`content` is a dict such as a plan's JSON would be read into, or the JSON text itself. `file` names the plan in messages,
-and documents are sought from its folder; `documents`, Document objects by their names, take the place of those that
-the plan names. Raises InputError with all that is wrong.)")
+`content` is the dict of a plan's JSON, or the JSON text itself. `file` names the plan in messages, and documents are
+searched in its folder. `documents`, Document objects by their names, replace the documents of the plan. Raises
+InputError with all faults.)")
       .def(py::init(&plan_of), py::arg("content"), py::kw_only(), py::arg("file") = "<python>",
            py::arg("documents") = py::dict())
       .def("__len__", [](const PlanPointer& plan) { return plan->plan.count(); })
       .def("plant", &plant_of, py::arg("number"),
-           "What the plan says of the plant of a number: a dict of key, document, seed and values.")
+           "Returns the plan of the plant with a number: a dict of key, document, seed and values.")
       .def("make", &make_in, py::arg("folder"), py::arg("begin"), py::arg("end"), py::kw_only(),
            py::arg("progress") = py::none(),
-           R"(Makes the plants from `begin` to before `end`, on one thread, and gives (seconds, None).
+           R"(Makes the plants from `begin` up to, but not including, `end`, on one thread. Returns (seconds, None).
 
-Where this process does not see the folder of the data set, gives (seconds, what DatasetFolder.add() takes).)")
+If this process cannot reach the folder of the data set, returns (seconds, the argument of DatasetFolder.add()).)")
       .def_property_readonly(
           "hash", [](const PlanPointer& plan) { return plan->plan.hash; }, "What two plans are compared by.")
       .def_property_readonly(
@@ -275,20 +275,21 @@ Where this process does not see the folder of the data set, gives (seconds, what
           "The columns of its manifest.")
       .def_property_readonly(
           "warnings", [](const PlanPointer& plan) { return to_python(plan->plan.warnings); },
-          "What is odd but not wrong: a tuple of Diagnostic.")
+          "Warnings, a tuple of Diagnostic.")
       .def(py::pickle(&plan_state, &plan_from_state));
 
   py::class_<FolderInPython, FolderPointer>(module, "DatasetFolder",
-                                            R"(The folder of a data set while it is made.
+                                            R"(The folder of an unfinished data set.
 
-`opening` is 'resume', 'repair' (reads all that is there) or 'fresh'. Raises InputError where the folder holds something
-else, MachineError where the disk refuses or another program is at work in it.)")
+`opening` is 'resume', 'repair' (reads all files) or 'fresh'. Raises InputError if the folder holds something else, and
+MachineError if the disk fails or another program works in the folder.)")
       .def(py::init(&open_folder), py::arg("plan"), py::arg("folder"), py::kw_only(), py::arg("opening") = "resume",
            py::arg("progress") = py::none())
       .def("next", &next_range, py::arg("seconds") = 0.5,
-           "The next missing plants as (begin, end), about as many as grow in `seconds`; None once all were given.")
+           "Returns the next missing plants as (begin, end), about the number that grows in `seconds`. None when all "
+           "have been returned.")
       .def("add", &add_range, py::arg("begin"), py::arg("end"), py::arg("seconds"), py::arg("apart") = py::none(),
-           "Tells that plants were made, in how many seconds, and where they were made apart what has become of them.")
+           "Reports finished plants and their seconds, and for plants made outside of the folder also their results.")
       .def(
           "finish",
           [](const FolderPointer& folder, const py::object& progress) {
@@ -297,7 +298,7 @@ else, MachineError where the disk refuses or another program is at work in it.)"
               return true;
             });
           },
-          py::kw_only(), py::arg("progress") = py::none(), "Writes the data card, once all plants are there.")
+          py::kw_only(), py::arg("progress") = py::none(), "Writes the data card when all plants are made.")
       .def(
           "add_file", [](const FolderPointer& folder, const std::string& name) { folder->folder.add_file(name); },
           py::arg("name"), "Adds the hash of a file of the folder to dataset.json, so that verify_dataset checks it.")
@@ -308,25 +309,25 @@ else, MachineError where the disk refuses or another program is at work in it.)"
           "done", [](const FolderPointer& folder) { return folder->folder.done(); }, "How many plants are there.")
       .def_property_readonly(
           "found", [](const FolderPointer& folder) { return folder->folder.found(); },
-          "How many plants were there when it was opened.")
+          "The number of plants that existed when the folder was opened.")
       .def_property_readonly(
           "failed", [](const FolderPointer& folder) { return folder->folder.failed(); },
-          "How many plants are there with an error and without files.")
+          "The number of plants with an error and without files.")
       .def_property_readonly(
           "failures", [](const FolderPointer& folder) { return folder->folder.failures(); },
-          "Key and error of the plants that failed: one line each, the first ten.")
+          "Key and error of failed plants: one line each, the first ten.")
       .def_property_readonly(
           "failed_text", [](const FolderPointer& folder) { return folder->folder.failed_text(); },
-          "How many plants were written and how many failed, with the first error; empty if none failed.")
+          "The numbers of written and failed plants, with the first error. Empty if no plant failed.")
       .def_property_readonly(
           "faults", [](const FolderPointer& folder) { return folder->folder.faults(); },
-          "What was there and not right, and is made again: one line each, the first hundred.");
+          "Faults of plants that are made again: one line each, the first hundred.");
 
   py::class_<ScratchFolder, std::shared_ptr<ScratchFolder>>(
       module, "ScratchFolder",
-      R"(A new folder for temporary files, which goes with this object.
+      R"(A new folder for temporary files, which is removed with this object.
 
-The folder of a killed process goes when the next one makes a folder with the same prefix in the same parent.)")
+The folder of a killed process is removed when another process makes a folder with this prefix in this parent folder.)")
       .def(py::init([](const py::object& parent, const std::string& prefix) {
              return std::make_shared<ScratchFolder>(path_of(parent), prefix);
            }),
@@ -342,18 +343,19 @@ The folder of a killed process goes when the next one makes a folder with the sa
       [](const py::list& files, const py::object& folder) {
         unpack({.document = {}, .files = files_of(files)}, path_of(folder));
       },
-      py::arg("files"), py::arg("folder"), "Writes the files of Document.bundle() below a folder, which is made.");
+      py::arg("files"), py::arg("folder"),
+      "Writes the files of Document.bundle() below a folder, and creates the folder.");
   module.def("require_finished", &require_finished, py::arg("folder"), py::arg("rows"),
-             "Raises InputError unless the data set in a folder has this number of plants.");
+             "Raises InputError if the data set in a folder has another number of plants.");
   module.def(
       "verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("root") = "", py::arg("threads") = 0,
       py::arg("progress") = py::none(),
       R"(Compares all files of the data set in a folder with the manifest, and the manifest with its hashes and the plan.
 
-Gives a dict of plants, rows, failed, files, bytes, faults and warnings. faults is a list of lines, empty where all is as
-it was written. warnings tells what could not be checked. With a `root`, no file outside that folder is read, wherever
-links in the folder lead. Raises InputError where the folder holds no data set, lies outside the root, or has a link that
-leads there.)");
+Returns a dict of plants, rows, failed, files, bytes, faults and warnings. faults is a list of lines, empty if the data
+set is unchanged. warnings lists parts that could not be checked. With a `root`, no file outside that folder is read,
+wherever links in the folder lead. Raises InputError if the folder holds no data set, lies outside the root, or has a
+link that leads out of the root.)");
 }
 
 }  // namespace meristem::python

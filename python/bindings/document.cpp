@@ -332,55 +332,55 @@ void write_file(const std::string& path, const std::string& text) {
 
 void bind_document(py::module_& module) {
   py::class_<DocumentInPython, DocumentPointer>(module, "Document",
-                                                R"(A plant document. It never changes: set() gives another one.
+                                                R"(A plant document. It never changes: set() returns another document.
 
-`content` is a dict such as a document's JSON would be read into, or the JSON text itself. Numbers may be numpy's, lists
-tuples or arrays. Files that it names are sought from the folder of `file`, or the current one. `set` sets values by
-their paths, as in set(); `seed` (0 to 2^53) replaces the document's. With a `root`, the document cannot read files
-outside that folder. Ctrl-C stops the reading. Raises InputError with all that is wrong.)")
+`content` is the dict of a document's JSON, or the JSON text itself. It may contain numpy numbers, and tuples or arrays
+as lists. Files that it names are searched in the folder of `file`, or in the current folder. `set` sets values by their
+paths, as in set(). `seed` (0 to 2^53) replaces the document's seed. With a `root`, the document cannot read files
+outside that folder. Ctrl-C stops the reading. Raises InputError with all faults.)")
       .def(py::init(&document_of), py::arg("content"), py::kw_only(), py::arg("file") = "", py::arg("set") = py::none(),
            py::arg("seed") = py::none(), py::arg("root") = "")
       .def("set", &with_values, py::arg("values") = py::none(), py::kw_only(), py::arg("seed") = py::none(),
-           R"(The document with other values, by their paths, and another seed.
+           R"(Returns the document with other values, by their paths, and another seed.
 
 {"age": 20} sets a variable, {"leaf.length": 0.1} a component's parameter, {"links[1].density": 90} or
-{"scene.latitude": 50} a key. Files that have changed are read anew. Growing it makes only what has changed since the
-last growth of such a document. Raises InputError.)")
+{"scene.latitude": 50} a key. Changed files are read anew. Growing the new document makes only what has changed since
+the last growth of a related document. Raises InputError.)")
       .def("grow", &grow_plant, py::arg("time") = 0.0, py::kw_only(), py::arg("step") = py::none(),
            py::arg("trace") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.
+           R"(Grows the document at `time` (seconds). Returns a Plant, which is equal on any number of threads.
 
-What clothes the plant is made when it is first asked for. With a `step`, plants that grow by a model stand as after
-that step of growth. With `trace`, Plant.trace tells all steps of the growth; this takes memory, and changes no plant.
+Meshes and textures are made when they are first needed. With a `step`, plants of growth models are as they were after
+this step of growth. With `trace`, Plant.trace records all steps of the growth. This takes memory, and changes no plant.
 
-`threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
-Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")
+`threads` bounds the threads (0: all cores). `progress` is a Progress, or a function of stage and fraction. Other Python
+threads run meanwhile, and Ctrl-C stops the call. Raises InputError (limits), Cancelled.)")
       .def("plan", &plan_plant, py::arg("rules") = py::none(), py::kw_only(), py::arg("done") = false,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Finds what the operations of the last iteration would do to the trees now, and gives the Plant before it.
+           R"(Finds what the operations of the last iteration would do to the trees now. Returns the Plant before these
+operations.
 
-Plant.operations are the plan, and the column `plan_cut` of its skeletons says which operation would cut each
-metamer off. `rules` are more operations, such as [{"do": "cut", "shoots": "inward", "above": 0}]; they act at the last
-iteration unless they say when. With `done`, the Plant after the plan; both come of one growth. Other arguments as in
-grow(). Raises InputError, also where no component has such trees, and Cancelled.)")
+Plant.operations are the plan. The column `plan_cut` of its skeletons is the number of the operation that would cut each
+metamer off. `rules` are further operations, such as [{"do": "cut", "shoots": "inward", "above": 0}]. They act at the
+last iteration by default. With `done`, returns the Plant after the plan; both plants come from one growth. Other
+arguments as in grow(). Raises InputError, also if no component has such trees, and Cancelled.)")
       .def("save_animated", &save_animated, py::arg("path"), py::kw_only(), py::arg("keys") = kUsualKeys,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the document's animation into a .glb file, which browsers and engines play.
 
 The file holds the plant at `keys` times (2 to 1000), evenly from 0 to the animation's length, and moves evenly between
-them. Raises InputError where the document has no animation, or what moves takes too many bytes; MachineError,
+them. Raises InputError if the document has no animation, or if moving parts take too many bytes. Raises MachineError,
 Cancelled.)")
       .def("bundle", &bundle_in_python,
-           R"(The document's file and all files that it names, by content: what another machine needs to grow it.
+           R"(Returns the document and all files that it names, by content, so that another machine can grow it.
 
-Gives (name, files): the path of the document below some folder, and (path, bytes) of each file there.)")
+Returns (name, files): the path of the document below a folder, and (path, bytes) of each file in this folder.)")
       .def("save", &save_document, py::arg("path"),
-           "Writes the document as JSON, all values set. Raises InputError where it would not find a file that it "
-           "names, "
-           "MachineError where it cannot be written.")
+           "Writes the document as JSON with all values that were set. Raises InputError if the written document would "
+           "not find a file that it names, and MachineError if the file cannot be written.")
       .def(
           "to_dict", [](const DocumentPointer& d) { return to_python(d->tree()); },
-          "A new dict of all it says; Document(dict) reads it again. Changing it changes no document.")
+          "Returns the content as a new dict, which Document(dict) reads again. Changing the dict changes no document.")
       .def_property_readonly(
           "text", [](const DocumentPointer& d) { return write_json(d->tree()); },
           "The document as JSON, all values set.")
@@ -396,35 +396,36 @@ Gives (name, files): the path of the document below some folder, and (path, byte
           "file", [](const DocumentPointer& d) { return d->file; }, "The file it was read from, or '<python>'.")
       .def_property_readonly(
           "root", [](const DocumentPointer& d) { return d->root; },
-          "The folder outside of which it reads no files, or an empty text.")
+          "The folder outside of which the document reads no files, or an empty text.")
       .def_property_readonly(
           "seed", [](const DocumentPointer& d) { return d->document.graph.seed; }, "What all randomness comes from.")
-      .def_property_readonly("variables", &variables_of,
-                             "Its variables, a list of Variable; those that are not private are handles for users.")
+      .def_property_readonly(
+          "variables", &variables_of,
+          "The document's variables, a list of Variable. Variables that are not private are handles for users.")
       .def_property_readonly("components", &components_of, "The type of each component, by its id.")
       .def_property_readonly(
           "warnings", [](const DocumentPointer& d) { return to_python(d->document.warnings); },
-          "What is odd but not wrong: a tuple of Diagnostic.")
+          "Warnings, a tuple of Diagnostic.")
       .def_property_readonly(
           "scene", [](const DocumentPointer& d) { return std::shared_ptr<Scene>(d, &d->document.scene); },
           "What surrounds the plants: a Scene.")
       .def("__repr__", &document_repr)
       .def("__eq__", &are_documents_equal, py::arg("other"),
-           "Whether both say the same and seek files from the same folder.")
+           "True if both documents have equal content and search files in the same folder.")
       .def("__hash__",
            [](const DocumentPointer& d) { return std::hash<std::string>()(write_json(d->document.source.tree)); })
       .def(py::pickle(&document_state, &document_from_state));
 
   module.def(
       "models", [] { return model_names(models_folder()); },
-      "The names of the shipped models, which read() takes, in alphabetical order.");
+      "Returns the names of the shipped models, for read(), in alphabetical order.");
   module.def("read", &read, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),
              py::arg("root") = "",
              R"(Reads the document in a file (str or path), or a shipped model by its name, such as 'oak'.
 
 `set` and `seed` as in Document. With a `root`, neither the document nor a file that it names is read from outside that
-folder, wherever links and dots lead; the error does not say whether such a file exists. Shipped models may be read. Ctrl-C
-stops the reading. Raises InputError with all that is wrong, each with line and column, and MachineError where the file
+folder, wherever links and dots lead. The error does not say whether such a file exists. Shipped models may be read.
+Ctrl-C stops the reading. Raises InputError with all faults, each with line and column, and MachineError if the file
 cannot be read.)");
 }
 

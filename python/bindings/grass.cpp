@@ -107,13 +107,13 @@ py::array_t<double> list_of(const GrassLeafPointer& leaf) {
 
 void bind_measured(py::module_& module) {
   using Pointer = std::shared_ptr<MeasuredCurve>;
-  py::class_<MeasuredCurve, Pointer>(module, "MeasuredCurve", "A midrib, or widths along a blade, as it was measured.")
+  py::class_<MeasuredCurve, Pointer>(module, "MeasuredCurve", "A measured midrib, or measured widths along a blade.")
       .def_property_readonly(
           "rank", [](const MeasuredCurve& c) { return c.rank; },
-          "Rank of the leaf on its stem, or of a class of ranks; None where the file says none.")
+          "Rank of the leaf on its stem, or of a class of ranks; None if the file gives no rank.")
       .def_property_readonly(
           "lindex", [](const MeasuredCurve& c) { return c.lindex; },
-          "Which one among the leaves of that rank; None where the file says none.")
+          "Number of the leaf within its rank; None if the file gives no number.")
       .def_property_readonly(
           "age", [](const MeasuredCurve& c) { return c.age; }, "Its age; None where the file says none.")
       .def_property_readonly(
@@ -121,25 +121,25 @@ void bind_measured(py::module_& module) {
           "(n, 2) float64: x and y of a midrib, s and r of widths, in the unit of the file.")
       .def_property_readonly(
           "lines", [](const Pointer& c) { return column_view(c, c->lines); },
-          "(n,) int32: the lines of the file on which the points stand, from 1.")
+          "(n,) int32: the line of each point in the file, from 1.")
       .def("__len__", [](const MeasuredCurve& c) { return c.points.size(); })
       .def("__repr__", [](const MeasuredCurve& c) {
         return fmt::format("<meristem.grass.MeasuredCurve of {} points>", c.points.size());
       });
   refuse_new<MeasuredCurve>("read_midribs() and read_widths() make them");
 
-  module.def("read_midribs", &midribs_of, py::arg("path"), R"(Reads digitised midribs: a list of MeasuredCurve.
+  module.def("read_midribs", &midribs_of, py::arg("path"), R"(Reads digitised midribs. Returns a list of MeasuredCurve.
 
-The file is a table with the columns x and y (away from the stem and up, in any unit) and, if there, rank, lindex and
-age; a midrib is what stands together with equal ones of these. A point that repeats the one before it is left out, with
-a UserWarning that names leaf and line. Raises InputError with all faults, each with its file and line: columns that are
-missing, cells that are no numbers, midribs of fewer than 3 points.)");
-  module.def("read_widths", &widths_of, py::arg("path"), R"(Reads widths along blades: a list of MeasuredCurve.
+The file is a table with the columns x and y (away from the stem and up, in any unit). The columns rank, lindex and age
+are optional. Consecutive rows with equal rank, lindex and age make one midrib. A point that repeats the previous point
+is left out, with a UserWarning that names leaf and line. Raises InputError with all faults, each with its file and
+line: missing columns, cells that are not numbers, midribs of fewer than 3 points.)");
+  module.def("read_widths", &widths_of, py::arg("path"), R"(Reads widths along blades. Returns a list of MeasuredCurve.
 
-The file is a table with the columns s (distance from the base) and r (width, or share of the widest) and, if there,
-rank or rankclass, and lindex. What runs from the tip to the base is turned about, and positions that repeat
-the one before are left out, with a UserWarning each. Raises
-InputError as read_midribs does, and for positions that are not sorted and widths below 0.)");
+The file is a table with the columns s (distance from the base) and r (width, or share of the largest width). The
+columns rank or rankclass, and lindex, are optional. Widths that run from the tip to the base are reversed, and
+positions that repeat the previous position are left out, each with a UserWarning. Raises InputError like read_midribs,
+and for positions that are not sorted and widths below 0.)");
 }
 
 void bind_fit(py::module_& module) {
@@ -158,7 +158,7 @@ void bind_fit(py::module_& module) {
           "Root mean square distance of the digitised points from the fitted midrib.")
       .def_property_readonly(
           "was_turned", [](const FittedLeaf& f) { return f.was_turned; },
-          "Whether the widths ran from the tip to the base, and were turned about.")
+          "True if the widths ran from the tip to the base, and were reversed.")
       .def("__repr__", [](const FittedLeaf& f) {
         return fmt::format("<meristem.grass.FittedLeaf: length {:.4g}, width {:.4g}>", f.leaf.length, f.leaf.width);
       });
@@ -168,17 +168,17 @@ void bind_fit(py::module_& module) {
   module.def("fit_leaf", &fit, py::arg("x"), py::arg("y"), py::arg("s"), py::arg("r"), py::kw_only(),
              py::arg("smoothing") = plain.smoothing, py::arg("width_smoothing") = plain.width_smoothing,
              py::arg("pieces") = plain.pieces,
-             R"(Fits smoothing splines to a digitised midrib and to the widths along a blade: a FittedLeaf.
+             R"(Fits smoothing splines to a digitised midrib and to the widths along a blade. Returns a FittedLeaf.
 
-`x` and `y` (n,) are the midrib's points, away from the stem and up; the leaf begins at the first. `s` and `r` (m,) are
-distances from the base and the widths there. Midrib and widths are each taken over their own length. Where `s` ends at
-1 it is in shares of the length, which then is the midrib's; else the last one is the blade's length. Where `r` are
-shares of the widest, so is the leaf's width: 1.
+`x` and `y` (n,) are the midrib's points, away from the stem and up. The leaf begins at the first point. `s` and `r`
+(m,) are distances from the base and the widths there. Midrib and widths are each scaled by their own length. If `s`
+ends at 1, it contains shares of the length, and the length comes from the midrib. Otherwise the last `s` is the blade's
+length. If `r` contains shares of the largest width, the leaf's width is 1.
 
-`smoothing` is how far the midrib may be from its points, root mean square, as a share of its length (0: the points
-joined as they are), `width_smoothing` the same for the widths, as a share of the widest. The leaf has `pieces` (at
-least 2) equal pieces. Raises InputError for points that are no midrib or no widths, naming the row, and TypeError and
-ValueError for wrong arrays and options.)");
+`smoothing` is the allowed distance of the midrib from its points, root mean square, as a share of its length (0:
+straight lines between the points). `width_smoothing` is the allowed distance of the widths, as a share of the largest
+width. The leaf has `pieces` (at least 2) equal pieces. Raises InputError for points that are no midrib or no widths,
+with the row, and TypeError and ValueError for wrong arrays and options.)");
 }
 
 }  // namespace
@@ -196,12 +196,12 @@ std::vector<double> in_degrees(std::vector<double> angles) {
 
 void bind_grass(py::module_& module) {
   py::class_<GrassLeaf, GrassLeafPointer>(module, "GrassLeaf",
-                                          R"(A grass leaf as seen from its side: its midrib in a plane, and its widths.
+                                          R"(A grass leaf, seen from its side: its midrib in a plane, and its widths.
 
-`length` of the midrib and `width` across at the widest, metres. The four lists have one number per point of the midrib,
-at least two, from the collar at (0, 0) to the tip: `s` the position along it, from 0 to 1; `x` away from the stem and
-`y` along it, in lengths; `r` the width there as a share of the widest. Arrays are read-only; every stage gives a new
-leaf. Raises TypeError and ValueError.)")
+`length` is the length of the midrib and `width` the largest width, metres. The four lists have one number per point of
+the midrib, at least two points, from the collar at (0, 0) to the tip. `s` is the position along the midrib, from 0 to
+1. `x` is the distance away from the stem and `y` along it, in lengths. `r` is the width as a share of the largest
+width. Arrays are read-only, and every stage returns a new leaf. Raises TypeError and ValueError.)")
       .def(py::init(&make_leaf), py::arg("length"), py::arg("width"), py::arg("s"), py::arg("x"), py::arg("y"),
            py::arg("r"))
       .def_property_readonly(
@@ -211,14 +211,14 @@ leaf. Raises TypeError and ValueError.)")
       .def_property_readonly("s", &list_of<&GrassLeaf::s>, "(n,) float64: position along the midrib, from 0 to 1.")
       .def_property_readonly("x", &list_of<&GrassLeaf::x>, "(n,) float64: away from the stem, in lengths.")
       .def_property_readonly("y", &list_of<&GrassLeaf::y>, "(n,) float64: along the stem, in lengths.")
-      .def_property_readonly("r", &list_of<&GrassLeaf::r>, "(n,) float64: width as a share of the widest.")
+      .def_property_readonly("r", &list_of<&GrassLeaf::r>, "(n,) float64: width as a share of the largest width.")
       .def_property_readonly(
           "area", [](const GrassLeaf& l) { return area(l); },
-          "Square metres of the blade, each piece of the midrib with a trapezium.")
+          "Area of the blade in square metres, by a trapezium for each piece of the midrib.")
       .def_property_readonly(
           "angles", [](const GrassLeaf& l) { return array_of(in_degrees(piece_angles(l))); },
-          "(n - 1,) float64: of each piece, degrees away from the stem: 0 along it, 90 level, 180 straight down, and "
-          "beyond where a midrib rolls up.")
+          "(n - 1,) float64: direction of each piece in degrees away from the stem: 0 along the stem, 90 level, 180 "
+          "straight down, and larger if a midrib rolls up.")
       .def_property_readonly(
           "inclination", [](const GrassLeaf& l) { return inclination(l) * 180 / kPi; },
           "Degrees at which it leaves the stem.")
@@ -235,10 +235,11 @@ leaf. Raises TypeError and ValueError.)")
         if (pieces < 1) throw py::value_error("a leaf has at least 1 piece");
         return resampled(leaf, static_cast<std::size_t>(pieces));
       },
-      py::arg("leaf"), py::arg("pieces"), "The leaf with `pieces` pieces of equal length along the midrib.");
+      py::arg("leaf"), py::arg("pieces"), "Returns the leaf with `pieces` pieces of equal length along the midrib.");
   module.def(
       "widths_by_area", [](const GrassLeaf& leaf) { return array_of(widths_by_area(leaf)); }, py::arg("leaf"),
-      "(n,) float64: the widths as shares of their mean along the leaf, in place of the largest.");
+      "Returns (n,) float64: the widths as shares of their mean along the leaf, instead of shares of the largest "
+      "width.");
   bind_measured(module);
   bind_fit(module);
 }

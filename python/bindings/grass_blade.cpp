@@ -129,15 +129,15 @@ std::shared_ptr<Mesh> blade_of(const GrassLeaf& leaf, double twist, const py::ob
 
 void bind_reduction(py::module_& module) {
   py::class_<ReductionOrder, OrderPointer>(module, "ReductionOrder",
-                                           R"(The order in which the inner points of a leaf may go.
+                                           R"(The order in which the inner points of a leaf can be removed.
 
-One order gives all levels of detail, so the points of a coarser one are among those of a finer one.)")
+One order gives all levels of detail, so the points of a coarser level are also points of the finer levels.)")
       .def_property_readonly(
           "points", [](const OrderPointer& o) { return column_view(o, o->points); },
-          "(n - 2,) uint32: the point that goes first, first; all but both ends.")
+          "(n - 2,) uint32: all points except both ends, in the order of their removal.")
       .def_property_readonly(
           "errors", [](const OrderPointer& o) { return column_view(o, o->errors); },
-          "(n - 2,) float64: what a step costs, the largest until then, as a share of the length or width.")
+          "(n - 2,) float64: largest error up to each removal, as a share of the length or width.")
       .def("__len__", [](const ReductionOrder& o) { return o.points.size(); })
       .def("__repr__", [](const ReductionOrder& o) {
         return fmt::format("<meristem.grass.ReductionOrder of {} points>", o.points.size());
@@ -145,23 +145,25 @@ One order gives all levels of detail, so the points of a coarser one are among t
   refuse_new<ReductionOrder>("reduction_order() makes them");
 
   module.def("reduction_order", &order_of, py::arg("leaf"), py::arg("also") = py::list(),
-             R"(The ReductionOrder of a leaf: the point nearest to the chord between its present neighbours goes first.
+             R"(Returns the ReductionOrder of a leaf. The point nearest to the chord between its present neighbours is
+removed first.
 
-Its error is that of (x, y) and of (s, r) together. `also` are further lists of a number per point, as shares of the
-length, that count in the same way.)");
+The error combines the errors of (x, y) and of (s, r). `also` are further lists of a number per point, as shares of the
+length, which count in this way too.)");
   module.def(
       "points_kept", [](const ReductionOrder& o, int pieces) { return array_of(kept_points(o, pieces)); },
       py::arg("order"), py::arg("pieces"),
-      "(pieces + 1,) uint32: the points that stay where `pieces` pieces are wanted, at least 1.");
+      "Returns (pieces + 1,) uint32: the points that stay for `pieces` pieces, at least 1.");
   module.def(
       "points_within", [](const ReductionOrder& o, double error) { return array_of(points_of_error(o, error)); },
-      py::arg("order"), py::arg("error"), "The points that stay where no step may cost more than `error`, uint32.");
+      py::arg("order"), py::arg("error"),
+      "Returns the points that stay if no removal may have an error above `error`, uint32.");
   module.def("reduced", &reduce, py::arg("leaf"), py::kw_only(), py::arg("pieces") = py::none(),
              py::arg("error") = py::none(), py::arg("points") = py::none(),
-             R"(The leaf with fewer points, wider by as much as keeps its area.
+             R"(Returns the leaf with fewer points, widened so that its area stays.
 
-Give one of `pieces`, the number of pieces that stay; `error`, which no step may cost more than; or `points`, the
-indices of those that stay, both ends among them. Raises TypeError and ValueError.)");
+Give one of three arguments: `pieces`, the number of pieces that stay; `error`, the largest allowed error; or `points`,
+the indices of the points that stay, including both ends. Raises TypeError and ValueError.)");
 }
 
 }  // namespace
@@ -173,24 +175,25 @@ void bind_grass_blade(py::module_& module) {
              py::arg("twist_along") = py::none(), py::arg("fold") = 0.0, py::arg("roll") = 0.0,
              py::arg("waves") = py::dict(), py::arg("across") = plain.across, py::arg("clasp") = 0.0,
              py::arg("clasp_radius") = 0.0, py::arg("displace") = py::none(),
-             R"(The blade over all points of a leaf as a Mesh with normals and uvs, its front face up.
+             R"(Returns the blade over all points of a leaf as a Mesh with normals and uvs. Its front face is up.
 
 Its collar is at the origin, y along the stem, and the midrib leads away to -z. `twist` is the torsion about the midrib
-from base to tip, `twist_along` (n, 2) the share of it that is reached from 0 to 1; `fold` raises each half about the
-midrib, `roll` bends the section from edge to edge where the blade is widest: all degrees. `waves` of the edges is a
-dict of `number` from base to tip, `depth` as a share of half the width, and the phases `left` and `right`, degrees.
+from base to tip, and `twist_along` (n, 2) is the reached share of it over 0 to 1. `fold` raises each half about the
+midrib. `roll` bends the section from edge to edge at the largest width. All three are degrees. `waves` of the edges is
+a dict of `number` from base to tip, `depth` as a share of half the width, and the phases `left` and `right`, degrees.
 `across` is the number of quads from edge to edge, even. Over the first `clasp` of its length the blade unrolls from a
-round of `clasp_radius` metres. `displace` is called with (s, u), u from -0.5 to 0.5, and gives three numbers by which a
-point moves: away from the stem, along it and across, in widths of the blade.
+circle with the radius `clasp_radius` in metres. `displace` is called with (s, u), u from -0.5 to 0.5. It returns three
+numbers by which a point moves: away from the stem, along it and across, in widths of the blade.
 
-Where a width is nothing at either end there is one point: a leaf of n pieces with `across` 2 has 4 n - 2 triangles.
-Raises TypeError, ValueError, and InputError for other keys of waves.)");
+An end with width 0 is one point: a leaf of n pieces with `across` 2 has 4 n - 2 triangles. Raises TypeError,
+ValueError, and InputError for other keys of waves.)");
   module.def(
       "make_sheath", [](double open) { return std::make_shared<Mesh>(make_sheath(radians(open))); }, py::arg("open"),
-      "A sheath: an open tube of radius 1 from the collar at the origin down to y = -1, open at +z by `open` degrees.");
+      "Returns a sheath: an open tube of radius 1 from the collar at the origin down to y = -1, open at +z by `open` "
+      "degrees.");
   module.def(
       "make_ligule", [] { return std::make_shared<Mesh>(make_ligule()); },
-      "A ligule: a membrane that goes on from the upper rim of such a sheath, 1 high in its middle.");
+      "Returns a ligule: a membrane on the upper rim of such a sheath, 1 high in its middle.");
 }
 
 }  // namespace meristem::python

@@ -90,9 +90,9 @@ void bind_family(py::module_& module) {
   py::class_<MidribFamily, std::shared_ptr<MidribFamily>>(module, "MidribFamily",
                                                           R"(The midribs of one leaf at several ages.
 
-Made of one GrassLeaf, which is its own form at age 1 and was straight along the stem at age 0, or of a list of pairs
-(age, GrassLeaf), at least two, with ages that rise. Between ages the directions of its pieces are interpolated, so that
-the length is kept. Raises ValueError.)")
+Made from one GrassLeaf, which is the form at age 1; at age 0 the leaf is straight along the stem. Or made from a list
+of at least two pairs (age, GrassLeaf) with rising ages. Between ages the directions of the pieces are interpolated, so
+that the length is kept. Raises ValueError.)")
       .def(py::init<const GrassLeaf&>(), py::arg("midribs"))
       .def(py::init<const Ages&>(), py::arg("midribs"))
       .def_property_readonly("first_age", &MidribFamily::first_age, "The least age.")
@@ -101,7 +101,8 @@ the length is kept. Raises ValueError.)")
       .def(
           "angles", [](const MidribFamily& f, double age) { return array_of(in_degrees(f.angles(age))); },
           py::arg("age"),
-          "(n,) float64: degrees away from the stem of each piece. Ages outside the family count as its nearest.")
+          "Returns (n,) float64: degrees away from the stem of each piece. An age outside the family counts as the "
+          "nearest age of the family.")
       .def("__repr__", [](const MidribFamily& f) {
         return fmt::format("<meristem.grass.MidribFamily of ages {:.4g} to {:.4g}>", f.first_age(), f.last_age());
       });
@@ -110,27 +111,30 @@ the length is kept. Raises ValueError.)")
 void bind_ages(py::module_& module) {
   bind_family(module);
   module.def("visible_share", &visible_share, py::arg("age"), py::kw_only(), py::arg("full_age") = 1.0,
-             "The share of its last length that a leaf shows at `age`: it rises evenly to all of it at `full_age`.");
+             "Returns the visible share of the final length at `age`. It rises evenly to 1 at `full_age`.");
   module.def("aged", &aged, py::call_guard<py::gil_scoped_release>(), py::arg("leaf"), py::arg("family"),
-             py::arg("age"), py::kw_only(), py::arg("full_age") = 1.0, R"(The leaf at `age`, from a full-grown one.
+             py::arg("age"), py::kw_only(), py::arg("full_age") = 1.0, R"(Returns the leaf at `age`, from a full-grown
+leaf.
 
-Its midrib comes from the MidribFamily `family`; of its widths it has those that have come out, since the tip comes
-first. It shows visible_share(age, full_age) of its length; where that is nothing its length is 0.)");
+Its midrib comes from the MidribFamily `family`. It has the widths of the emerged part; the tip emerges first. It shows
+visible_share(age, full_age) of its length, which may be 0.)");
   module.def("lived", &live, py::arg("leaf"), py::arg("family"), py::arg("time"), py::arg("step"), py::kw_only(),
              py::arg("age") = 1.0, py::arg("length") = 1.0, py::arg("width") = 1.0, py::arg("bend") = 1.0,
-             py::arg("full_age") = 1.0, R"(The leaf after living up to `time` in steps of `step`, by its own history.
+             py::arg("full_age") = 1.0, R"(Returns the leaf after a life up to `time` in steps of `step`, with its own
+rates.
 
-What a step multiplies, 1 each being the plain leaf: `age` how fast it ages, `length` how much comes out with each step
-of age, `width` of what comes out, `bend` how far its pieces turn. Each is a number, or something to call with what the
-leaf has lived and the share of its length that it shows, which gives one. Negative ones count as 0, but for `bend`.
-Raises TypeError, ValueError for a step that is not above 0 or over 100,000 steps, and what a call raises.)");
+The rates are factors in each step; the plain leaf has 1. `age` is the speed of ageing. `length` is the length that
+emerges with each step of age, and `width` is the width of this part. `bend` is the turn of the pieces. Each rate is a
+number, or a function of the lived time and the visible share of the length that returns a number. Negative rates count
+as 0, except `bend`. Raises TypeError, ValueError for a step that is not above 0 or for over 100,000 steps, and
+exceptions of the functions.)");
 }
 
 void bind_turns(py::module_& module) {
-  module.def("turned", &turn, py::arg("leaf"), py::arg("turns"), R"(The leaf with local turns of its midrib.
+  module.def("turned", &turn, py::arg("leaf"), py::arg("turns"), R"(Returns the leaf with local turns of its midrib.
 
-`turns` is a list of (from, to, angle): two positions along the midrib, 0 to 1, and the degrees that all beyond is
-turned, positive down; each is spread evenly between its positions, or a kink where they are equal. Pieces keep their
+`turns` is a list of (from, to, angle): two positions along the midrib, 0 to 1, and the degrees by which the part beyond
+turns, positive down. A turn is spread evenly between its positions, or is a kink if they are equal. Pieces keep their
 lengths. Raises ValueError.)");
   module.def(
       "inclined",
@@ -139,7 +143,7 @@ lengths. Raises ValueError.)");
         return inclined(leaf, radians(angle));
       },
       py::arg("leaf"), py::arg("angle"),
-      "The leaf turned as a whole about its collar, until it leaves the stem at `angle` degrees.");
+      "Returns the leaf, turned as a whole about its collar, so that it leaves the stem at `angle` degrees.");
 }
 
 void bind_loads(py::module_& module) {
@@ -148,21 +152,22 @@ void bind_loads(py::module_& module) {
   module.def("loaded", &load, py::call_guard<py::gil_scoped_release>(), py::arg("leaf"), py::kw_only(),
              py::arg("stiffness") = strip.stiffness, py::arg("tip_thickness") = strip.tip_thickness,
              py::arg("pull") = none, py::arg("wind") = none, py::arg("gravity") = down,
-             py::arg("measured_gravity") = down, R"(The leaf's form under loads, as an elastic strip held at its collar.
+             py::arg("measured_gravity") = down, R"(Returns the leaf's form under loads, as an elastic strip that is
+held at its collar.
 
 Loads are vectors (x, y) in the leaf's plane, away from the stem and along it, in units of its weight per square metre:
-`pull` on every part alike, `wind` by the square of the sine at which it meets the blade. The leaf is what it is under
-its own weight, which acts along `measured_gravity`; another `gravity` is a leaf that was turned over. `stiffness` is
-that of the base over weight and cubed length: 0.1 hardly carries itself, 1 is upright. It falls to the tip with the
-width and with the cube of the thickness, which is `tip_thickness` there. Raises ValueError, also for a leaf that does
-not come to rest.)");
+`pull` acts on every part equally, and `wind` by the square of the sine of its angle to the blade. The given form
+includes the leaf's own weight, which acts along `measured_gravity`. Another `gravity` describes a leaf that was turned
+over. `stiffness` is the stiffness of the base divided by weight and cubed length: with 0.1 a leaf hardly carries
+itself, with 1 it is upright. The stiffness falls to the tip with the width and with the cube of the thickness, which is
+`tip_thickness` there. Raises ValueError, also for a leaf that does not come to rest.)");
   module.def("load_for_turn", &find_load, py::call_guard<py::gil_scoped_release>(), py::arg("leaf"), py::arg("place"),
              py::arg("angle"), py::kw_only(), py::arg("stiffness") = strip.stiffness,
              py::arg("tip_thickness") = strip.tip_thickness, py::arg("pull") = none, py::arg("wind") = none,
-             py::arg("gravity") = down, R"(The load that gives a wanted turn: the inverse of loaded().
+             py::arg("gravity") = down, R"(Returns the load that gives a wanted turn: the inverse of loaded().
 
-The factor on `pull` and `wind` under which the midrib at `place` (above 0, up to 1) turns by `angle` degrees, positive
-down, from the given form. Raises ValueError where no factor up to 1000 does that.)");
+The load is a factor on `pull` and `wind`. With it, the midrib at `place` (above 0, up to 1) turns by `angle` degrees,
+positive down, from the given form. Raises ValueError if no factor up to 1000 gives this turn.)");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ py::tuple colour_of(Vec3 colour) { return py::make_tuple(colour.x, colour.y, col
 void bind_mesh(py::module_& module) {
   py::class_<Mesh, MeshPointer>(module, "Mesh", R"(Triangles with shared vertices, counter-clockwise seen from outside.
 
-Arrays are read-only, over the mesh's own memory, and stay valid however long they are kept. The constructor copies
+Arrays are read-only views of the mesh's own memory, and stay valid as long as they are kept. The constructor copies
 `positions` (n, 3) metres and `triangles` (m, 3) indices. Raises TypeError for wrong types, ValueError for wrong shapes
 and indices.)")
       .def(py::init(&make_mesh), py::arg("positions"), py::arg("triangles"))
@@ -96,20 +96,22 @@ and indices.)")
           "(n, 3) float32: metres.")
       .def_property_readonly(
           "normals", [](const MeshPointer& m) { return optional_rows<float>(m, m->normals); },
-          "(n, 3) float32: unit; None if there are none.")
+          "(n, 3) float32: unit vectors; None if the mesh has no normals.")
       .def_property_readonly(
           "uvs", [](const MeshPointer& m) { return optional_rows<float>(m, m->uvs); },
-          "(n, 2) float32: positions on textures, v from base to tip; None if there are none.")
+          "(n, 2) float32: positions on textures, v from base to tip; None if the mesh has no texture coordinates.")
       .def_property_readonly(
           "tangents", [](const MeshPointer& m) { return optional_rows<float>(m, m->tangents); },
-          "(n, 4) float32: where u rises, and the side; None if there are none.")
+          "(n, 4) float32: direction in which u rises, and the side; None if the mesh has no tangents.")
       .def_property_readonly(
           "triangles", [](const MeshPointer& m) { return rows_view<std::uint32_t>(m, m->triangles); },
           "(m, 3) uint32: indices of vertices.")
       .def_property_readonly(
-          "area", [](const MeshPointer& m) { return surface_area_of(*m); }, "Square metres of all triangles, one side.")
+          "area", [](const MeshPointer& m) { return surface_area_of(*m); },
+          "Area of all triangles in square metres, one side.")
       .def_property_readonly(
-          "volume", [](const MeshPointer& m) { return volume_of(*m); }, "Cubic metres within; of closed meshes only.")
+          "volume", [](const MeshPointer& m) { return volume_of(*m); },
+          "Enclosed volume in cubic metres; only for closed meshes.")
       .def("__repr__", [](const MeshPointer& m) {
         return fmt::format("<meristem.Mesh of {} vertices and {} triangles>", m->vertex_count(), m->triangle_count());
       });
@@ -127,19 +129,19 @@ and indices.)")
           "The share of light that passes through a blade.")
       .def_property_readonly(
           "two_sided", [](const Material& m) { return m.two_sided; },
-          "Whether it is seen from both sides, as blades are.")
+          "True if the material is visible from both sides, like blades.")
       .def_property_readonly(
           "picture",
           [](const std::shared_ptr<Material>& m) -> py::object {
             return m->texture ? picture(m->texture, m->texture->colour) : py::none();
           },
-          "(height, width, 4) uint8: the texture's colours, sRGB and alpha; None without one.")
+          "(height, width, 4) uint8: the texture's colours, sRGB and alpha; None without a texture.")
       .def_property_readonly(
           "normal_picture",
           [](const std::shared_ptr<Material>& m) -> py::object {
             return m->texture ? picture(m->texture, m->texture->normals) : py::none();
           },
-          "(height, width, 4) uint8: the texture's normals in tangent space; None without one.")
+          "(height, width, 4) uint8: the texture's normals in tangent space; None without normals.")
       .def("__repr__", [](const Material& m) { return fmt::format("<meristem.Material '{}'>", m.name); });
 
   py::class_<MeshInstances, std::shared_ptr<MeshInstances>>(module, "MeshInstances",
@@ -159,8 +161,8 @@ and indices.)")
             for (std::size_t i = 0; i < all->size(); ++i) (*all)[i] = m->frame(i);
             return frames_view(all, all->data(), all->size(), sizeof(Frame));
           },
-          "(k, 4, 3) float32: of each instance where x, y and z of the mesh point, and its origin. A "
-          "point p of the mesh is at p @ frame[:3] + frame[3].")
+          "(k, 4, 3) float32: for each instance the directions of the mesh's x, y and z, and its origin. A point p of "
+          "the mesh is at p @ frame[:3] + frame[3].")
       .def_property_readonly(
           "tints",
           [](const std::shared_ptr<MeshInstances>& m) -> py::object {
@@ -170,7 +172,7 @@ and indices.)")
             for (std::size_t i = 0; i < m->count(); ++i) all->push_back(m->tint(i));
             return rows_view<float>(all, *all);
           },
-          "(k, 3) float32: linear factors on the material's colour; None where all are 1.")
+          "(k, 3) float32: linear factors on the material's colour; None if all are 1.")
       .def("__len__", [](const MeshInstances& m) { return m.count(); })
       .def("__repr__", [](const MeshInstances& m) {
         return fmt::format("<meristem.MeshInstances of '{}': {} x {} triangles>", m.component, m.count(),
@@ -185,14 +187,15 @@ and indices.)")
              py::arg("error") = plain.error, py::arg("uv_scale") = plain.uv_scale, py::arg("smooth") = plain.smooth,
              py::arg("collar") = plain.collar, py::arg("flare") = plain.flare, py::arg("cap") = "pointed",
              py::arg("threads") = 0, py::arg("progress") = py::none(),
-             R"(The tubes of a Skeleton as a Mesh with normals and uvs: a closed body for each axis.
+             R"(Returns the tubes of a Skeleton as a Mesh with normals and uvs: a closed body for each axis.
 
-The thickest tube has `sides` sides (3 to 64); a tube strays up to `error` radii from the skeleton; a texture's tile
-covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their parent over
-`collar` radii; roots are `flare` wider at the ground; `cap` is pointed, round or flat.)");
-  module.def("convex_hull", &hull_of, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
-             py::arg("progress") = py::none(),
-             "The convex hull of `points` (n, 3), metres, as a closed Mesh; empty for points in one plane.");
+The thickest tube has `sides` sides (3 to 64). A tube deviates by up to `error` radii from the skeleton. A texture's
+tile covers `uv_scale` metres. Radii are smoothed over `smooth` radii along an axis. Branches grow out of their parent
+over `collar` radii. Roots are wider at the ground by the share `flare`. `cap` is pointed, round or flat.)");
+  module.def(
+      "convex_hull", &hull_of, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
+      "Returns the convex hull of `points` (n, 3), metres, as a closed Mesh. It is empty for points in one plane.");
 }
 
 }  // namespace meristem::python

@@ -406,7 +406,7 @@ void save_picture(const PlantPointer& plant, const py::object& path, const std::
 void bind_parts(py::module_& module) {
   py::class_<Organs>(module, "Organs", R"(The organs of a plant: leaves, fruits, petals.
 
-Columns are read-only arrays over the plant's own memory, one entry an organ.)")
+Columns are read-only arrays over the plant's own memory, one entry per organ.)")
       .def("__len__", [](const Organs& o) { return o.rows().size(); })
       .def_property_readonly(
           "frame",
@@ -415,11 +415,11 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
             const Organ* const first = o.rows().empty() ? &kNone : o.rows().data();
             return frames_view(o.plant, &first->frame, o.rows().size(), sizeof(Organ));
           },
-          "(n, 4, 3) float32: where x, y (the heading) and z (the upper face) point, and the origin. "
-          "A point p of the prototype is at p @ frame[:3] + frame[3].")
+          "(n, 4, 3) float32: the directions of x, y (the heading) and z (the upper face), and the origin. A point p "
+          "of the prototype is at p @ frame[:3] + frame[3].")
       .def_property_readonly(
           "position", [](const Organs& o) { return o.position(); },
-          "(n, 3) float32: where it is attached, metres: the origin of its frame.")
+          "(n, 3) float32: position of its base, metres: the origin of its frame.")
       .def_property_readonly(
           "component", [](const Organs& o) { return components_of_organs(o.plant); },
           "(n,) texts: the id of the component that made it.")
@@ -428,9 +428,8 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
           "(n,) uint32: its number among the organs of its component, from 0.")
       .def_property_readonly(
           "tree", [](const Organs& o) { return trees_in_python(o.plant); },
-          "(n,) int64: index of its tree in measure(each=True)[\"each\"]; -1 where several trees share it, or where "
-          "the "
-          "trees cannot be told apart.")
+          "(n,) int64: index of its tree in measure(each=True)[\"each\"]; -1 if several trees share it, or if the "
+          "trees cannot be distinguished.")
       .def_property_readonly(
           "prototype", [](const Organs& o) { return o.column<std::uint32_t>(&Organ::prototype, {}); },
           "(n,) uint32: index in Plant.prototypes.")
@@ -452,13 +451,13 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
           "mesh", [](const OrganPrototype& p) { return std::const_pointer_cast<Mesh>(p.mesh); },
           "The Mesh, in the organ's own frame.");
 
-  py::class_<Stem, std::shared_ptr<Stem>>(module, "Stem", "One grown skeleton and what made it.")
+  py::class_<Stem, std::shared_ptr<Stem>>(module, "Stem", "One grown skeleton and its components.")
       .def_property_readonly(
           "skeleton", [](const std::shared_ptr<Stem>& s) { return std::shared_ptr<Skeleton>(s, &s->skeleton); },
           "The Skeleton, in world space.")
       .def_property_readonly(
           "component", [](const Stem& s) { return s.parts[0].component; },
-          "The id of the component that made it; of a skeleton of several, that of the root.")
+          "The id of the component that made it. For a skeleton of several components, the id of the root's component.")
       .def_property_readonly(
           "parts",
           [](const Stem& s) {
@@ -500,19 +499,18 @@ void bind_plant(py::module_& module) {
   }
   module.attr("LIGHT_MEASURES") = py::module_::import("builtins").attr("frozenset")(need_light);
   bind_parts(module);
-  py::class_<PlantInPython, PlantPointer>(
-      module, "Plant", R"(A document that has grown: skeletons, organs and the meshes that clothe them.
+  py::class_<PlantInPython, PlantPointer>(module, "Plant", R"(A grown document: skeletons, organs and their meshes.
 
-Document.grow() makes it. It never changes; arrays over its memory keep it for as long as they live. Meshes, and the
-pictures on them, are made when something first asks for them, which then raises InputError where a limit is passed.)")
+Document.grow() makes it. It never changes. Arrays over its memory keep it alive. Meshes and their pictures are made on
+first use, which raises InputError if a limit is exceeded.)")
       .def_property_readonly(
           "document", [](const PlantInPython& p) { return std::const_pointer_cast<DocumentInPython>(p.origin); },
           "The Document that has grown.")
       .def_property_readonly(
           "warnings", [](const PlantInPython& p) { return to_python(p.warnings()); },
-          "What is odd about the plant but not wrong, such as stems that go into obstacles: a tuple of Diagnostic.")
+          "Warnings about the plant, such as stems that go into obstacles: a tuple of Diagnostic.")
       .def_property_readonly("trace", &trace_of,
-                             "The Trace of its growth where grow(trace=True) has recorded one, else None.")
+                             "The Trace of its growth if grow(trace=True) has recorded it, else None.")
       .def_property_readonly(
           "stems", [](const PlantPointer& p) { return parts_of(p, p->plant().stems); },
           "A list of Stem, one for each grown skeleton.")
@@ -520,15 +518,15 @@ pictures on them, are made when something first asks for them, which then raises
           "organs", [](const PlantPointer& p) { return Organs{p}; }, "All organs as Organs.")
       .def_property_readonly(
           "operations", &operations_of,
-          R"(What operations have done to self-organizing trees as they grew, or would do where they are only planned: a dict of arrays.
+          R"(Records of the operations on self-organizing trees, done during growth or only planned: a dict of arrays.
 
-"operation" (path in the document), "act" (cut, disbud, ring, bend, tie or mark), "iteration", "tree" (number of the root),
-"shoot" (label), "rank" and "metamer" (number on that shoot of the metamer at whose end it was done, 0 at its base);
-(n, 3) float32 "position" (metres) and "bud" (unit vector to the living lateral bud there, or zeros); of what was taken
-"metamers", "length" (metres), "wood" (cubic metres) and "light", 0 for all else.)")
+"operation" (path in the document), "act" (cut, disbud, ring, bend, tie or mark), "iteration", "tree" (number of the
+root), "shoot" (label), "rank" and "metamer" (number of the metamer at whose end the operation acted, 0 at the shoot's
+base). (n, 3) float32 "position" (metres) and "bud" (unit vector to the living lateral bud there, or zeros). The removed
+"metamers", "length" (metres), "wood" (cubic metres) and "light", 0 if nothing was removed.)")
       .def_property_readonly(
           "prototypes", [](const PlantPointer& p) { return parts_of(p, p->plant().prototypes); },
-          "A list of OrganPrototype, which organs are instances of.")
+          "A list of OrganPrototype. Organs are instances of these.")
       .def_property_readonly(
           "meshes", [](const PlantPointer& p) { return parts_of(p, meshes_of(p).meshes); },
           "All surfaces, of stems and organs: a list of MeshInstances.")
@@ -552,8 +550,8 @@ pictures on them, are made when something first asks for them, which then raises
           },
           "(2, 3) float32: low and high corner of all meshes, metres; None if there are none.")
       .def("skeleton_table", &table_of,
-           "All nodes of all stems as columns by name, the same as in .csv files: a dict of arrays of one length, as "
-           "pandas.DataFrame takes it.")
+           "Returns all nodes of all stems as columns by name, as in .csv files: a dict of arrays of one length, for "
+           "pandas.DataFrame.")
       .def("measure", &measures_of, py::kw_only(), py::arg("light") = false, py::arg("each") = false,
            py::arg("scene") = py::none(), py::arg("fork_diameter") = 0.02, py::arg("crown_rays") = kCrownRays,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
@@ -561,59 +559,59 @@ pictures on them, are made when something first asks for them, which then raises
 
 `light` measures the light on leaves too, which may take seconds. `each` adds a list "each" with the measures of each
 tree, its "component", "instance" and "position", and the "row" of the table that has placed it, from 0, or None. The
-light is that of `scene`, or of growth if not given. Area ratios count from forks of `fork_diameter` metres; the lit
-share takes `crown_rays` rays.)")
+light comes from `scene`; by default, from the scene of growth. Area ratios count from forks of `fork_diameter` metres.
+The lit share uses `crown_rays` rays.)")
       .def("organ_light", &organ_light, py::kw_only(), py::arg("scene") = py::none(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
-           R"(The light on each organ, in their order: a dict of arrays.
+           R"(Returns the light on each organ, in the order of the organs: a dict of arrays.
 
-"component", "instance", "tree" and "position" as in Organs; (n,) float64 "area" (m², of a blade one side), "exposure" (the share
-of the light's rays that arrive) and "irradiance" (that times the cosine to the surface), both 0 to 1. The light is that
-of `scene`, or of growth if not given.)")
+"component", "instance", "tree" and "position" as in Organs; (n,) float64 "area" (m², one side for blades), "exposure"
+(the share of the light's rays that arrive) and "irradiance" (rays weighted by the cosine to the surface's normal), both
+0 to 1. The light comes from `scene`; by default, from the scene of growth.)")
       .def("leaf_layers", &leaf_layers, py::arg("height") = 1.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
-           R"(Leaf area by height: a dict of float64 arrays, from the lowest layer up.
+           R"(Returns the leaf area by height: a dict of float64 arrays, from the lowest layer up.
 
 "low" and "high" of each layer above y = 0 (metres, `height` apart) and the "leaf_area" between them (m²).)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
            py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .labels.ply, .skeleton.ply,
+           R"(Writes the plant to a file. The ending selects the format: .glb, .obj, .ply, .labels.ply, .skeleton.ply,
 .csv, .qsm.csv, .trees.txt, .mtg.
 
-`instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles: small files,
-which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
-of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes this number of upright crossed
-cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for levels that
-`meristem grow --lod` does not write: those that have hardly fewer triangles than the one before or would lose the
-plant's outline, and all that are coarser than such a level.
-Raises InputError for endings that are not known and files that were read, MachineError.)")
+`instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles. Such files are
+small, but not every program reads them. `nodes` writes leaves as nodes, which every program reads. `lod` (0 to 8) is
+the level of detail. Each level has about a quarter of the triangles of the level before. `cards` (0 to 16) writes this
+number of upright crossed cards, pictures of the plant, instead. The file appears whole or not at all. Raises ValueError
+for levels that `meristem grow --lod` does not write: levels with hardly fewer triangles than the level before, levels
+that would lose the plant's outline, and all coarser levels. Raises InputError for unknown endings and for files that
+the document reads, and MachineError.)")
       .def(
           "packet", &packet, py::kw_only(), py::arg("triangles") = 0, py::arg("threads") = 0,
           py::arg("progress") = py::none(),
-          R"(The plant as the bytes of a scene packet, which viewers draw: meshes, their instances, materials, pictures.
+          R"(Returns the plant as the bytes of a scene packet for viewers: meshes, their instances, materials, pictures.
 
-A plant of more than `triangles` is thinned out to about that many; 0 leaves it whole. The packet is the same on any
+A plant of more than `triangles` triangles is thinned out to about this number; 0 keeps all. The packet is equal on any
 number of threads. apps/studio/protocol.md in the source tree describes its head and arrays.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(A picture: (height, width, 4) uint8, sRGB and alpha, rows from top to bottom.
+           R"(Returns a picture: (height, width, 4) uint8, sRGB and alpha, rows from top to bottom.
 
-`size` is (width, height) and `samples` the paths a pixel, both the document's if not given; `view` is (azimuth,
-altitude) of the camera in degrees. `transparent` leaves sky and ground out, `hull` draws the crowns' hulls. Raises
-InputError for sizes and samples out of range.)")
+`size` is (width, height) and `samples` is the number of paths per pixel, by default from the document. `view` is
+(azimuth, altitude) of the camera in degrees. `transparent` leaves sky and ground out, and `hull` draws the crowns'
+hulls. Raises InputError for sizes and samples out of range.)")
       .def("png", &png, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
-           py::arg("threads") = 0, py::arg("progress") = py::none(),
-           "The picture that save() writes, as the bytes of a PNG file.")
+           py::arg("threads") = 0, py::arg("progress") = py::none(), "Returns a picture as the bytes of a PNG file.")
       .def("save_picture", &save_picture, py::arg("path"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("samples") = py::none(), py::arg("view") = py::none(), py::arg("transparent") = false,
            py::arg("hull") = false, py::arg("quality") = py::none(), py::arg("max_bytes") = py::none(),
            py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Writes the picture that `render` gives to a .png or .jpg file, which is there whole or not at all.
+           R"(Writes the picture of `render` to a .png or .jpg file, which appears whole or not at all.
 
-`quality` (1 to 100, 90 if not given) is that of a JPEG, and is lowered until the file has at most `max_bytes`. Raises
-InputError for other endings, for options that the format does not have and for files that were read, MachineError.)")
+`quality` (1 to 100, 90 by default) is the quality of a JPEG. It is lowered until the file has at most `max_bytes`.
+Raises InputError for other endings, for options that the format lacks and for files that the document reads, and
+MachineError.)")
       .def("__repr__", &repr);
   refuse_new<PlantInPython>("Document.grow() makes plants");
 
@@ -621,7 +619,7 @@ InputError for other endings, for options that the format does not have and for 
   skeleton.def("measure", &measures_of_skeleton, py::kw_only(), py::arg("scene") = py::none(), py::arg("each") = false,
                py::arg("fork_diameter") = 0.02, py::arg("crown_rays") = kCrownRays, py::arg("threads") = 0,
                py::arg("progress") = py::none(),
-               "As Plant.measure(), without leaves and meshes; `lit_share` only with a `scene`.");
+               "Returns measures like Plant.measure(), without leaves and meshes. `lit_share` needs a `scene`.");
 }
 
 }  // namespace meristem::python

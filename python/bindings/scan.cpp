@@ -169,21 +169,21 @@ void bind_scan(py::module_& module) {
              py::arg("stations") = py::none(), py::arg("around") = py::none(), py::arg("target") = py::none(),
              py::arg("ground") = false, py::arg("obstacles") = true, py::arg("seed") = py::none(),
              py::arg("threads") = 0, py::arg("progress") = py::none(),
-             R"(What an instrument would see of the plant: a dict of columns, one entry per point.
+             R"(Returns what an instrument would see of the plant: a dict of columns, one entry per point.
 
 `instrument` is "terrestrial", "phase", "drone" or "depth_camera", or a dict such as {"kind": "phase", "step": 0.1}.
-`stations` (k, 3) are its positions, else `around` (4) stand all around; depth cameras look at `target`. `ground` adds a
-flat ground at y = 0. The noise has `seed`, else the document's.
+`stations` (k, 3) are its positions; by default, `around` (4) positions stand all around. Depth cameras look at
+`target`. `ground` adds a flat ground at y = 0. The noise has `seed`, by default the document's seed.
 
-"position" (n, 3), m; "range" as measured, "true_range" to the surface that the labels name; "intensity", the share of
-the beam given back; "return" of "returns" of the "pulse"; "station"; "kind": ground, wood, organ or obstacle; "tree",
-"component", "instance", "shoot", "label", "order" as in the tables of skeletons and organs, -1 or empty for none; and
-"stations" (k, 3). Raises InputError.)");
+"position" (n, 3), m; "range" as measured, "true_range" to the surface of the labels; "intensity", the returned share of
+the beam; "return" of "returns" of the "pulse"; "station"; "kind": ground, wood, organ or obstacle; "tree", "component",
+"instance", "shoot", "label", "order" as in the tables of skeletons and organs, -1 or empty for none; and "stations" (k,
+3). Raises InputError.)");
   add_method(plant, "save_scan", &save_scan, py::arg("path"), py::kw_only(), py::arg("instrument") = "terrestrial",
              py::arg("stations") = py::none(), py::arg("around") = py::none(), py::arg("target") = py::none(),
              py::arg("ground") = false, py::arg("obstacles") = true, py::arg("seed") = py::none(),
              py::arg("threads") = 0, py::arg("progress") = py::none(),
-             R"(Writes such a scan to a .ply, .las or .csv file of any size, and returns the number of its points.
+             R"(Writes a scan to a .ply, .las or .csv file of any size. Returns the number of its points.
 
 Arguments as in scan(). The file appears whole or not at all. Raises InputError, MachineError.)");
 }

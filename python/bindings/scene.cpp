@@ -233,57 +233,58 @@ void bind_light(SceneClass& scene) {
   scene
       .def_property_readonly(
           "sun", [](const ScenePointer& s) { return directional_lights(s, s->light.sun); },
-          "The sun's positions as (directions, strengths): (k, 3) float32 unit vectors toward it, (k,) float64.\n\n"
-          "The strengths of sun and sky sum to 1 where the sun rises. None of it by night.")
+          "The sun's positions as (directions, strengths): (k, 3) float32 unit vectors toward it, (k,) float64.\n\nThe "
+          "strengths of sun and sky sum to 1 if the sun rises. Empty at night.")
       .def_property_readonly(
           "sky", [](const ScenePointer& s) { return directional_lights(s, s->light.sky); },
           "The patches of the sky as (directions, strengths), as in `sun`.")
       .def_property_readonly("lamps", &lamps_of,
                              "The lamps as (positions, strengths): (k, 3) float32 metres, (k,) float64 one metre away.")
-      .def_property_readonly("mean_direction", &mean_direction,
-                             "(3,) float32: the unit vector toward the middle of sun and sky; up where there is none.")
+      .def_property_readonly(
+          "mean_direction", &mean_direction,
+          "(3,) float32: the unit vector toward the middle of sun and sky. Without both, it points up.")
       .def("light_at", &light_at, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
-           R"((n,) float64: how much light comes past the obstacles to each of `points` (n, 3).
+           R"(Returns (n,) float64: the light that reaches each of `points` (n, 3) past the obstacles.
 
-The strengths of the lights that arrive, summed: of sun and sky 1 in the open and 0 in full shade; with lamps more.)")
+It is the sum of the strengths of the lights that arrive: for sun and sky 1 in the open and 0 in full shade, and more
+with lamps.)")
       .def("light_of_points", &light_of_cloud, py::arg("points"), py::kw_only(),
            py::arg("radius") = LightLimit{}.radius, py::arg("k") = LightLimit{}.k, py::arg("threads") = 0,
            py::arg("progress") = py::none(),
-           R"((n,) float64: the light of each of `points` (n, 3) in a cloud whose points dim each other.
+           R"(Returns (n,) float64: the light of each of `points` (n, 3) in a cloud whose points dim each other.
 
-As light_at(), but each point within `radius` metres of the way to sun or sky lets exp(-k) of the light pass.)")
+As in light_at(), but each point within `radius` metres of the ray to sun or sky multiplies the light by exp(-k).)")
       .def("crown_light", &crown_light, py::arg("crown"), py::kw_only(), py::arg("rays") = kCrownRays,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(The lit shares of a crown's hull under the sun: (lit_share, lit_shares).
+           R"(Returns the lit shares of a crown's hull under the sun: (lit_share, lit_shares).
 
 `crown` is points (n, 3) or a Mesh, whose convex hull is taken. `lit_shares` (k,) are the shares of its area, 0 to 1,
-that face each position of the sun past the obstacles, and `lit_share` is their plain mean. `rays` are shared among the
+that each position of the sun lights past the obstacles. `lit_share` is their plain mean. `rays` are shared among the
 positions. Raises ValueError for a crown in one plane.)");
 }
 
 void bind_obstacles(SceneClass& scene) {
-  scene
-      .def_property_readonly("obstacles", &obstacle_meshes,
-                             "The obstacles as they stand in the world: a list of new Mesh.")
+  scene.def_property_readonly("obstacles", &obstacle_meshes, "Returns the obstacles in the world: a list of new Mesh.")
       .def("inside", &inside, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
-           py::arg("progress") = py::none(), "(n,) bool: whether each of `points` (n, 3) lies inside an obstacle.")
+           py::arg("progress") = py::none(), "Returns (n,) bool: true for each of `points` (n, 3) inside an obstacle.")
       .def("crosses", &crosses, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
-           R"((n,) bool: whether the straight way from each of `starts` to each of `ends` meets an obstacle's surface.
+           R"(Returns (n,) bool: true if the straight line from a row of `starts` to the same row of `ends` meets an
+obstacle's surface.
 
-Both are (n, 3), metres; one row stands for all. Touching counts; a way without length meets nothing.)")
-      .def(
-          "first_hit", &first_hit, py::arg("origins"), py::arg("directions"), py::arg("within") = py::none(),
-          py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
-          R"(What rays meet first, as (distances, obstacles): (n,) float64 metres and (n,) int64 indices in `obstacles`.
+Both are (n, 3), metres; a single row is used for all. Touching counts. A line without length meets no surface.)")
+      .def("first_hit", &first_hit, py::arg("origins"), py::arg("directions"), py::arg("within") = py::none(),
+           py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
+           R"(Returns the first hits of rays as (distances, obstacles): (n,) float64 metres and (n,) int64 indices in
+`obstacles`.
 
-`origins` and `directions` are (n, 3); one row stands for all, and directions may have any length above 0. Where nothing
-is met, or nothing within `within` metres, the distance is infinite and the index -1. Among obstacles equally near the
-first counts.)")
+`origins` and `directions` are (n, 3); a single row is used for all, and directions may have any length above 0. If a
+ray hits no obstacle, or none within `within` metres, the distance is infinite and the index -1. Of equally near
+obstacles the first counts.)")
       .def("blocked", &blocked, py::arg("origins"), py::arg("directions"), py::arg("within") = py::none(),
            py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
-           "(n,) bool: whether rays, as in first_hit(), meet any obstacle. Costs less than asking which.");
+           "Returns (n,) bool: true for rays, as in first_hit(), that meet any obstacle. Faster than first_hit().");
 }
 
 }  // namespace
@@ -296,16 +297,16 @@ std::vector<Vec3> one_or_more_points(const py::object& object, const char* name)
 }
 
 void bind_scene(py::module_& module) {
-  SceneClass scene(module, "Scene", R"(What surrounds plants and what they perceive: light and obstacles.
+  SceneClass scene(module, "Scene", R"(The surroundings of plants: light and obstacles.
 
-`values` is a dict such as a document's "scene": {"latitude": 50, "sun": {"day": 126, "every_hours": 1}, "sky": 0.3,
-"obstacles": [{"box": [[1, 0, -1], [2, 3, 1]]}]}; None is light from the zenith alone. Meshes that it names are sought
-from the folder of `file`, or the current one. It never changes, and questions may come from many threads. Raises
-InputError with all that is wrong.
+`values` is the dict of a document's "scene": {"latitude": 50, "sun": {"day": 126, "every_hours": 1}, "sky": 0.3,
+"obstacles": [{"box": [[1, 0, -1], [2, 3, 1]]}]}; None gives light from the zenith alone. Meshes that it names are
+searched in the folder of `file`, or in the current folder. A scene never changes, and many threads may query it. Raises
+InputError with all faults.
 
-Each question takes all its positions at once, as arrays in metres; `threads` bounds the threads (0: all cores),
-`progress` is a Progress or something to call with stage and fraction. They raise TypeError for wrong types, ValueError
-for wrong shapes and values, Cancelled.)");
+Each query takes all its positions at once, as arrays in metres. `threads` bounds the threads (0: all cores). `progress`
+is a Progress or a function of stage and fraction. Queries raise TypeError for wrong types, ValueError for wrong shapes
+and values, and Cancelled.)");
   scene.def(py::init(&make_scene), py::arg("values") = py::none(), py::kw_only(), py::arg("file") = "");
   bind_light(scene);
   bind_obstacles(scene);

@@ -235,20 +235,19 @@ std::string session_repr(const SessionPointer& self) {
 }
 
 constexpr const char* kChange =
-    "Gives the Change, which undo() takes back. Raises InputError where a path leads nowhere.";
+    "Returns the Change, which undo() takes back. Raises InputError if a path does not exist.";
 
 void bind_edits(py::class_<SessionInPython, SessionPointer>& session) {
   static const std::string set = std::string("Has the path say the value. ") + kChange;
-  static const std::string unset =
-      std::string("Takes a member out where it is there, so that its default holds. ") + kChange;
+  static const std::string unset = std::string("Removes a member if it exists, so that its default holds. ") + kChange;
   static const std::string remove =
-      std::string("Takes out what is there; a component with all links from and to it. ") + kChange;
+      std::string("Removes an existing member; a component is removed with all links from and to it. ") + kChange;
   session
       .def("edit", &edit_values, py::arg("values"),
            R"(Sets values by their paths as one step, as in set(): {"age": 20, "leaf.length": 0.1}.
 
-The text changes where it must and nowhere else: comments, layout and lines' ends stay. Members that are not there are
-added. Gives the Change. Raises InputError where a path leads nowhere; then nothing has changed.)")
+Only the necessary parts of the text change: comments, layout and line endings stay. Missing members are added. Returns
+the Change. Raises InputError if a path does not exist, without any change.)")
       .def(
           "set",
           [](const SessionPointer& s, const std::string& path, const py::object& value) {
@@ -264,9 +263,11 @@ added. Gives the Change. Raises InputError where a path leads nowhere; then noth
             return edit(s, {InsertValue{path, to_value(value), optional_index(index)}});
           },
           py::arg("path"), py::arg("value"), py::arg("index") = py::none(),
-          R"(Puts an element before that of the path, "links[0]", or behind the last, "links[]"; or adds a member.
+          R"(Inserts an element before the element of the path, "links[0]", or behind the last one, "links[]"; or adds a
+member.
 
-A member's name must be free; it is the last, or number `index`. Gives the Change. Raises InputError.)")
+A member's name must be unused. The member becomes the last one, or number `index`. Returns the Change. Raises
+InputError.)")
       .def(
           "remove", [](const SessionPointer& s, const std::string& path) { return edit(s, {RemoveValue{path}}); },
           py::arg("path"), remove.c_str())
@@ -276,26 +277,25 @@ A member's name must be free; it is the last, or number `index`. Gives the Chang
             return edit(s, {RenameValue{path, name}});
           },
           py::arg("path"), py::arg("name"),
-          R"(Gives a member another name: components and variables wherever the document speaks of them.
+          R"(Renames a member. Components and variables are renamed everywhere in the document.
 
-Those are links, expressions, and grammars that stand in the document. What is drawn at random for a component follows
-its name. Gives the Change. Raises InputError where the name is taken or would have another meaning.)")
+This includes links, expressions, and grammars in the document. Random numbers of a component depend on its name.
+Returns the Change. Raises InputError if the name is in use or would have another meaning.)")
       .def(
           "move",
           [](const SessionPointer& s, const std::string& path, std::size_t index) {
             return edit(s, {MoveValue{path, index}});
           },
           py::arg("path"), py::arg("index"),
-          "Moves a member or element within its object or list, so that it is number `index`. Gives the Change. Raises "
-          "InputError.")
+          "Moves a member or element within its object or list, so that it is number `index`. Returns the Change. "
+          "Raises InputError.")
       .def(
           "note",
           [](const SessionPointer& s, const std::string& path, const std::string& note) {
             return edit(s, {SetNote{path, note}});
           },
           py::arg("path"), py::arg("note"),
-          "Has the comment on a member say the note; an empty note takes the comment away. Gives the Change. Raises "
-          "InputError.")
+          "Writes the comment on a member; an empty note removes the comment. Returns the Change. Raises InputError.")
       .def(
           "paste",
           [](const SessionPointer& s, const std::string& part, const std::map<std::string, std::string>& names,
@@ -307,58 +307,52 @@ its name. Gives the Change. Raises InputError where the name is taken or would h
           },
           py::arg("part"), py::kw_only(), py::arg("names") = py::dict(), py::arg("index") = py::none(),
           py::arg("link_index") = py::none(),
-          R"(Puts in a part of a document, as part() gives it: its components with their notes, its links and variables.
+          R"(Inserts a part of a document, from part(): its components with their notes, its links and variables.
 
-`names` gives components other names, as where a name is taken. The first component is number `index` of all, and the
+`names` renames components, for example if a name is in use. The first component becomes number `index` of all, and the
 first link number `link_index`; by default, they come last. Links from the document to the part are further edits.
-Gives the Change. Raises InputError.)")
+Returns the Change. Raises InputError.)")
       .def("edit_text", &edit_text, py::arg("patch"),
-           "Puts a patch as that of a Change into the text, as of somebody who types. Gives the Change. Raises "
-           "ValueError "
-           "where it does not fit.");
+           "Applies a patch, such as Change.patch, to the text, like typing. Returns the Change. Raises ValueError if "
+           "it does not fit.");
 }
 
 }  // namespace
 
 void bind_session(py::module_& module) {
   py::class_<SessionInPython, SessionPointer> session(module, "Session",
-                                                      R"(A document while it is being worked on.
+                                                      R"(A document that is being edited.
 
-Edits change the text where they must and nowhere else, and can be undone. Where the text is faulty it is kept with its
-faults, and document and growth stay those of the last text without. Growing makes only what has changed. `content`,
-`file`, `set` and `seed` are as those of Document; or `content` is a Document, and the session has its text as it was
-written, with the values that set() gave it edited in. Nothing that the document names is read outside the folder
-`root`, if one is given. Ctrl-C stops every call
-that reads the text, which then has changed nothing. One thread at a time; another one that comes meanwhile gets a
-RuntimeError.)");
+Edits change only the necessary parts of the text, and can be undone. A faulty text is kept with its faults; document
+and growth then belong to the last text without faults. Growing makes only what has changed. `content`, `file`, `set`
+and `seed` are as in Document. If `content` is a Document, the session has its original text, with edits for the values
+of set(). With a `root`, no file outside this folder is read. Ctrl-C stops every call that reads the text, without any
+change. Only one thread may call a session at a time; calls of other threads raise RuntimeError.)");
   session.def(py::init(&session_of), py::arg("content"), py::kw_only(), py::arg("file") = "",
               py::arg("set") = py::none(), py::arg("seed") = py::none(), py::arg("root") = "");
   bind_edits(session);
   session
-      .def_static(
-          "open", &open, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),
-          py::arg("root") = "",
-          "A session of the document in a file, or of a shipped model by its name. Raises MachineError where the "
-          "file cannot be read.")
-      .def("undo", &undo, "Takes the last step back. Gives the Change, or None where there is none.")
-      .def("redo", &redo,
-           "Makes the step again that was taken back last. Gives the Change, or None where there is none.")
+      .def_static("open", &open, py::arg("path"), py::kw_only(), py::arg("set") = py::none(),
+                  py::arg("seed") = py::none(), py::arg("root") = "",
+                  "Opens a session of the document in a file, or of a shipped model by its name. Raises MachineError "
+                  "if the file cannot be read.")
+      .def("undo", &undo, "Undoes the last step. Returns the Change, or None if there is no step.")
+      .def("redo", &redo, "Redoes the step that was undone last. Returns the Change, or None if there is no such step.")
       .def("preview", &preview, py::arg("values") = py::none(),
-           "Values that go before those of the text until others are given, as while a hand drags; the text stays.")
-      .def("reload", &reload, "Reads the files that have changed since they were read, and the document with them.")
+           "Overrides values of the text until the next call, for example during a drag. The text does not change.")
+      .def("reload", &reload, "Reads changed files again, and the document with them.")
       .def("part", &part_of_session, py::arg("components"),
-           "A part of the document as a text of its own: these components as they are written, the links among them, "
-           "and "
-           "the variables that they name. Raises InputError where there is no such component.")
+           "Returns a part of the document as a text: these components as they are written, the links among them, and "
+           "the variables that they name. Raises InputError for unknown components.")
       .def("save", &save_session, py::arg("path"),
-           "Writes the text as it is. Raises InputError where it has faults or would not find a file that it names, "
-           "MachineError where it cannot be written.")
+           "Writes the text as it is. Raises InputError if the text has faults or would not find a file that it names, "
+           "and MachineError if the file cannot be written.")
       .def("grow", &grow_session, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
-           R"(Grows the document of the last text without faults and gives a Plant, as Document.grow does.
+           R"(Grows the document of the last text without faults. Returns a Plant, as Document.grow does.
 
-What has changed since the last growth is made anew; `difference` says what that is. Raises InputError (limits; also
-where there was never a document without faults), Cancelled.)")
+Only changes since the last growth are made anew; `difference` lists them. Raises InputError (limits; also if the text
+never was without faults), Cancelled.)")
       .def_property_readonly(
           "text",
           [](const SessionPointer& s) {
@@ -369,23 +363,23 @@ where there was never a document without faults), Cancelled.)")
       .def_property_readonly(
           "file", [](const SessionPointer& s) { return s->session.file(); }, "Its name, or '<python>'.")
       .def_property_readonly("notes", &notes_of_session,
-                             "The comments on the components, by the components' names: a dict of str.")
+                             "The comments on the components, by component name: a dict of str.")
       .def_property_readonly("document", &document_of,
-                             "The Document of the last text without faults; None before there was one.")
+                             "The Document of the last text without faults; None if the text never was without faults.")
       .def_property_readonly(
           "faults",
           [](const SessionPointer& s) {
             const auto lock = s->lock();
             return to_python(s->session.faults());
           },
-          "What is wrong with the text, or if nothing is, what is odd: a tuple of Diagnostic.")
+          "The faults of the text, or its warnings if it has no faults: a tuple of Diagnostic.")
       .def_property_readonly(
           "is_good",
           [](const SessionPointer& s) {
             const auto lock = s->lock();
             return s->session.is_good();
           },
-          "Whether the text has no faults, so that `document` is what it says.")
+          "True if the text has no faults, so that `document` belongs to this text.")
       .def_property_readonly(
           "undo_count",
           [](const SessionPointer& s) {
@@ -401,7 +395,7 @@ where there was never a document without faults), Cancelled.)")
           },
           "Steps that redo() can make again.")
       .def_property_readonly("difference", &difference_of,
-                             R"(How the meshes of the last growth differ from those of the one before.
+                             R"(The differences between the meshes of the last growth and of the growth before it.
 
 A dict of lists of names, 'added', 'changed' and 'removed': "leaf[0]" is the first of the component leaf in
 Plant.meshes.)")

@@ -125,18 +125,18 @@ void bind_shade(py::module_& module) {
              py::arg("hours") = "0:23:1", py::arg("spacing") = 0.25, py::arg("latitude") = py::none(),
              py::arg("longitude") = py::none(), py::arg("utc_offset") = py::none(), py::arg("threads") = 0,
              py::arg("progress") = py::none(),
-             R"(How much of a surface lies in shade, by day and hour, with and without the plants: a dict.
+             R"(Returns the shaded share of a surface, by day and hour, with and without the plants: a dict.
 
-One surface: `facade`, an obstacle's name or number, or {"obstacle": "house", "side": "south"}; `panels`, {"position":
-[0, 3, 5], "width": 4, "length": 2, "tilt": 30, "azimuth": 180}; or `ground`, two corners [[x, z], [x, z]]. It is asked at
-points `spacing` metres apart. `days` are numbers, dates or texts such as "80:264:14", `hours` numbers or texts such as
-"15:30" and "6:20:0.5": true solar time, or clock time where `longitude` (degrees) and `utc_offset` (hours) are given or
-the document's sun has them.
+Give one surface: `facade`, an obstacle's name or number, or {"obstacle": "house", "side": "south"}; `panels`,
+{"position": [0, 3, 5], "width": 4, "length": 2, "tilt": 30, "azimuth": 180}; or `ground`, two corners [[x, z], [x, z]].
+The surface is sampled at points `spacing` metres apart. `days` are numbers, dates or texts such as "80:264:14", `hours`
+numbers or texts such as "15:30" and "6:20:0.5": true solar time, or clock time if `longitude` (degrees) and
+`utc_offset` (hours) are given or the document's sun has them.
 
-"days" (d,) and "hours" (h,); (d, h) "solar_hours", "azimuth", "altitude", and nan by night "cosine" (mean, to the sun),
-"direct" (that where the sun arrives), "shade" and "shade_without_plants" (shares); "area" (m²); "points" (n, 3) with the
-share of moments in "point_shade" and "point_shade_without_plants" (n,); of panels and ground "grid" and
-"grid_without_plants" (rows, columns) from below and from the south, nan where an obstacle stands. Raises InputError.)");
+"days" (d,) and "hours" (h,); (d, h) "solar_hours", "azimuth", "altitude", and, nan at night, "cosine" (mean, to the
+sun), "direct" (this mean with 0 in shade), "shade" and "shade_without_plants" (shares); "area" (m²); "points" (n, 3)
+with the share of moments in "point_shade" and "point_shade_without_plants" (n,); for panels and ground "grid" and
+"grid_without_plants" (rows, columns) from below and from the south, nan under an obstacle. Raises InputError.)");
 }
 
 }  // namespace meristem::python

@@ -184,10 +184,10 @@ void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threa
 void bind_skeleton(py::module_& module) {
   py::class_<Skeleton, SkeletonPointer>(module, "Skeleton", R"(Nodes joined by segments from parent to child.
 
-Columns are read-only arrays over the skeleton's own memory, one entry per node; they stay valid however long they are
+Columns are read-only arrays over the skeleton's own memory, one entry per node. They stay valid as long as they are
 kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for
-roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left
-out; `birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types,
+roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), by default determined from the thickest
+children; `birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types,
 ValueError for wrong shapes and values.)")
       .def(py::init(&make_skeleton), py::arg("parent"), py::arg("position"), py::kw_only(),
            py::arg("radius") = py::none(), py::arg("axis") = py::none(), py::arg("order") = py::none(),
@@ -201,14 +201,15 @@ ValueError for wrong shapes and values.)")
           "(n,) float32: metres at the node.")
       .def_property_readonly(
           "axis", [](const SkeletonPointer& s) { return column_of(s, "axis"); },
-          "(n,) uint32: the axis on which a node lies, rising in the order of first nodes.")
+          "(n,) uint32: number of the node's axis. Axes are numbered in the order of their first nodes.")
       .def_property_readonly(
           "order", [](const SkeletonPointer& s) { return column_of(s, "order"); },
           "(n,) uint16: branching order, 0 on the stem.")
       .def_property_readonly(
           "birth", [](const SkeletonPointer& s) { return column_of(s, "birth"); },
           "(n,) float32: the growth step at which a node appeared.")
-      .def("keys", &names_of, "The names of all columns; more than the six where more is known.")
+      .def("keys", &names_of,
+           "Returns the names of all columns: the six columns of every skeleton, and further columns.")
       .def("__getitem__", &column_of, py::arg("name"), "A column by its name. Raises KeyError.")
       .def(
           "__contains__",
@@ -223,38 +224,39 @@ ValueError for wrong shapes and values.)")
       .def("trees", &trees_of, "One Skeleton for each root, in their order.")
       .def(
           "tip_distance", [](const SkeletonPointer& s) { return array_of(tip_distance(*s)); },
-          "(n,) float32: metres along the skeleton from each node to the farthest tip beyond it.")
-      .def_property_readonly("bounds", &bounds_of,
-                             "(2, 3) float32: low and high corner, radii included; None if empty.")
+          "Returns (n,) float32: metres along the skeleton from each node to the farthest tip beyond it.")
+      .def_property_readonly(
+          "bounds", &bounds_of,
+          "Returns (2, 3) float32: low and high corner, including radii; None if the skeleton is empty.")
       .def_property_readonly(
           "hash", [](const SkeletonPointer& s) { return skeleton_hash(*s); },
-          "32 hexadecimal digits, equal for skeletons of equal bytes.")
+          "Returns 32 hexadecimal digits, equal for skeletons of equal bytes.")
       .def_property_readonly(
           "labels", [](const SkeletonPointer& s) { return axis_labels(*s); },
           "The label of each axis, a list of str: \"main\" for those from a root, else the parent's label, a dot and "
           "the "
           "number of the node that bears it, from the column \"metamer\" if there is one.")
-      .def(
-          "save_mtg", &save_mtg, py::arg("path"), py::kw_only(), py::arg("threads") = 0,
-          py::arg("progress") = py::none(),
-          R"(Writes the skeleton to an .mtg file, a multiscale tree graph in metres, from which read_mtg gives an equal one.
+      .def("save_mtg", &save_mtg, py::arg("path"), py::kw_only(), py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(Writes the skeleton to an .mtg file, a multiscale tree graph in metres. read_mtg restores an equal
+skeleton.
 
-The file is there whole or not at all. Raises InputError for further columns whose names a file cannot have,
+The file appears whole or not at all. Raises InputError for columns whose names a file cannot have, and
 MachineError.)");
 
   module.def("read_mtg", &read_mtg_file, py::arg("path"), py::kw_only(),
              py::arg("coordinates") = std::array<std::string, 3>{"XX", "YY", "ZZ"}, py::arg("diameter") = "",
              py::arg("unit") = 1.0, py::arg("diameter_unit") = py::none(),
-             R"(Reads a plant that was coded and digitised as a Skeleton from an MTG file.
+             R"(Reads a coded and digitised plant from an MTG file. Returns a Skeleton.
 
-`coordinates` are the features with the coordinates to the east, to the north and up, `diameter` that with diameters
-(TopDia or TopDiameter if empty), `unit` and `diameter_unit` the metres that 1 means. Other features that are numbers
-become columns, `birth` the ages. Raises InputError with the line.)");
+`coordinates` are the names of the features with the coordinates to the east, to the north and up. `diameter` is the
+name of the feature with diameters (TopDia or TopDiameter if empty). `unit` and `diameter_unit` are the units in metres.
+Other numeric features become columns, and `birth` becomes the column of that name. Raises InputError with the line.)");
   module.def("read_skeleton", &read_skeleton_file, py::arg("path"), py::kw_only(), py::arg("unit") = 1.0,
              py::arg("diameter_unit") = py::none(), py::arg("up") = "file", py::arg("at_origin") = true,
              R"(Reads a Skeleton from a table of cylinders (TreeQSM, SimpleForest), of trees (treetools) or of nodes.
 
-`unit` and `diameter_unit` are the metres that 1 means, `up` the axis of the file that points up: "file" is y in tables
+`unit` and `diameter_unit` are the units in metres. `up` is the axis of the file that points up: "file" is y in tables
 that Meristem has written and z in all others. `at_origin` moves the first root to the origin. Raises InputError with
 the line.)");
 }

@@ -117,19 +117,21 @@ py::object unit_vectors(const py::object& azimuth, const py::object& altitude) {
 
 void bind_sun(py::module_& module) {
   module.def("sun_position", &position, py::arg("latitude"), py::arg("day"), py::arg("hour"),
-             R"(Where the sun stands, as (azimuth, altitude) in degrees; below 0 it is night.
+             R"(Returns the position of the sun as (azimuth, altitude) in degrees. An altitude below 0 is night.
 
 `latitude` in degrees, north positive; `day` of the year, 1 to 366; `hour` in true solar time, 0 to 24, so that the sun
-is highest at 12. Each is a number or an array; arrays broadcast, and give arrays of their shape. Azimuths from north
-over east. Raises TypeError, and ValueError for values out of range.)");
+is highest at 12. Each is a number or an array; arrays are broadcast, and the results have their shape. Azimuths from
+north over east. Raises TypeError, and ValueError for values out of range.)");
   module.def("daylight", &hours_of_daylight, py::arg("latitude"), py::arg("day"),
-             R"(The hours of (sunrise, sunset), (0, 24) on the polar day; None in the polar night.
+             R"(Returns the hours of (sunrise, sunset): (0, 24) on the polar day, and None in the polar night.
 
 Arguments as in sun_position(). For arrays the hours are arrays, with nan in the polar night.)");
-  module.def("declination", &declination_of, py::arg("day"),
-             "The sun's declination in degrees on a `day` of the year, 1 to 366; of an array an array.");
+  module.def(
+      "declination", &declination_of, py::arg("day"),
+      "Returns the sun's declination in degrees on a `day` of the year, 1 to 366. For an array, returns an array.");
   module.def("unit_vector", &unit_vectors, py::arg("azimuth"), py::arg("altitude"),
-             R"((3,) float32: the unit vector toward an azimuth and an altitude (degrees); of arrays (..., 3).
+             R"(Returns (3,) float32: the unit vector toward an azimuth and an altitude (degrees). For arrays, returns
+(..., 3).
 
 x east, y up, z south. Azimuths from north over east, -360 to 360; altitudes -90 to 90.)");
 }

@@ -140,11 +140,11 @@ py::object trace_of(const PlantPointer& plant) {
 }
 
 void bind_trace(py::module_& module) {
-  py::class_<Trace>(module, "Trace", R"(The growth of a plant step by step, where grow() has recorded it.
+  py::class_<Trace>(module, "Trace", R"(The growth of a plant step by step, if grow() has recorded it.
 
-Steps count from 1; step 0 is before growth. `step` is by default the one that the plant stands at. Columns are read-only
-arrays, one row per point, way or marker, with the id of the `component` that grew by it; plants of other documents have
-theirs at each of their places, with ids such as "oak.tree".)")
+Steps count from 1; step 0 is before growth. `step` is by default the step of the plant. Columns are read-only arrays,
+one row per point, way or marker, with the id of the grown `component`. Plants of other documents have rows at each of
+their places, with ids such as "oak.tree".)")
       .def_property_readonly(
           "steps", [](const Trace& trace) { return trace.all().last_step; }, "Steps that growth took.")
       .def_property_readonly(
@@ -152,44 +152,47 @@ theirs at each of their places, with ids such as "oak.tree".)")
       .def_property_readonly(
           "bytes", [](const Trace& trace) { return trace.all().bytes(); }, "Bytes of memory that it takes.")
       .def("skeletons", &skeletons_in_python, py::arg("step") = py::none(),
-           "Skeletons of what grew, one for each instance of a component that grows, after a step: those of a growth "
-           "with no more iterations. Plants of other documents are not among them.")
+           "Returns the skeletons after a step, one for each instance of a component that grows. They equal the "
+           "skeletons of a growth with no more iterations. Plants of other documents are not included.")
       .def(
           "points",
           [](const Trace& trace, const std::optional<int>& step) {
             return places_in_python(marks_of(trace, step, TracePart::points), &StepMarks::points);
           },
           py::arg("step") = py::none(),
-          "Attraction points: component, position (n, 3), state (free, used or removed), used_in (step; 0 where it was "
-          "not used).")
+          "Returns attraction points: component, position (n, 3), state (free, used or removed), used_in (step; 0 if "
+          "the point was not used).")
       .def(
           "pulls",
           [](const Trace& trace, const std::optional<int>& step) {
             return ways_in_python(marks_of(trace, step, TracePart::pulls), &StepMarks::pulls);
           },
           py::arg("step") = py::none(),
-          "From nodes to the attraction points that pull them in the next step: component, begin (n, 3), end (n, 3).")
+          "Returns lines from nodes to the attraction points that pull them in the next step: component, begin (n, 3), "
+          "end (n, 3).")
       .def(
           "ways",
           [](const Trace& trace, const std::optional<int>& step) {
             return ways_in_python(ways_of(trace, step), &StepMarks::ways);
           },
           py::arg("step") = py::none(),
-          "From buds that grew in the step one metre toward more light or room: component, begin (n, 3), end (n, 3).")
+          "Returns lines of one metre from buds that grew in the step toward more light or room: component, begin (n, "
+          "3), end (n, 3).")
       .def(
           "markers",
           [](const Trace& trace, const std::optional<int>& step) {
             return places_in_python(marks_of(trace, step, TracePart::markers), &StepMarks::markers);
           },
-          py::arg("step") = py::none(), "Markers of room around self-organizing plants, with the columns of points().")
+          py::arg("step") = py::none(),
+          "Returns markers of room around self-organizing plants, with the columns of points().")
       .def(
           "losses",
           [](const Trace& trace, const std::optional<int>& step) {
             return losses_in_python(marks_of(trace, step, TracePart::losses));
           },
           py::arg("step") = py::none(),
-          "Branches that were shed or cut in the step: step, why (path in the document of what did it), position, "
-          "length (m), segments (n, 2, 3).");
+          "Returns branches that were shed or cut in the step: step, why (path of the cause in the document), "
+          "position, length (m), segments (n, 2, 3).");
   refuse_new<Trace>("Document.grow(trace=True) records one");
 }
 

@@ -148,41 +148,43 @@ bool are_equal(const WordPointer& word, const py::object& other) {
 }  // namespace
 
 void bind_word(py::module_& module) {
-  py::class_<WordInPython, WordPointer>(
-      module, "Word",
-      R"(The word that a grammar derives to: modules, each a letter and its parameters.
+  py::class_<WordInPython, WordPointer>(module, "Word",
+                                        R"(The derived word of a grammar: modules, each a letter and its parameters.
 
-str(word) is its text. Two are equal if they have the same symbols and parameters, whatever grammars they come from.)")
+str(word) is its text. Two words are equal if they have equal symbols and parameters, even from different grammars.)")
       .def("__len__", [](const WordPointer& w) { return w->word.module_count(); })
       .def("__str__", &text_of_word,
-           "Its text, such as 'A(1,0.5)[+B]'; numbers have the fewest digits that tell them apart.")
+           "Its text, such as 'A(1,0.5)[+B]'. Numbers have the fewest digits that identify them.")
       .def("__repr__",
            [](const WordPointer& w) { return fmt::format("<meristem.Word of {} modules>", w->word.module_count()); })
-      .def("__eq__", &are_equal, py::arg("other"), "Whether both have the same symbols and parameters.")
+      .def("__eq__", &are_equal, py::arg("other"), "True if both words have equal symbols and parameters.")
       .def_property_readonly(
           "letters", [](const WordPointer& w) { return column_of(w, w->word.letters); },
           "(n,): each module's letter, an index into `alphabet`.")
       .def_property_readonly(
           "parameters", [](const WordPointer& w) { return column_of(w, w->word.parameters); },
-          "(m,): the parameters of all modules one after another, of each as many as its letter has.")
-      .def_property_readonly("alphabet", &alphabet_of,
-                             "The grammar's letters: a list of (symbol, number of parameters). F and F(1) are two.")
+          "(m,): the parameters of all modules one after another. Each module has the number of parameters of its "
+          "letter.")
+      .def_property_readonly(
+          "alphabet", &alphabet_of,
+          "The grammar's letters: a list of (symbol, number of parameters). F and F(1) are two letters.")
       .def_property_readonly("counts", &counts_of,
-                             "How many modules each symbol has, with any number of parameters; only those that occur.");
+                             "Returns the number of modules of each symbol, with any number of parameters. Only "
+                             "symbols that occur are included.");
   refuse_new<WordInPython>("derive() makes words");
 
   module.def("derive", &derive_word, py::arg("grammar"), py::arg("steps") = py::none(), py::kw_only(),
              py::arg("time") = py::none(), py::arg("seed") = 1, py::arg("constants") = py::none(),
              py::arg("drawn") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
-             R"(Derives the word of a grammar, an L-system, and gives a Word, the same on any number of threads.
+             R"(Derives the word of a grammar, an L-system. Returns a Word, which is equal on any number of threads.
 
-`grammar` is its text (str), or the path of a file (os.PathLike), beside which those are sought that it includes. `steps`
-(0 to 1,000,000) are the grammar's own #steps if not given; a grammar whose rules have lives has a `time` instead. `seed` (0 to 2^53) is what its draws come from.
-`constants` gives names of its #define lines other values: {"angle": 22.5}. `drawn` applies the rules of #interpret too,
-as drawing does.
+`grammar` is its text (str), or the path of a file (os.PathLike). Included files are searched beside this file. `steps`
+(0 to 1,000,000) is by default the grammar's own #steps. A grammar whose rules have lives has a `time` instead. `seed`
+(0 to 2^53) determines the random choices. `constants` gives names of its #define lines other values: {"angle": 22.5}.
+`drawn` also applies the rules of #interpret, as drawing does.
 
-Rules that can never match are a UserWarning. Raises InputError with all that is wrong, each with line and column, also
-where numbers are not finite or the word is past 200 million modules; MachineError where the file cannot be read;
+Rules that can never match cause a UserWarning. Raises InputError with all faults, each with line and column, also if
+numbers are not finite or the word exceeds 200 million modules. Raises MachineError if the file cannot be read, and
 Cancelled.)");
 }
 

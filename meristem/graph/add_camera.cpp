@@ -9,7 +9,7 @@ namespace meristem {
 
 namespace {
 
-/// Links the camera to components, and notes what hangs on them.
+/// Links the camera to all roots of the graph. Marks the components that can be reached from each new link.
 class Roots {
  public:
   Roots(Graph& graph, ComponentIndex camera)

@@ -232,7 +232,7 @@ TEST(CachedExpansion, AFaultLeavesWhatWasThereBefore) {
   EXPECT_EQ(cache.reuse<BatchResult>().made, 0U);
 }
 
-/// What is wrong, or nothing.
+/// Returns the text of all faults, or an empty text.
 std::string fault_of(const GraphBuilder& graph, Cache* cache) {
   std::string text;
   for (const Diagnostic& fault : faults_of([&] { graph.grow(0, known_scene(), cache); })) text += fault.text();

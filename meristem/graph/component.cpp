@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Facts about components that the graph needs: rows that all of them share, fingerprints of their parameters and of
+// their growth, and the check of the rules between parameters. A fingerprint covers the component's value, the
+// variables that the value names, and the files that were read with it; equal fingerprints allow cached results.
 #include "meristem/graph/component.h"
 
 #include <algorithm>
@@ -21,7 +24,7 @@ Frame Transform::frame() const {
 
 namespace {
 
-/// What growth never asks for, of what all components have.
+/// Names of the rows of ComponentBase that the growth of a component does not read.
 constexpr std::array<std::string_view, 13> kLooks = {
     "colour", "colours", "colour_at",           "variety",  "texture", "roughness", "translucency", "place", "omit",
     "only",   "hidden",  "omit_keeps_children", "recursion"};
@@ -133,7 +136,7 @@ std::vector<std::string> rows_after_growth(const ComponentType& type) {
 
 namespace {
 
-/// Whether an object of this value has a member of that name, as numbers with keys have "keys".
+/// Returns true if an object within this value, at any depth, has a member of that name. Numbers with keys have "keys".
 bool has_member(const Value& value, std::string_view name) {
   if (value.find(name) != nullptr) return true;
   if (const Value::List* list = value.list()) {

@@ -28,7 +28,7 @@ class Search {
 
   const std::vector<Node>& nodes() const { return node_; }
 
-  /// The immediate dominator of each node but the root, as a depth-first number.
+  /// Returns the immediate dominator of each node except the root. Nodes are depth-first numbers.
   std::vector<std::uint32_t> run() {
     const auto count = static_cast<std::uint32_t>(node_.size());
     semi_.resize(count);
@@ -104,8 +104,8 @@ class Search {
     }
   }
 
-  /// The node with the lowest semidominator on the way from v to the root of its tree of linked nodes, that root left
-  /// out.
+  /// Returns the node with the lowest semidominator on the way from v to the root of its tree of linked nodes. The root
+  /// of that tree is left out.
   std::uint32_t best_ancestor(std::uint32_t v) {
     if (ancestor_[v] == kNoDominator) return v;
     way_.clear();
@@ -125,7 +125,7 @@ class Search {
   std::vector<std::uint32_t> number_;  // by node
   std::vector<Node> node_;
   std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> first_edge_, predecessors_;  // those of node k begin at first_edge_[k]
+  std::vector<std::uint32_t> first_edge_, predecessors_;  // the predecessors of node k begin at first_edge_[k]
   std::vector<std::uint32_t> semi_, best_, ancestor_, dominator_;
   std::vector<std::uint32_t> way_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instances of one component at equal depths of all recursions have equal children, so they are counted together,
-// generation by generation from the root. A generation of a recursion that branches has few kinds of instances and soon
-// many of each, so that even nested recursions pass a limit within some dozens of generations.
+// Instances of one component at equal depths of all recursions have equal children. They are counted together, one
+// generation after another from the root. In a recursion that branches, a generation has few kinds of instances, but
+// soon many of each. Even nested recursions therefore pass a limit within some dozens of generations.
 #include "meristem/graph/forecast.h"
 
 #include <algorithm>
@@ -22,16 +22,16 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMaxWork = 4'000'000;  // followed links: about half a second
-constexpr double kEnough = 1e15;             // instances after which more make no difference
-constexpr double kMinVolume = 1e-30;         // of a frame that is certain not to have vanished (vanished.h)
+constexpr double kEnough = 1e15;             // instances at which the count stops: more would change nothing
+constexpr double kMinVolume = 1e-30;         // smallest volume of a frame that has certainly not vanished (vanished.h)
 
 /// Instances that have equal children.
 struct Kind {
   ComponentIndex component = 0;
   RecursionDepths depths{};
-  bool is_on_stem = false;  // then its own stem begins at the bark of that stem, and may end within it
+  bool is_on_stem = false;  // true: its own stem begins at the bark of that stem, and may end within it
   double count = 0;
-  double volume = 1;  // of the smallest of their frames, at most 1
+  double volume = 1;  // volume of the smallest of their frames, at most 1
 
   auto key() const { return std::tie(component, depths, is_on_stem); }
 };
@@ -40,7 +40,7 @@ class Forecast {
  public:
   Forecast(const Graph& graph, const Scene& scene)
       : graph_(graph), instances_(graph.components.size()), nodes_(graph.components.size()) {
-    // Bodies trim stems, and what has been trimmed bears less.
+    // Bodies trim stems, and a trimmed stem bears fewer children.
     const bool is_free =
         std::ranges::none_of(graph.components, [](const Prototype& one) { return one.type->speaks_of_space; });
     for (const Prototype& prototype : graph.components) {
@@ -74,7 +74,7 @@ class Forecast {
     }
   }
 
-  /// The faults of the limits that are passed.
+  /// Returns a fault for each limit that is passed.
   std::vector<Diagnostic> faults() const {
     std::vector<Diagnostic> faults;
     check(instances_, "instances", graph_.limits.instances, "instances", faults);
@@ -165,7 +165,7 @@ class Forecast {
   std::vector<MinimumCounts> counts_;  // by component
   std::vector<double> instances_;      // by component
   std::vector<double> nodes_;          // by component
-  bool is_whole_ = true;               // nothing has been left uncounted for its length
+  bool is_whole_ = true;               // false if a part was too long to be counted
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Grows the plants of other documents that the instances of this one place. Requests for equal plants are grown once.
+// Different plants grow in parallel, and plants of the previous run are reused if a cache has them.
 #include "meristem/graph/grow_plantings.h"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMostVariants = 1000;
 constexpr std::uint64_t kMostPlants =
-    10'000;  // with those that stand in others; each takes some tens of kilobytes at least
+    10'000;  // counts the plants within plants, too; each takes at least some tens of kilobytes
 
 std::uint64_t key_of(const Emitted::PlacedPlant& plant, const std::optional<int>& step) {
   Fingerprint key;
@@ -33,18 +35,18 @@ std::uint64_t key_of(const Emitted::PlacedPlant& plant, const std::optional<int>
   return key.hash();
 }
 
-/// What is grown once.
+/// A plant that is grown once, for all requests that are equal.
 struct Wanted {
   const Emitted::PlacedPlant* plant = nullptr;
   ComponentIndex component = 0;
-  std::uint64_t key = 0;                   // of the plant as it is shown
-  std::uint64_t growth_key = 0;            // of all that its steps have in common
-  std::shared_ptr<PlacedGrowth> growth{};  // where it is kept
+  std::uint64_t key = 0;                   // key of the plant as it is shown
+  std::uint64_t growth_key = 0;            // key of what all steps of its growth share
+  std::shared_ptr<PlacedGrowth> growth{};  // the growth, if the cache keeps it
   std::shared_ptr<const PlantVariant> grown{};
   std::shared_ptr<const GrowthTraces> traces{};
 };
 
-/// What a plant holds in memory, with the plants that stand in it, each once.
+/// The memory of a plant and of the plants within it. Each different plant counts once.
 struct Held {
   std::uint64_t plants = 0;
   std::uint64_t nodes = 0;
@@ -56,7 +58,8 @@ Held held_by(const Plant& plant) {
   std::set<const PlantVariant*> seen;
   for (const Planting& planting : plant.plantings) {
     if (!seen.insert(planting.variant.get()).second) continue;
-    const Held within = held_by(*planting.variant->plant);  // no deeper than documents lie in each other
+    // The recursion is as deep as documents lie within each other
+    const Held within = held_by(*planting.variant->plant);
     held.plants += within.plants;
     held.nodes += within.nodes;
     held.organs += within.organs;
@@ -64,7 +67,7 @@ Held held_by(const Plant& plant) {
   return held;
 }
 
-/// "components.oak grows 'oak' with age = 40 and seed 7".
+/// Returns a request as text: "components.oak grows 'oak' with age = 40 and seed 7".
 std::string told(const Wanted& wanted) {
   std::string with;
   for (const auto& [name, value] : wanted.plant->request.values) with += fmt::format("{} = {:.6g}, ", name, value);
@@ -97,7 +100,7 @@ class PlantingGrower {
  private:
   const std::string& id(ComponentIndex component) const { return graph_.components[component].id; }
 
-  /// Hands out what was recorded of a plant.
+  /// Passes on what was recorded of a plant's growth.
   void take_traces(const Planting& planting, const std::shared_ptr<const GrowthTraces>& of_plant,
                    GrowthTraces& traces) const {
     if (of_plant == nullptr) return;
@@ -107,7 +110,7 @@ class PlantingGrower {
     traces.add_steps(planting.component, of_plant->last_step, view_);
   }
 
-  /// How the plants that a component places are shown.
+  /// Returns the view that shows the plants of a component.
   GrowthView view_for(ComponentIndex component) const {
     return {is_looked_at(view_, id(component)) ? view_.step : std::nullopt, wish_};
   }
@@ -119,7 +122,7 @@ class PlantingGrower {
     const std::uint64_t key = key_of(plant, step);
     const auto [known, is_new] = wanted_by_key_.try_emplace(key, wanted_.size());
     if (is_new) {
-      // One plant may stand at a step for one component, and as it is at last for another one.
+      // Two components may show the same plant at different steps.
       const std::uint64_t growth_key =
           Fingerprint().add(key_of(plant, {})).add(wish_.bits()).add_text(id(component)).hash();
       wanted_.push_back({&plant, component, key, growth_key});
@@ -142,8 +145,9 @@ class PlantingGrower {
                    .path = "components." + id(component)});
   }
 
-  /// Which of several faults is thrown does not depend on threads: the first wanted plant's. Those after it are not
-  /// grown, as documents in documents would make each level repeat what the level below has failed in.
+  /// Grows all plants. If several fail, throws the fault of the first one in their order, whatever the threads do. The
+  /// plants after it are not grown: documents within documents would make each level repeat the failure of the level
+  /// below.
   void grow_all() {
     progress_.begin("growing plants", wanted_.size());
     std::vector<std::exception_ptr> faults(wanted_.size());
@@ -158,7 +162,7 @@ class PlantingGrower {
         try {
           if (wanted_[k].grown == nullptr) {
             grow(wanted_[k]);
-            // At once: if the growth is cancelled, the next one finds the plant.
+            // Stored at once: if the growth is cancelled, the next run finds the plant.
             const std::lock_guard lock(storing);
             store(wanted_[k]);
           }
@@ -187,7 +191,7 @@ class PlantingGrower {
     results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
   }
 
-  /// What there is of a plant from the run before. Where its growth is kept, that gives the plant at any step.
+  /// Looks for a plant of the previous run. A kept growth gives the plant at any step.
   void find(Wanted& wanted) {
     if (is_kept(wanted)) {
       wanted.growth = results_.find<PlacedGrowth>(wanted.growth_key);
@@ -220,7 +224,8 @@ class PlantingGrower {
       wanted.growth = growth;
       wanted.traces = shown.traces;
     } catch (const InputError& error) {
-      // Its own place lies in the other document; here it is the component that asks for it.
+      // The fault's own position lies in the other document; here the fault is placed at the component that requests
+      // the plant.
       std::vector<Diagnostic> faults;
       for (const Diagnostic& found : error.diagnostics()) {
         if (found.severity != Severity::error) continue;
@@ -233,14 +238,14 @@ class PlantingGrower {
 
   const Graph& graph_;
   const GrowthView& view_;
-  const TraceWish wish_;  // what is recorded of each plant
+  const TraceWish wish_;  // parts of the growth to record of each plant
   CacheRun& results_;
   Progress& progress_;
   std::vector<Wanted> wanted_;
   std::unordered_map<std::uint64_t, std::size_t> wanted_by_key_;
   std::map<std::tuple<ComponentIndex, std::size_t, const Deformation*>, std::size_t> planting_of_;
   std::vector<Planting> plantings_;
-  std::vector<std::size_t> variant_of_;  // of each planting, among those wanted
+  std::vector<std::size_t> variant_of_;  // for each planting: its index in `wanted_`
   std::map<ComponentIndex, std::uint32_t> instances_;
 };
 

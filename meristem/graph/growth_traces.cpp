@@ -14,14 +14,14 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostPlacedMarks = 4'000'000;  // of all places together: some 200 MB as overlays
+constexpr std::size_t kMostPlacedMarks = 4'000'000;  // all places together: about 200 MB as overlays
 
-/// Puts marks of placed plants at their places, and counts them.
+/// Places the marks of placed plants at each of their positions, and counts them.
 class PlacedMarks {
  public:
   explicit PlacedMarks(const Progress& progress) : progress_(progress) {}
 
-  /// Those of a plant, once for each of its places.
+  /// Adds the marks of a plant once for each position where it stands.
   void add(const PlacedTraces& placed, const std::vector<GrowthMarks>& of_plant, std::vector<GrowthMarks>& all) {
     for (const Frame& frame : placed.frames) {
       for (const GrowthMarks& growth : of_plant) {
@@ -45,7 +45,7 @@ class PlacedMarks {
 
   const Progress& progress_;
   std::size_t count_ = 0;
-  std::map<std::string, std::uint32_t> next_;  // number of a growth, by component
+  std::map<std::string, std::uint32_t> next_;  // number of the next growth, by component
 };
 
 }  // namespace
@@ -78,7 +78,7 @@ std::vector<GrowthMarks> GrowthTraces::marks_of_growths(int of_step, TraceWish w
   }
   PlacedMarks at_places(progress);
   for (const PlacedTraces& plant : placed) {
-    // No deeper than documents lie in each other.
+    // The recursion is as deep as documents lie within each other.
     at_places.add(plant, plant.traces->marks_of_growths(step_for(plant.component), wish, progress), all);
   }
   return all;

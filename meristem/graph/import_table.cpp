@@ -12,7 +12,7 @@ DFrame ImportPose::frame() const {
         exact_rotation({0, 0, 1}, rotate.z) * exact_rotation({1, 0, 0}, rotate.x) * exact_rotation({0, 1, 0}, rotate.y);
     frame.axes = turn * frame.axes;
   }
-  // With z up, y goes north: to -z.
+  // With z up, y points north, which is -z in the document.
   if (up == Up::z) frame.axes = {frame.axes[0], -frame.axes[2], frame.axes[1]};
   return frame;
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads the links of a document and checks them against the components at their ends: both must exist, crown links need
+// a crown body, and placement keys need stems. Each link gets a fingerprint of its text, so that cached sites can be
+// reused.
 #include "meristem/graph/link_reader.h"
 
 #include <span>
@@ -57,7 +60,7 @@ void LinkReader::read_link(const Value& value, const DocumentPath& path) {
     link.to = read_named_end(value, "to", path);
     read_kind(value, path, link);
   }
-  // An expression of the time gives other sites at another one, which no fingerprint knows.
+  // An expression that uses t gives other sites at another time, and the fingerprint does not contain the time.
   if (!mentions(value, "t")) {
     link.fingerprint = fingerprint_of(value, reader_.constant_table(), std::span(reader_.files()).subspan(files_before),
                                       reader_.limits().file_bytes);
@@ -65,7 +68,7 @@ void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   if (link.from != kNoIndex && link.to != kNoIndex) graph_.links.push_back(std::move(link));
 }
 
-/// What kind of link it is, with that kind's own keys.
+/// Reads the kind of a link and the keys that links of this kind have.
 void LinkReader::read_kind(const Value& value, const DocumentPath& path, Link& link) {
   LinkHead head;
   const std::size_t faults_before = reader_.fault_count();
@@ -116,7 +119,7 @@ void LinkReader::link_placed(const DocumentPath& components) {
       const std::string& id = placed[k].id;
       const auto found = component_by_id_.find(id);
       if (found != component_by_id_.end()) {
-        // Made where it stays: g++ 12 warns of what a moved variant does not hold.
+        // Constructed in the list itself: g++ 12 warns about the unused alternatives of a variant that is moved.
         Link& link = graph_.links.emplace_back();
         link.from = from;
         link.to = found->second;
@@ -138,7 +141,7 @@ const Prototype* LinkReader::parent_of(const Link& link) const {
   return &graph_.components[link.from];
 }
 
-/// Crown links need a crown body.
+/// Reports a crown link from a component that has no crown body.
 void LinkReader::check_crown(const DocumentPath& path, const Link& link) {
   const Prototype* from = parent_of(link);
   if (from == nullptr) return;
@@ -150,7 +153,7 @@ void LinkReader::check_crown(const DocumentPath& path, const Link& link) {
                 R"("crown": {...} in the surface of a component with stems)");
 }
 
-/// Placement keys need a branch link from something that has stems.
+/// Reports placement keys on a link that is no branch link, or whose parent has no stems.
 void LinkReader::check_placement(const Value& value, const DocumentPath& path, const Link& link, LinkKind kind) {
   const Prototype* from = parent_of(link);
   const bool is_branch = kind == LinkKind::branch;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sections are strung into chains, and each chain is described in the frame of its first section, in units of its own
-// size. Equal chains differ there by rounding only. To find one among thousands without comparing all, chains are
-// filed in drawers by three weighted sums over their descriptions, which equal chains have nearly in common. Full
-// drawers take no more: in a crowd of chains that all differ a little, some equal ones may have a mesh each.
+// Sections are joined into chains. Each chain is described in the frame of its first section, in units of its own size;
+// equal chains then differ only by rounding. A chain is stored in a drawer by three weighted sums over its description,
+// because equal chains have nearly equal sums. A chain is compared only with chains in its own and the neighbouring
+// drawers. Full drawers accept no more chains, so in a crowd of slightly different chains some equal ones may get a
+// mesh each.
 #include "meristem/graph/lofts.h"
 
 #include <algorithm>
@@ -20,23 +21,23 @@ namespace meristem {
 
 namespace {
 
-constexpr double kSame = 1e-4;      // how much equal chains may differ, as a share of a chain's size
-constexpr double kRounding = 3e-7;  // of a point's distance from the origin: what 32-bit numbers leave of it
+constexpr double kSame = 1e-4;      // largest difference between equal chains, as a share of the chain's size
+constexpr double kRounding = 3e-7;  // rounding of 32-bit numbers, as a share of a point's distance from the origin
 constexpr std::size_t kMostInDrawer = 4;
-constexpr double kDrawer = 5e-4;    // width of what is filed together
-constexpr std::size_t kGrain = 16;  // chains meshed by one thread at a time
+constexpr double kDrawer = 5e-4;    // width of a drawer, in units of the weighted sums
+constexpr std::size_t kGrain = 16;  // chains that one thread meshes at a time
 
 /// The sections of one surface from base to tip.
 struct Chain {
   std::vector<std::uint32_t> sections;
-  bool is_side = false;  ///< its first section belongs to another surface
+  bool is_side = false;  ///< rigid frame of the first section
   Frame frame;           ///< of the first section, rigid
   float size = 0;        ///< metres
 };
 
-/// Points and directions of a section against its chain's frame and size.
+/// Points and directions of a section, relative to its chain's frame and size.
 using Description = std::array<double, 12>;
-/// Whole numbers.
+/// Number of a drawer: three whole numbers.
 using Drawer = std::array<double, 3>;
 
 class SectionJoiner {
@@ -108,7 +109,7 @@ class SectionJoiner {
     }
   }
 
-  /// The frame of the chain's k-th section in that of the chain.
+  /// Returns the frame of the chain's k-th section, relative to the chain's frame.
   Frame inner_frame(const Chain& chain, std::size_t k) const {
     const Frame& frame = sections_[chain.sections[k]].frame;
     const Mat3 back = glm::transpose(chain.frame.axes);
@@ -128,7 +129,7 @@ class SectionJoiner {
     return numbers;
   }
 
-  /// Whether another piece begins with the chain's k-th section.
+  /// Returns true if a new piece of the surface begins at the chain's k-th section.
   bool begins_piece(const Chain& chain, std::size_t k) const {
     if (k == 0) return true;
     const SurfaceSection& section = sections_[chain.sections[k]];
@@ -136,7 +137,7 @@ class SectionJoiner {
     return section.component != before.component || section.tint != before.tint;
   }
 
-  /// What equal chains have in common exactly.
+  /// Returns a hash of the properties that equal chains share exactly.
   std::uint64_t kind_of(const Chain& chain) const {
     std::uint64_t kind = chain.is_side ? 1 : 0;
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
@@ -149,10 +150,10 @@ class SectionJoiner {
 
   static double remoteness(const Chain& chain) { return glm::length(DVec3(chain.frame.origin)) / chain.size; }
 
-  /// For chains of one kind.
+  /// Returns true if two chains of one kind are equal up to rounding.
   bool are_equal(const Chain& a, const Chain& b) const {
     const double same = std::max(kSame, kRounding * std::max(remoteness(a), remoteness(b)));
-    // From the tip, where most of what differs on the way has added up.
+    // Begins at the tip, where the differences along the chain have added up.
     for (std::size_t k = a.sections.size(); k-- > 0;) {
       const Description of_a = description(a, k), of_b = description(b, k);
       for (std::size_t i = 0; i < of_a.size(); ++i) {
@@ -162,7 +163,7 @@ class SectionJoiner {
     return true;
   }
 
-  /// The sums that a chain is filed by, in widths of a drawer.
+  /// Returns the weighted sums of a chain, in widths of a drawer.
   Drawer drawer_of(const Chain& chain) const {
     const RandomKey weights(chain.sections.size());
     std::array<double, 3> sum{};
@@ -181,7 +182,7 @@ class SectionJoiner {
     return drawer;
   }
 
-  /// For each chain the first that it is equal to.
+  /// Finds for each chain the first chain that is equal to it.
   void find_equals() {
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> files;
     for (std::uint32_t k = 0; k < chains_.size(); ++k) {
@@ -209,7 +210,7 @@ class SectionJoiner {
     }
   }
 
-  /// What the meshes will take at least, before any is made.
+  /// Throws InputError if the meshes will certainly exceed the limit of bytes. Called before any mesh is made.
   void check_bytes(std::uint64_t mesh_bytes) const {
     constexpr std::uint64_t kOfVertex = 2 * sizeof(Vec3) + sizeof(Vec2);
     constexpr std::uint64_t kOfTriangle = 3 * sizeof(std::uint32_t);
@@ -228,7 +229,7 @@ class SectionJoiner {
                 "components." + graph_.components[component].id);
   }
 
-  /// The chain's meshes, in the frame of its first section. A piece without triangles has none.
+  /// Returns the chain's meshes, in the frame of its first section. A piece without triangles has no mesh.
   std::vector<SurfacePiece> make_pieces(const Chain& chain) const {
     std::vector<LoftSection> skin;
     bool is_open = false;
@@ -280,7 +281,7 @@ class SectionJoiner {
     return part;
   }
 
-  /// An organ for each piece of a chain that is equal to `model`.
+  /// Adds an organ for each piece of a chain that is equal to `model`.
   void place(const Chain& chain, const Chain& model, std::vector<SurfacePiece>& pieces) const {
     Frame frame = chain.frame;
     if (&chain != &model) frame.axes *= chain.size / model.size;
@@ -288,7 +289,7 @@ class SectionJoiner {
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
       if (!begins_piece(chain, k)) continue;
       const SurfaceSection& section = sections_[chain.sections[k]];
-      // Several chains may begin with one section, and none goes on as another does.
+      // Several chains may begin with one section, so the next section tells them apart.
       const std::uint64_t next = chain.sections.size() > 1 ? sections_[chain.sections[1]].id : 0;
       pieces[piece].organs.push_back({.frame = frame,
                                       .tint = section.tint,
@@ -303,8 +304,8 @@ class SectionJoiner {
   const Graph& graph_;
   Progress& progress_;
   std::vector<Chain> chains_;
-  std::vector<std::uint32_t> distinct_;  // chains that are equal to none before
-  std::vector<std::uint32_t> kind_;      // by chain: which of the distinct ones it is equal to
+  std::vector<std::uint32_t> distinct_;  // chains without an equal one before them
+  std::vector<std::uint32_t> kind_;      // by chain: index of its equal among the distinct chains
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes the material of a component from its parameters, paints textures, and computes the tint of each instance. A
+// material begins with a sketch of its texture; paint_textures() later paints each different sketch once.
 #include "meristem/graph/looks.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kToneOfVariety = 0.9;  // how far the tone varies where lightness varies by 1
+constexpr double kToneOfVariety = 0.9;  // variation of the tone where the lightness varies by 1
 
 Vec3 linear_mean(const std::vector<Vec3>& colours) {
   Vec3 sum(0);
@@ -21,7 +23,7 @@ Vec3 linear_mean(const std::vector<Vec3>& colours) {
   return sum / static_cast<float>(colours.size());
 }
 
-/// Between the two factors about `at`.
+/// Returns the colour factor at `at` (0 to 1), interpolated between its two neighbours in the list.
 Vec3 factor_at(const std::vector<Vec3>& factors, double at) {
   const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(factors.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), factors.size() - 1);
@@ -29,7 +31,7 @@ Vec3 factor_at(const std::vector<Vec3>& factors, double at) {
   return glm::mix(factors[below], factors[above], static_cast<float>(place - static_cast<double>(below)));
 }
 
-/// The mean colour that the document gives, or else `usual`.
+/// Returns the mean colour that the document gives, or `usual` if it gives none.
 Vec3 mean_colour(const ComponentBase& base, Vec3 usual) {
   return base.colours.empty() ? base.colour.value_or(usual) : srgb_from_linear(linear_mean(base.colours));
 }
@@ -44,14 +46,14 @@ std::shared_ptr<const Texture> painted_texture(const Prototype& prototype, const
   return make_texture(base.texture, shape_of(prototype), mean_colour(base, prototype.type->material.colour), progress);
 }
 
-/// The pixels of the sketch that a material wears, if it wears one.
+/// Returns the number of pixels to paint for a material whose texture is a sketch, else 0.
 std::uint64_t pixels_to_paint(const Material& material) {
   if (material.texture == nullptr || material.texture->is_painted()) return 0;
   const Image& colour = material.texture->colour;
   return static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
 }
 
-/// The component whose id is the name of a material with a texture.
+/// Returns the component whose id is the name of a material with a texture.
 const Prototype& component_of(const Material& material, const Graph& graph) {
   const auto found = std::ranges::find(graph.components, material.name, &Prototype::id);
   if (found == graph.components.end()) throw std::invalid_argument("a material with a texture is of no component");
@@ -68,7 +70,7 @@ Material material_of(const Prototype& prototype) {
   material.roughness = static_cast<float>(base.roughness.value_or(material.roughness));
   material.translucency = static_cast<float>(base.translucency.value_or(material.translucency));
   material.texture = sketch_texture(base.texture, shape_of(prototype), material.colour);
-  // Without a colour of the document's own, a picture is shown as it is.
+  // If the document gives no colour, a picture keeps its own colours.
   const bool is_tinted = base.colour.has_value() || !base.colours.empty();
   if (base.texture.picture && !is_tinted) material.colour = srgb_from_linear(material.texture->mean);
   return material;

@@ -9,9 +9,10 @@ namespace meristem {
 
 namespace {
 
-constexpr double kBytesPerInstance = 160;               // memory that a plant may take for each of limits.instances
-constexpr double kBytesPerNode = 100;                   // and for each of limits.nodes
-constexpr double kBytesInAnyCase = 64.0 * 1024 * 1024;  // and however low both are
+// Bytes that a plant may take for each instance of limits.instances
+constexpr double kBytesPerInstance = 160;
+constexpr double kBytesPerNode = 100;                   // bytes for each node of limits.nodes
+constexpr double kBytesInAnyCase = 64.0 * 1024 * 1024;  // bytes that are always allowed, however low both limits are
 
 }  // namespace
 

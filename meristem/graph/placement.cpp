@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Places the children of branch links along the axes of a skeleton. Each axis is cut into straight pieces that may
+// carry children, weighted by the relative density. Sites then stand at equal steps of weighted length, and a radial
+// direction is carried along without twist as the zero of their rolls.
 #include "meristem/graph/placement.h"
 
 #include <algorithm>
@@ -89,32 +92,32 @@ Placement overridden(Placement own, const Placement& link, const GivenRows& give
 namespace {
 
 constexpr double kDefaultDensity = 40;
-constexpr float kDefaultTwig = 0.4F;  // metres from the tip: the default `where`
+constexpr float kDefaultTwig = 0.4F;  // metres from the tip that carry children by default
 
 /// A straight piece of an axis that may carry children.
 struct Piece {
   NodeIndex from = 0;
   NodeIndex to = 0;
-  float begin = 0;  // share of the segment left free at its start
+  float begin = 0;  // share of the segment before the piece
   float end = 1;
-  float arc = 0;       // of `from` along the axis, metres
-  float length = 0;    // of the whole segment
+  float arc = 0;       // arc length at `from` along the axis, metres
+  float length = 0;    // length of the whole segment, metres
   double weight = 1;   // relative density
-  double carried = 0;  // eligible length of the axis before this piece
+  double carried = 0;  // eligible length of the axis before this piece, weighted by density
 
   double eligible() const { return weight * length * (end - begin); }
 };
 
 struct AxisSites {
   std::vector<Piece> pieces;
-  double eligible = 0;  // metres that may carry children
-  float length = 0;     // of the whole axis
+  double eligible = 0;  // length that may carry children, weighted by the relative density
+  float length = 0;     // length of the whole axis, metres
   std::uint64_t places = 0;
-  double last = 1;  // how far the last place has come to be
+  double last = 1;  // size of the last place: its share of the full size
   std::uint64_t first_site = 0;
 };
 
-/// For every node whether the segment that ends in it may carry children.
+/// Returns for every node whether the segment that ends in the node may carry children.
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          const PlacementContext& context) {
   if (context.everywhere) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
@@ -125,8 +128,8 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
   return eligible;
 }
 
-/// The pieces of one axis between `start` and `end` that are eligible. The pieces of a lateral begin at its parent's
-/// bark; over the skeleton's root lie `root_bark` metres of bark.
+/// Returns the eligible pieces of one axis between `start` and `end`. The pieces of a lateral begin at its parent's
+/// bark. `root_bark` is the depth of the bark over the skeleton's root, metres.
 AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
                        const std::vector<std::uint8_t>& eligible, float root_bark) {
   AxisSites places;
@@ -156,8 +159,8 @@ AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> node
   return places;
 }
 
-/// Shares an exact count out over the axes by cumulated length. Returns the number of places, with those that are
-/// coming to be.
+/// Shares an exact count out over the axes by cumulated length. Returns the number of places, including places that are
+/// still growing.
 double share_count(std::vector<AxisSites>& axes, double count) {
   double whole = 0;
   for (const AxisSites& axis : axes) whole += axis.eligible;
@@ -179,8 +182,9 @@ double share_count(std::vector<AxisSites>& axes, double count) {
   return total;
 }
 
-/// Shares sites out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
-/// or by an exact count. Returns their number, as a double so that nothing overflows.
+/// Shares sites out over the axes by density, or by an exact count. By density, the fraction of a site is decided at
+/// random, so that short twigs get their share on average. Returns the number of sites, as a double so that nothing
+/// overflows.
 double count_places(std::vector<AxisSites>& axes, const Placement& placement, RandomKey key) {
   if (placement.count) return share_count(axes, placement.count->value) * placement.whorl;
   double total = 0;
@@ -193,10 +197,10 @@ double count_places(std::vector<AxisSites>& axes, const Placement& placement, Ra
   return total * placement.whorl;
 }
 
-/// The order of a skeleton's main axis: a stem that stands on another is a lateral of it.
+/// Returns the order of a skeleton's main axis. A stem that stands on another stem is a lateral of that stem.
 int first_order(const Site& parent) { return parent.stem == kOnNoStem ? 0 : parent.order + 1; }
 
-/// Writes the sites of one axis.
+/// Computes the sites of one axis.
 class AxisWriter {
  public:
   AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, AxisIndex axis)
@@ -240,7 +244,7 @@ class AxisWriter {
   }
 
  private:
-  /// The direction from the axis that rolls count from.
+  /// Returns the direction, perpendicular to the axis, from which rolls are measured.
   Vec3 first_radial(Vec3 tangent) const {
     if (!placement_.roll) return any_perpendicular(tangent);
     const Vec3 upper = context_.parent.frame.upper();
@@ -292,14 +296,15 @@ class AxisWriter {
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
   }
 
-  /// Between the axis at its base and the child at a site; its expression sees all of the site but how it is turned.
+  /// Returns the angle between the axis at its base and the child at a site. Its expression sees the whole site except
+  /// its orientation.
   double angle_of(const Site& site) const {
     const std::optional<Varying>& varying = placement_.angle.varying;
     if (!varying) return placement_.angle.plain;
     return VaryingValues(std::span(&*varying, 1), std::span(&site, 1), context_.time).value(0, 0);
   }
 
-  /// Where an upper face at this position turns to.
+  /// Returns the direction to which an upper face at this position turns.
   std::optional<Vec3> faced(Vec3 position) const {
     if (!placement_.face->is_from_surface) return placement_.face->direction;
     return context_.obstacles->away_from_surface(position);
@@ -308,8 +313,8 @@ class AxisWriter {
   const Skeleton& skeleton_;
   const Placement& placement_;
   const PlacementContext& context_;
-  RandomKey key_;     // of the children
-  RandomKey places_;  // of where they stand
+  RandomKey key_;     // key of the children
+  RandomKey places_;  // key of their positions
 };
 
 }  // namespace

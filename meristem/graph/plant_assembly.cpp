@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Puts a plant together from the results of all batches: materials, prototypes, organs, surfaces, stems and
+// individuals. Order is fixed by components and batches, so the plant has the same bytes on any number of threads.
+// Organs are copied in groups of blocks, whose memory is released after each group. Deformations come last.
 #include "meristem/graph/plant_assembly.h"
 
 #include <algorithm>
@@ -16,10 +19,11 @@ namespace meristem {
 
 namespace {
 
-/// The textures of a plant's materials, each once.
+/// The different textures of a plant's materials.
 class SharedTextures {
  public:
-  /// Gives the material the texture of an earlier one where they are equal. Throws where it is one too many.
+  /// Gives the material the texture of an earlier material if both textures are equal. Throws InputError if the
+  /// textures have too many pixels together.
   void share(Material& material, const Limits& limits) {
     if (material.texture == nullptr) return;
     const auto [known, is_new] = textures_.try_emplace(material.texture->fingerprint, material.texture);
@@ -39,18 +43,18 @@ class SharedTextures {
   std::uint64_t pixels_ = 0;
 };
 
-constexpr std::size_t kBlocksTogether = 1024;  // whose organs are copied side by side and then released
+constexpr std::size_t kBlocksTogether = 1024;  // number of blocks whose organs are copied in parallel and then released
 
-/// One block's organs, on their way into the plant.
+/// The organs of one block, while they are copied into the plant.
 struct OrgansOfBlock {
   const Emitted* block = nullptr;
-  std::vector<Organ>* own = nullptr;      // the same organs if they may be released; else null
-  std::vector<std::uint32_t> prototype;   // in the plant, by number in the block
-  std::vector<std::uint32_t> individual;  // in the plant, by number in the block
-  std::size_t first = 0;                  // in the plant
+  std::vector<Organ>* own = nullptr;      // the same organs, if they may be released; else null
+  std::vector<std::uint32_t> prototype;   // prototype in the plant, by number in the block
+  std::vector<std::uint32_t> individual;  // individual in the plant, by number in the block
+  std::size_t first = 0;                  // index of the block's first organ in the plant
 };
 
-/// The individuals of a stem's roots.
+/// Returns the individual of each root of a stem.
 template <class NumberOf>
 std::vector<std::uint32_t> individuals_of_roots(const EmittedStem& stem, NumberOf number_of) {
   const auto& parents = stem.skeleton.parent;
@@ -119,7 +123,7 @@ Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) {
   return plant;
 }
 
-/// Where bodies have trimmed all stems of the plant to nothing, they stand in the wrong place.
+/// Throws InputError if bodies have trimmed all stems of the plant to nothing: the stems then stand in the wrong place.
 void PlantAssembly::require_stems_left() const {
   const Made* trimmed = nullptr;
   for (const Made& made : batches_) {
@@ -162,7 +166,7 @@ PlantAssembly::Individuals PlantAssembly::find_individuals() const {
   return individuals;
 }
 
-/// Surfaces of many instances, by the components that their pieces belong to.
+/// Returns the surfaces through sections of many instances, grouped by the component of each piece.
 std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(const Individuals& individuals,
                                                                   std::uint64_t mesh_bytes, Progress& progress) const {
   std::vector<SurfaceSection> sections;
@@ -181,7 +185,7 @@ std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(const Individu
   return surfaces;
 }
 
-/// Moves sections by what deforms axes; what deforms geometry is left for the surfaces through them.
+/// Applies the part of deformations that moves axes to the sections. The surfaces through them are deformed later.
 void PlantAssembly::turn_sections(std::vector<SurfaceSection>& sections) const {
   for (std::size_t begin = 0, end = 0; begin < sections.size(); begin = end) {
     const std::shared_ptr<const Deformation> own = sections[begin].deformation;
@@ -204,7 +208,7 @@ void PlantAssembly::turn_sections(std::vector<SurfaceSection>& sections) const {
   }
 }
 
-/// Deforms those organs, and stems by what their parts say.
+/// Applies deformations to these organs, and to stems as their parts require.
 void PlantAssembly::deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const Limits& limits,
                            Progress& progress) {
   const auto is_deformed = [](const Stem& stem) {
@@ -227,7 +231,8 @@ void PlantAssembly::deform(Plant& plant, const Rows& organs, std::uint64_t mesh_
   progress.advance();
 }
 
-/// Returns the number of the component's own material, or of the one that its own would be.
+/// Adds the component's materials to the plant. Returns the index of the component's own material, or the index that it
+/// would have.
 std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const {
   const auto first = static_cast<std::uint32_t>(plant.materials.size());
   if (has_visible_stems(component) || has_prototypes(component, false) || !surfaces.empty()) {
@@ -238,10 +243,10 @@ std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfa
   return first;
 }
 
-/// Blocks keep their order; what has one key is one prototype.
+/// Adds the component's organs in the order of their blocks. Meshes with equal keys become one prototype.
 void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals,
                                Plant& plant, Rows& deformed) {
-  const auto blades = static_cast<std::uint32_t>(plant.materials.size() - 1);  // the last, where there are any
+  const auto blades = static_cast<std::uint32_t>(plant.materials.size() - 1);  // the last material, if there are blades
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
   std::vector<OrgansOfBlock> blocks;
   std::size_t count = plant.organs.size();
@@ -305,7 +310,7 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
   }
   std::vector<LooseStem> stems;
   stems.reserve(count);
-  std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // by id
+  std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // index in `stems`, by stem id
   number_of_stem.reserve(count);
   std::vector<std::uint32_t> instances(batches_of_.size(), 0);
   const auto parent_of = [&](const EmittedStem& stem) {
@@ -316,7 +321,7 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
     for (const Emitted& block : made.result->blocks) {
       for (const EmittedStem& emitted : block.stems) {
         if (!emitted.visible) continue;
-        // What `place` has moved hangs on nothing.
+        // A stem that `place` has moved is attached to nothing.
         const bool is_moved = emitted.moved.has_value();
         LooseStem& stem = stems.emplace_back();
         stem.parent = is_moved ? kNoStem : parent_of(emitted);
@@ -336,7 +341,7 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
         }
         stem.name = emitted.id();
         if (emitted.trimmed != nullptr) stem.number_of_axis = emitted.trimmed->whole_axes();
-        // Shares the whole batch.
+        // Keeps the whole batch alive, which owns the skeleton.
         stem.skeleton = {made.result, is_moved ? &*emitted.moved : &emitted.skeleton};
       }
     }

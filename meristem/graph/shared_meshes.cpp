@@ -10,7 +10,7 @@ std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) {
     if (found != meshes_.end()) return found->second;
     if (earlier_ == nullptr) return nullptr;
   }
-  // Nobody changes the earlier ones any more.
+  // The earlier meshes are not changed any more, so no lock is needed.
   const auto found = earlier_->meshes_.find(key);
   return found == earlier_->meshes_.end() ? nullptr : keep(key, found->second);
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Analyses the links of a graph. A depth-first walk from the camera finds links that close a cycle; each must be a
+// recursion, and recursions may be nested but must not cross. A backward search from its last member finds the
+// components of a recursion.
 #include <algorithm>
 #include <set>
 
@@ -11,7 +14,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMaxRecursions = 64;
-constexpr std::size_t kShownMembers = 8;  // of a cycle in messages
+constexpr std::size_t kShownMembers = 8;  // members of a cycle that messages list
 constexpr std::size_t kStepsBetweenChecks = 4096;
 
 class Analysis {
@@ -76,7 +79,7 @@ class Analysis {
     }
   }
 
-  /// Walks the graph depth-first without recursing; a link to a component on the present path closes a recursion.
+  /// Walks the graph depth-first without recursing. A link to a component on the present path closes a recursion.
   void find_recursions() {
     enum class State : std::uint8_t { unseen, on_path, done };
     struct Visit {
@@ -145,7 +148,7 @@ class Analysis {
     return text + id(recursion.head);
   }
 
-  /// Recursions may lie apart or within one another, but not cross. Levels count from the outermost.
+  /// Checks that recursions lie apart or within one another, and numbers their levels from the outermost.
   void order_recursions() {
     std::vector<Structure::Recursion>& recursions = structure_.recursions;
     std::vector<std::vector<bool>> members;
@@ -182,7 +185,7 @@ class Analysis {
     }
   }
 
-  /// Whether b begins on a's way below its head, goes some of that way, and ends beyond it.
+  /// Returns true if b begins on a's way below its head, follows that way for a while, and ends beyond it.
   static bool cross(const Structure::Recursion& a, const std::vector<bool>& in_a, const Structure::Recursion& b,
                     const std::vector<bool>& in_b) {
     const ComponentIndex a_tail = a.members.back();
@@ -195,7 +198,8 @@ class Analysis {
     return inside;
   }
 
-  /// All components below the head from which its recursion's last member can be reached without passing the head.
+  /// Returns all components below the head from which the recursion's last member can be reached without passing the
+  /// head.
   std::vector<bool> body(const Structure::Recursion& recursion) const {
     const Span below = spans_[recursion.head];
     std::vector<bool> inside(graph_.components.size());
@@ -216,7 +220,8 @@ class Analysis {
     return inside;
   }
 
-  /// When the walk came to a component, and when it had left all that hangs on it.
+  /// The times, counted in steps of the walk, at which the walk entered a component and left the last component below
+  /// it.
   struct Span {
     std::uint32_t first = 0;
     std::uint32_t end = 0;

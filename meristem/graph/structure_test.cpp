@@ -13,7 +13,7 @@ namespace meristem::structure_test {
 
 using Links = std::initializer_list<std::pair<const char*, const char*>>;
 
-// A camera "v" and sticks A to F as far as needed, each with the given recursion.
+// Returns a graph of a camera "v" and `sticks` sticks "A", "B", ..., each with the given recursion.
 GraphBuilder graph(int sticks, Links links, int recursion = 2) {
   GraphBuilder builder(test_components());
   builder.component("v", "camera");

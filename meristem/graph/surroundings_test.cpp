@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a component says of the space below it: all that hangs on it hears it, until another one says otherwise.
+// A component sets the surroundings of all its descendants, until one of them sets its own.
 #include "meristem/graph/table/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace meristem::surroundings_test {
 const Value kSideways = Value::List{1, 0, 0};
 const Value kStraightDown = Value::List{0, -1, 0};
 
-/// What hangs: a stick that turns its heading to where gravity pulls.
+/// Parameters of a stick that turns its heading to where gravity pulls.
 Value::Object hanging(Value::Object more = {}) {
   more.emplace_back("gravitropism", 1);
   return more;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// The rows of textures, and the textures that they describe: bark, leaves and petals are painted from recipes, and
+// pictures are read from files. Equal parameters, shapes and colours give equal fingerprints, so components share a
+// texture.
 #include "meristem/graph/texture_parameters.h"
 
 #include <utility>
@@ -126,7 +129,7 @@ void add(const PetalRecipe& recipe, Fingerprint& to) {
   add_colour(stripes, to);
 }
 
-/// What a picture shows; how it is laid is a matter of meshes.
+/// Adds the content of a picture. Its position on a mesh is not part of the texture.
 void add(const PictureParameters& picture, Fingerprint& to) {
   to.add(picture.masked);
   for (const Asset<Image>* image : {&picture.colour, &picture.normals}) {
@@ -140,7 +143,7 @@ void add(const TextureShape& shape, Fingerprint& to) {
   to.add_array(outline).add(masked).add(aspect);
 }
 
-/// Hash of everything that tells textures apart.
+/// Returns a hash of everything that distinguishes textures.
 std::uint64_t fingerprint_of(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
   Fingerprint key;
   key.add(form.bark.has_value()).add(form.leaf.has_value()).add(form.petal.has_value());
@@ -151,7 +154,7 @@ std::uint64_t fingerprint_of(const TextureParameters& form, const TextureShape& 
   if (form.bark) add(*form.bark, key);
   if (form.leaf) add(*form.leaf, key);
   if (form.petal) add(*form.petal, key);
-  if (!form.bark) add(shape, key);  // bark follows no shape
+  if (!form.bark) add(shape, key);  // bark does not depend on the shape
   add_colour(colour, key);
   return key.add(form.pixels).hash();
 }

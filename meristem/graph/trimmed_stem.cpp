@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the positions on a trimmed stem that correspond to positions on the whole stem. On a cut stem a position keeps
+// its node if that is left. On a stem that fits, a position keeps its share of the axis.
 #include "meristem/graph/trimmed_stem.h"
 
 #include <algorithm>
@@ -67,7 +69,7 @@ std::vector<AxisIndex> TrimmedStem::whole_axes() const {
   return axes;
 }
 
-/// At the same share of its axis.
+/// Returns the position at the same share of the remaining axis.
 std::optional<StemPosition> TrimmedStem::share_left_of(StemPosition position) const {
   const AxisIndex whole_axis = whole_.axis[position.node];
   const AxisIndex axis = left_axis_[whole_axis];
@@ -80,7 +82,7 @@ std::optional<StemPosition> TrimmedStem::share_left_of(StemPosition position) co
   const float target = share * left_arc_[nodes.back()];
   const auto found = std::ranges::lower_bound(nodes, target, {}, [&](NodeIndex node) { return left_arc_[node]; });
   std::size_t k = std::min(static_cast<std::size_t>(found - nodes.begin()), nodes.size() - 1);
-  if (left().is_root(nodes[k]) && k + 1 < nodes.size()) ++k;  // positions lie on segments
+  if (left().is_root(nodes[k]) && k + 1 < nodes.size()) ++k;  // positions lie on segments, and a root ends none
   const float low = k > 0 ? left_arc_[nodes[k - 1]] : 0;
   const float high = left_arc_[nodes[k]];
   return StemPosition{nodes[k], high > low ? std::clamp((target - low) / (high - low), 0.0F, 1.0F) : 1};
@@ -94,7 +96,7 @@ Frame TrimmedStem::moved(const Frame& frame, StemPosition from, StemPosition to)
 
 namespace {
 
-/// A lateral begins as thick as its first node.
+/// Returns the radius at a position. A lateral begins with the radius of its first node.
 float radius_at_position(const Skeleton& skeleton, StemPosition at) {
   const NodeIndex parent = skeleton.parent[at.node];
   if (parent == kNoNode || skeleton.axis[parent] != skeleton.axis[at.node]) return skeleton.radius[at.node];

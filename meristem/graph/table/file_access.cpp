@@ -14,13 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path without links and dots, as far as it exists; empty where that cannot be told.
+/// Returns the path without links and dots, up to its last existing part. Returns an empty path if this fails.
 fs::path resolved(const std::string& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
   if (error) return {};
   fs::path real = fs::weakly_canonical(absolute, error);
-  // A link that leads nowhere stays as it is, and where it leads is nobody's business.
+  // A link that leads nowhere is kept as it is, and its target is not disclosed.
   if (error || fs::is_symlink(fs::symlink_status(real, error))) return {};
   return real;
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Computes hashes of what a document says at one path. A hash covers the value, the variables whose names occur in its
+// texts, and the files that were read with it. Names are found in one pass over each text.
 #include "meristem/graph/table/fingerprint.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-/// What a value holds, by the number of its kind.
+/// The kinds of values; their numbers are part of hashes.
 enum class Kind : std::uint8_t { null, boolean, number, text, list, object };
 
 bool is_of_name(char c) {
@@ -47,7 +49,7 @@ void add_value(const Value& value, Fingerprint& to) {
   }
 }
 
-/// Adds the positions of all names in a text, with repeats.
+/// Appends the position, in the table, of every name that a text mentions. A name may appear several times.
 void add_mentioned_in_text(std::string_view text, const NameTable& names, std::vector<std::size_t>& found) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = at;
@@ -70,7 +72,7 @@ void add_mentioned(const Value& value, const NameTable& names, std::vector<std::
   }
 }
 
-/// Positions of the names that the texts of a value mention, rising.
+/// Returns the positions of the names that the texts of a value mention, in rising order.
 std::vector<std::size_t> mentioned(const Value& value, const NameTable& names) {
   std::vector<std::size_t> found;
   if (names.size() == 0) return found;

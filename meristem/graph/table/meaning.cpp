@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds parameters that have no effect because the choice or object that they belong to is missing. Each rule of a
+// table names parameters and what gives them a meaning; a given parameter without any of these is a fault.
 #include "meristem/graph/table/meaning.h"
 
 #include <algorithm>
@@ -13,20 +15,20 @@ namespace {
 
 using Meaning = ParameterTable::Meaning;
 
-/// The first name of a path, and what is left of it.
+/// Splits a row path into its first name and the rest.
 std::pair<std::string_view, std::string_view> first_of(std::string_view row_path) {
   const std::size_t dot = row_path.find('.');
   return {row_path.substr(0, dot), dot == std::string_view::npos ? std::string_view() : row_path.substr(dot + 1)};
 }
 
-/// The member at a path; null where there is none.
+/// Returns the member at a path, or null if there is none.
 const Value* find_at(const Value& value, std::string_view row_path) {
   const auto [name, rest] = first_of(row_path);
   const Value* member = value.find(name);
   return member == nullptr || rest.empty() ? member : find_at(*member, rest);
 }
 
-/// What a parameter of the struct has come to be, as a document would write it.
+/// Returns the present value of a parameter of the struct, as a document would write it.
 Value present(const ParameterTable& table, const void* object, std::string_view row_path) {
   const auto [name, rest] = first_of(row_path);
   const Parameter* row = table.find(name);
@@ -50,7 +52,7 @@ std::string written(const Value& value) {
   return fmt::format("\"{}\"", value.text() != nullptr ? *value.text() : value.description());
 }
 
-/// "\"style\": \"tubes\"", or "'crown' beside it".
+/// Returns the missing giver as text: "\"style\": \"tubes\"", or "'crown' beside it".
 std::string wish(const Meaning::Giver& giver) {
   if (giver.values.empty()) return fmt::format("'{}' beside it", giver.parameter);
   std::vector<std::string> values;
@@ -58,7 +60,7 @@ std::string wish(const Meaning::Giver& giver) {
   return fmt::format("\"{}\": {}", giver.parameter, fmt::join(values, " or "));
 }
 
-/// Why nothing gives the parameter a meaning.
+/// Returns the reason why nothing gives the parameter a meaning.
 std::string lack(const Meaning& meaning, const ParameterTable& table, const void* object) {
   if (meaning.givers.empty()) return "here: " + meaning.reason;
   const Meaning::Giver& giver = meaning.givers.front();

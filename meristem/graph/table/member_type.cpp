@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads values of a document into members of each type that a row may have, and shows members as values again. Every
+// overload reports a value of a wrong kind with what was expected. Numbers are rounded to 7 digits when shown.
 #include "meristem/graph/table/member_type.h"
 
 #include <algorithm>
@@ -14,16 +16,17 @@ namespace meristem {
 
 namespace {
 
-/// A value as people write it: 137.508 and not the 137.50800323486328 of a float, 60 and not 59.999999999999993.
+/// Rounds a value to the digits that people write: 137.508 instead of the 137.50800323486328 of a float, 60 instead of
+/// 59.999999999999993.
 double rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
-  // Not std::stod, which reads a comma where the host program's locale says so.
+  // std::stod is not used: it reads a comma if the host program's locale does.
   const std::string digits = fmt::format("{:.7g}", value);
   std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return value;
 }
 
-/// A row that stands for one number inside another row's value, which is stored as a float.
+/// Returns a row for one number of another row's value. The number is stored as a float.
 Parameter element_of(const Parameter& self) {
   Parameter element;
   element.name = self.name;
@@ -35,7 +38,7 @@ Parameter element_of(const Parameter& self) {
   return element;
 }
 
-/// Rows that stand for the first and the second numbers of points.
+/// Rows for the first and the second numbers of points.
 struct PairRows {
   explicit PairRows(const Parameter& self) : first(element_of(self)), second(first) {
     if (!self.second) return;
@@ -88,7 +91,7 @@ int hexadecimal(char digit) {
 
 double to_document(Unit unit, double value) { return rounded(unit == Unit::degree ? degrees(value) : value); }
 
-/// A row that stands for one of a list of vectors or colours.
+/// Returns a row for one element of a list of vectors or colours.
 Parameter each_of(const Parameter& self) {
   Parameter each = element_of(self);
   each.kind = self.kind == ParameterKind::colours ? ParameterKind::colour : ParameterKind::vector;
@@ -406,7 +409,7 @@ void read_held(const Parameter& self, void* member, const Value& value, const Do
 }
 
 Value show_held(const Parameter& self, const void* member) {
-  // Elements are reached through what changes nothing.
+  // The function gives elements only by a pointer that could change them; nothing changes here.
   const auto shown = [&](std::size_t index) {
     Value element = self.table_of(member, index).show(self.type->element(const_cast<void*>(member), index));
     if (self.kinds != nullptr) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Evaluates conditions over the nodes of a skeleton. The expression is evaluated for all nodes together; each variable
+// is a column of numbers. Columns that few conditions need are computed only if the expression uses them.
 #include "meristem/graph/table/node_condition.h"
 
 #include <algorithm>
@@ -9,10 +11,10 @@ namespace meristem {
 
 namespace {
 
-/// Places of those names that are not known of every skeleton.
+/// Indices of the variables that only some skeletons have.
 enum : std::size_t { kRank = 6, kInclination, kMetamer, kBudAge, kLight, kMarked };
 
-/// Inclination of the segment to each node above the horizontal, degrees.
+/// Returns the inclination of the segment that ends in each node, degrees above the horizontal.
 std::vector<double> inclinations(const Skeleton& skeleton) {
   std::vector<double> angles(skeleton.node_count(), 90);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -24,7 +26,7 @@ std::vector<double> inclinations(const Skeleton& skeleton) {
   return angles;
 }
 
-/// Growth steps since each node grew.
+/// Returns the number of growth steps since each node grew.
 std::vector<double> ages(const Skeleton& skeleton) {
   const float last = skeleton.birth.empty() ? 0 : *std::ranges::max_element(skeleton.birth);
   std::vector<double> ages;
@@ -72,7 +74,7 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
     birth[k] = skeleton.birth[k];
     distance[k] = tip[k];
   }
-  // What only some models of growth know is worked out where it is asked for.
+  // Quantities that only some models of growth have are computed only if the condition uses them.
   const auto column = [&](const char* name) {
     const auto found = skeleton.extra.find(name);
     return found == skeleton.extra.end() ? std::vector<double>(count, 0)

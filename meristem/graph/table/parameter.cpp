@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Rows and tables of parameters: their words in messages, their defaults, and the rules between parameters. Structs are
+// reached by byte offsets and by the functions of their member types, so one implementation serves all tables.
 #include "meristem/graph/table/parameter.h"
 
 #include <algorithm>
@@ -326,7 +328,7 @@ void ParameterTable::check_all(const void* object, const DocumentPath& path, Par
   for (const Parameter& row : parameters) {
     if (row.nested == nullptr) continue;
     const DocumentPath row_place(path, row.name);
-    // Elements are reached through what changes nothing.
+    // The function gives elements only by a pointer that could change them; nothing changes here.
     void* member = const_cast<std::byte*>(static_cast<const std::byte*>(object) + row.offset);
     for (std::size_t k = 0; k < row.type->count(member); ++k) {
       const DocumentPath element_place = row.kind == ParameterKind::map

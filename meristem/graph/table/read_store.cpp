@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kReadsKept = 16;  // so that what is undone soon is there still
+// Number of reads for which an unused result is kept, so that an undo finds it
+constexpr std::uint64_t kReadsKept = 16;
 
 }  // namespace
 

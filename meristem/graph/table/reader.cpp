@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads values into structs by their parameter tables and collects all faults, each with its path. A plain number is
+// stored at once. A range, a sample, keys or an expression in a component becomes a Varying, which is evaluated for
+// each instance later.
 #include "meristem/graph/table/reader.h"
 
 #include <algorithm>
@@ -17,7 +20,8 @@ namespace meristem {
 
 namespace {
 
-/// The byte at which a character of a line begins, both counted from 0; the text's end where there is none.
+/// Returns the byte at which a character of a line begins. Line and column count from 0. Returns the text's end if
+/// there is no such character.
 std::size_t byte_offset(std::string_view text, std::size_t line, std::size_t column) {
   std::size_t at = 0;
   for (; line > 0; --line) {
@@ -33,7 +37,7 @@ std::size_t byte_offset(std::string_view text, std::size_t line, std::size_t col
   return at;
 }
 
-/// "fir.txt:3:7", as far as it is known.
+/// Returns a position in a file as text, as "fir.txt:3:7". Omits line and column if they are unknown.
 std::string place_in_file(const Diagnostic& found, const std::string& file) {
   std::string path = file;
   if (found.line > 0) path += fmt::format(":{}", found.line);
@@ -51,20 +55,20 @@ bool is_any_of(std::string_view name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The value of an expression that is the same for all instances.
+/// Returns the value of an expression that is equal for all instances, or nothing for other expressions.
 std::optional<double> constant_of(const Varying& varying) {
   if (!varying.expression || !varying.expression->is_constant()) return std::nullopt;
   return varying.expression->evaluate();
 }
 
-/// The word of a text that begins at a byte.
+/// Returns the word of a text that begins at a byte.
 std::string_view name_at(std::string_view text, std::size_t offset) {
   std::size_t end = offset;
   while (end < text.size() && is_identifier(text.substr(offset, end + 1 - offset))) ++end;
   return text.substr(std::min(offset, text.size()), end - std::min(offset, end));
 }
 
-/// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
+/// Returns the rest of a path after the component: "components.leaf.curl" gives "curl".
 std::string_view path_in_component(std::string_view file_path) {
   for (int level = 0; level < 2; ++level) {
     const std::size_t dot = file_path.find('.');
@@ -176,7 +180,7 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
     return given;
   }
 
-  // Each member is read by its row; unknown ones are named with the nearest known.
+  // Each member is read by its row. An unknown member is reported with the nearest known name.
   for (const auto& [name, member] : *members) {
     const DocumentPath member_place(path, name);
     const Parameter* row = table.find(name);
@@ -202,7 +206,7 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
   return given;
 }
 
-/// What must be there is there, and nothing beside what excludes it.
+/// Reports missing required rows, and rows that exclude each other.
 void ParameterReader::check_given(const ParameterTable& table, const GivenRows& given, const DocumentPath& path) {
   for (const Parameter& row : table.parameters) {
     if (row.required && !given.contains(row.name)) {
@@ -267,7 +271,7 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
   }
 }
 
-/// Why a number may not vary, as the rest of a sentence that begins with its name.
+/// Returns the reason why a number must not vary, as the rest of a sentence that begins with its name.
 std::string_view ParameterReader::why_one(const Parameter& parameter) const {
   return parameter.form.fixed || holder_.object != nullptr ? "is one number for all instances"
                                                            : "is one number (only those of components vary)";
@@ -338,7 +342,7 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   read->store = slot.store;
   read->way = holder_.way;
   read->offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - holder_.object);
-  // Until an instance has its own value the member has the default, so that rules between parameters see it as given.
+  // Until an instance has its own value, the member has the default: rules between parameters see it as given.
   store(slot.present);
   varyings_.push_back(std::move(*read));
 }
@@ -364,7 +368,7 @@ void ParameterReader::store_per_child(const Parameter& parameter, const Value& v
   }
 }
 
-/// The keys of a value that is an object.
+/// Checks the keys of a value that is an object.
 void ParameterReader::check_members(const Value& value, const DocumentPath& path) {
   static const std::vector<std::string> names{"range", "sample", "smooth", "apply"};
   const bool is_keyed = value.find("keys") != nullptr && keyed_.contains(path.text());
@@ -384,7 +388,7 @@ void ParameterReader::check_members(const Value& value, const DocumentPath& path
 
 namespace {
 
-/// Keys that the reader of animations has checked and put in order.
+/// Makes a range over time of keys that the reader of animations has checked and sorted.
 KeyedRange keyed_range(const Value& keys) {
   std::vector<Track::Key> first;
   std::vector<Track::Key> last;
@@ -400,8 +404,8 @@ KeyedRange keyed_range(const Value& keys) {
 
 }  // namespace
 
-/// A range or a sample, an expression, or an object with both; empty after a fault. `present` is what an expression
-/// alone sees as v.
+/// Reads a range or a sample, an expression, or an object with both. Returns nothing after a fault. An expression
+/// without a range sees `present` as v.
 std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value,
                                                 const DocumentPath& path, double present) {
   const Value* range = value.list() != nullptr ? &value : value.find("range");
@@ -492,12 +496,12 @@ std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::stri
   return nullptr;
 }
 
-/// One fault says both paths: this one, and the one in the file.
+/// Reports a fault within a file. The message names two positions: this path, and the position in the file.
 void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const DocumentPath& path) {
   const std::filesystem::path folder(access_.folder);
   Diagnostic told = found;
   told.message = fmt::format("'{}': {}", place_in_file(found, file), found.message);
-  // The nearest file is named as the document would name it.
+  // The nearest file name is written as the document would write it.
   if (!access_.folder.empty() && told.nearest.starts_with((folder / "").string())) {
     told.nearest.erase(0, (folder / "").string().size());
   }
@@ -571,7 +575,7 @@ std::string ParameterReader::included_text(const std::string& file, const std::s
   return read_file(file_path, most_bytes);
 }
 
-/// Faults are left to whoever reads it.
+/// Records a file that the document names. Errors of hashing are ignored here: reading the file reports them.
 void ParameterReader::name_file(NamedFile file) {
   try {
     file.hash = file_hash(file.path);
@@ -581,7 +585,7 @@ void ParameterReader::name_file(NamedFile file) {
   files_.push_back(std::move(file));
 }
 
-/// Returns true if the path begins with the document's folder, as paths do that the document names from there.
+/// Returns true if the path begins with the document's folder.
 bool ParameterReader::is_below_folder(const std::string& file_path) const {
   return file_path.starts_with(access_.folder);
 }
@@ -596,7 +600,7 @@ Fingerprint ParameterReader::fingerprint_of_loading(void (*load)()) const {
   return Fingerprint().add(reinterpret_cast<std::uintptr_t>(load)).add_text(limits);
 }
 
-/// Hash of all constants, computed once.
+/// Returns the hash of all constants, which is computed once.
 std::uint64_t ParameterReader::fingerprint_of_constants() {
   if (!constants_hash_) {
     Fingerprint all;

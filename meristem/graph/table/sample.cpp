@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measured values as a distribution. The values are sorted once; a share from 0 to 1 selects one of them, or a point
+// between two neighbours for a smooth sample.
 #include "meristem/graph/table/sample.h"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ constexpr const char* kForms = "a list of numbers, or {\"file\": \"angles.csv\",
 
 std::string read_text(const std::string& path, const Limits& limits) { return read_file(path, limits.file_bytes); }
 
-/// A row of a file's column that a number of this kind cannot have.
+/// Reports values of a file's column that are out of a number's range.
 void check_rows(const Parameter& row, std::string_view text, const Columns& columns, const std::string& column) {
   const NumberRange& form = row.form;
   for (std::size_t k = 0; k < columns.row_count(); ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that hold more than values: tables within themselves, named tables, boxes, files, and who stands beside whom.
+// Rows that hold more than values: tables within themselves, named tables, boxes, files, and rules on parameters that
+// exclude or need each other.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

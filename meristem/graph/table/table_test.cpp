@@ -100,7 +100,7 @@ Flower good(const char* name, Value value) {
 
 Value shown(const char* name, const Flower& flower = {}) { return flower_table().find(name)->show(&flower); }
 
-// The one fault of a member, which must lie at `path`.
+// Returns the single fault of a member, which must lie at `path`.
 Diagnostic fault(const char* name, Value value, std::string_view path) {
   const Read result = read_member(name, std::move(value));
   EXPECT_EQ(result.faults.size(), 1U) << name;

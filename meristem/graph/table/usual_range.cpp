@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Derives the range of an editor's slider from a row: its default, its hard range and its unit. Ends are rounded up to
+// 1, 2 or 5 times a power of ten.
 #include "meristem/graph/table/usual_range.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-/// All numbers of a value, at any depth of lists, widen `span`.
+/// Widens `span` by all numbers of a value, at any depth of lists.
 void include_numbers(const Value& value, std::optional<UsualSpan>& span) {
   if (const double* number = value.number(); number != nullptr && std::isfinite(*number)) {
     if (!span) span = UsualSpan{*number, *number};
@@ -24,12 +26,12 @@ void include_numbers(const Value& value, std::optional<UsualSpan>& span) {
   }
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is not below `size`, which is above 0.
+/// Returns the least of 1, 2 and 5 times a power of ten that is at least `size`. `size` must be above 0.
 double round_up(double size) {
   const int exponent = static_cast<int>(std::floor(std::log10(size)));
   double rounded = size;
   for (const int step : std::array<int, 4>{1, 2, 5, 10}) {
-    // Read from its digits, so that it is the number that people write: powers of ten below 1 are not exact.
+    // Parsed from digits, because powers of ten below 1 are not exact.
     const std::string digits = fmt::format("{}e{}", step, exponent);
     std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
     if (size <= rounded * (1 + 1e-9)) break;
@@ -37,7 +39,7 @@ double round_up(double size) {
   return rounded;
 }
 
-/// How far a number of this unit goes where nothing else is known.
+/// Returns a common size of numbers with this unit, used if nothing else is known.
 double common_size(const Parameter& row) {
   switch (row.form.unit) {
     case Unit::metre:
@@ -61,7 +63,7 @@ double common_size(const Parameter& row) {
   return row.kind == ParameterKind::integer || row.kind == ParameterKind::integers ? 10 : 1;
 }
 
-/// Before rounding to whole numbers; `held` is what the default spans.
+/// Returns the derived range before rounding to whole numbers. `held` is the span of the default.
 UsualSpan derived(const Parameter& row, const std::optional<UsualSpan>& held) {
   const NumberRange& form = row.form;
   const double size = held ? std::max(std::abs(held->low), std::abs(held->high)) : 0;
@@ -71,7 +73,7 @@ UsualSpan derived(const Parameter& row, const std::optional<UsualSpan>& held) {
                         : UsualSpan{form.min, std::min(form.max, 360.0)};
   }
   double reach = size > 0 ? round_up(4 * size) : common_size(row);
-  // What is allowed may begin beyond it.
+  // The hard range may begin beyond this range.
   if (form.min >= reach) reach = round_up(2 * form.min);
   if (form.max <= -reach) reach = round_up(-2 * form.max);
   return {form.min < 0 ? std::max(form.min, -reach) : form.min, form.max > 0 ? std::min(form.max, reach) : form.max};
@@ -114,13 +116,14 @@ UsualSpan usual_range(const Parameter& row, const Value& fallback) {
   if (!std::isnan(form.usual.high)) span.high = form.usual.high;
   if (held) span = {std::min(span.low, held->low), std::max(span.high, held->high)};
 
-  // The end that is stated may lie beyond the one that was derived.
+  // The given end may lie beyond the derived one.
   const double size = std::max({std::abs(span.low), std::abs(span.high), common_size(row)});
   if (span.low >= span.high && std::isnan(form.usual.high)) span.high = std::min(form.max, span.low + size);
   if (span.low >= span.high && std::isnan(form.usual.low)) span.low = std::max(form.min, span.high - size);
   const bool is_whole = row.kind == ParameterKind::integer || row.kind == ParameterKind::integers;
   if (form.above_min && span.low <= form.min) {
-    // A tenth of the way to the default, or a hundredth of all: a row that must be given may have no good default.
+    // Moves up by a tenth of the way to the default. Without a default, as for required rows, moves up by a hundredth
+    // of the range.
     const double way = held && held->low > form.min ? (held->low - form.min) / 10 : (span.high - form.min) / 100;
     span.low = is_whole ? std::floor(form.min) + 1 : form.min + way;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers that differ from instance to instance are computed for a block of sites at once. Numbers that differ per
-// child are computed by the multiplier itself, over sites that have the children's numbers.
+// Computes numbers that differ from instance to instance, for a block of sites at once. Numbers that differ per child
+// are computed by the multiplier, over sites that have the children's numbers.
 #include "meristem/graph/table/varying.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void evaluate_expression(const Varying& varying, std::span<const Site> sites, do
   expression.evaluate(sites.size(), columns.pointers(), keys, values);
 }
 
-/// What the range of a number gives for one of the siblings.
+/// Returns the value of a number's range for one of the siblings.
 double at_site(const Varying& varying, const Site& site, double time) {
   const double gaps = std::max(1.0, static_cast<double>(site.n) - 2 + static_cast<double>(site.part));
   const double share = site.n > 1 ? std::min(1.0, site.i / gaps) : 0;

@@ -5,8 +5,9 @@
 
 namespace meristem {
 
-/// Gives a graph without a camera one, with links to all components without a parent, and to one of each circle of
-/// components that nothing else leads into: the first that recurses, else the first. All components have types.
+/// Adds a camera to a graph without one. Links the camera to all components without a parent. In each cycle that no
+/// other link leads into, links it to the first component with a recursion, or else to the first component. All
+/// components must have types.
 void add_camera(Graph& graph, const ComponentType& camera);
 
 }  // namespace meristem

@@ -5,14 +5,14 @@
 
 namespace meristem {
 
-/// How a document moves, besides the keys of its parameters.
+/// The movement of a document over time, besides the keys of its parameters.
 struct Animation {
   double length = 10;  ///< seconds
   double fps = 25;     ///< frames per second of a film
-  /// Growth steps per second of a plant's clock; unset: plants that grow by a model stand as they are at the end.
+  /// Growth steps per second of a plant's clock. Unset: plants that grow by a model are shown as at their end.
   std::optional<double> steps_per_second;
-  double unfold = 1;  ///< seconds from when a part of such a plant bears something to when that has its full size
-  double hold = 2;    ///< seconds that a branch that such a plant sheds stands after its last growth
+  double unfold = 1;  ///< seconds in which a child on such a plant unfolds to its full size
+  double hold = 2;    ///< seconds that a shed branch of such a plant stays after its last growth
 };
 
 }  // namespace meristem

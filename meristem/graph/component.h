@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a component type is to the p-graph: a name, a parameter table, and a function that expands one instance. The
-// graph knows no component by name; it gets them from a Registry.
+// A component type has a name, a parameter table and a function that expands one instance. The p-graph knows no
+// component by name. A Registry holds the types.
 //
 //   struct Spike : ComponentBase { double length = 1; };
 //
@@ -39,8 +39,8 @@
 
 namespace meristem {
 
-/// Moves, turns and scales: first the scale, then the rotations (radians; roll about y, then pitch about x, then yaw
-/// about z), then the translation.
+/// A scale, a rotation and a translation, applied in this order. The rotation rolls about y, then pitches about x, then
+/// yaws about z (radians).
 struct Transform {
   Vec3 translate{0};  ///< metres
   Vec3 rotate{0};     ///< radians about x, y and z
@@ -50,44 +50,46 @@ struct Transform {
   Frame frame() const;
 };
 
-/// What all components have.
+/// Parameters that all components have.
 struct ComponentBase {
   std::optional<Vec3> colour;          ///< colour of the material; unset: the component type's own
-  std::vector<Vec3> colours;           ///< instead of `colour`: each instance has one of them, or one between two
-  std::optional<double> colour_at;     ///< where in `colours`, 0 the first and 1 the last; unset: anywhere
-  std::optional<double> variety;       ///< by how much instances differ in lightness and tone
+  std::vector<Vec3> colours;           ///< colours of instances, instead of `colour`: each instance has one colour, or
+                                       ///< a mixture of two neighbours
+  std::optional<double> colour_at;     ///< position in `colours`, 0 the first and 1 the last; unset: random
+  std::optional<double> variety;       ///< variation of lightness and tone among instances
   TextureParameters texture;           ///< texture of the geometry; may be empty
   std::optional<double> roughness;     ///< 0 mirror-like to 1 matt; unset: the component type's own
   std::optional<double> translucency;  ///< share of light that passes through; unset: the component type's own
   Transform place;                     ///< moves this component's geometry only
-  Transform frame;                     ///< moves its coordinate system with all that stands on it
-  double phototropism = 0;             ///< share of the turn toward the light; negative: away from it
+  Transform frame;                     ///< moves the coordinate system with all descendants
+  double phototropism = 0;             ///< share of the turn toward the light; negative: away from the light
   double gravitropism = 0;             ///< share of the turn straight down; negative: straight up
-  int recursion = 1;              ///< instances that a link back makes of this component in a row, the first included
+  int recursion = 1;              ///< instances of this component in a row that a link back makes, including the first
   std::optional<Selection> omit;  ///< instances without geometry
-  std::optional<Selection> only;  ///< all others are without
-  bool omit_keeps_children = false;  ///< the children of an omitted instance stay
+  std::optional<Selection> only;  ///< all other instances have no geometry
+  bool omit_keeps_children = false;  ///< true: the children of an omitted instance stay
   bool hidden = false;               ///< no geometry; children stay
 };
 
-/// What components that compete with others while they grow have besides.
+/// Further parameters of components that compete with others while they grow.
 struct GrowingComponent : ComponentBase {
   bool alone = false;  ///< grows in a stand of its own
 };
 
-/// Where an instance at a site with the frame `site` stands: moved by its own frame, then turned by gravity and light.
+/// Returns the frame of an instance at a site with the frame `site`. The frame is moved by the component's own frame,
+/// then turned by gravity and light.
 Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions);
 
-/// The rows of ComponentBase, which follow each component's own.
+/// Returns the rows of ComponentBase, which follow each component's own rows.
 const ParameterTable& component_base_table();
-/// The names of the rows of ComponentBase that say how the component's geometry looks and where it is.
+/// Returns the names of the rows of ComponentBase that change only the look and position of the component's geometry.
 const std::vector<std::string>& look_names();
-/// The rows of GrowingComponent, which stand between a component's own rows and those of ComponentBase.
+/// Returns the rows of GrowingComponent. They follow a component's own rows and precede the rows of ComponentBase.
 const ParameterTable& growing_component_table();
 
 struct Prototype;
 
-/// What a growing component may ask for.
+/// The data that a growing component may use.
 struct GrowContext {
   const Scene& scene;            ///< light, obstacles and fields
   const Directions& directions;  ///< at the site of the instance
@@ -95,47 +97,48 @@ struct GrowContext {
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< the stand that the component will grow in
   Progress& progress;            ///< for stages and for a cancel
-  bool keeps_fallen = false;     ///< what it sheds is wanted too: its growth will be shown over time
+  bool keeps_fallen = false;     ///< true: shed parts are recorded, because the growth will be shown over time
   TraceWish wish{};              ///< parts of its growth to record
 };
 
-/// What a component places by itself.
+/// A component that another component places without a link of the document.
 struct PlacedComponent {
   std::string id;         ///< id of the component
-  bool is_needed = true;  ///< false where the document may have no such component
-  std::string hint;       ///< what else its author may have meant, for messages: "or longer names ..."; may be empty
+  bool is_needed = true;  ///< false: the document may lack the component
+  std::string hint;       ///< hint for messages on a likely mistake: "or longer names ..."; may be empty
 };
 
-/// What a component gives its children by name.
+/// The names of the values that a component gives its descendants.
 struct GivenNames {
   std::vector<std::string> names;  ///< in the order of the numbers
-  /// Names that one may look for, and why they are not given, as the end of a sentence that begins with the name.
+  /// Names that a user may expect, each with the reason why it is missing. The reason completes a sentence that begins
+  /// with the name.
   std::vector<std::pair<std::string, std::string>> refused{};
 };
 
 /// A component type: its facts, its parameters and its functions, with the struct of parameters hidden behind `void`.
 struct ComponentType : ComponentTraits {
-  ParameterTable parameters;  ///< own rows, then those of ComponentBase
+  ParameterTable parameters;  ///< own rows, followed by the rows of ComponentBase
 
   std::function<std::shared_ptr<void>()> make_parameters;            ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;  ///< the ComponentBase of a struct of parameters
-  /// How its stems are clothed; empty for components without such a parameter.
+  /// Returns the surface of its stems. Null for components without such a parameter.
   std::function<const Surface&(const void* parameters)> surface;
-  /// What the uvs of its geometry show; empty where that is nothing in particular.
+  /// Returns the shape that the uvs of its geometry cover. Null if the uvs cover no particular shape.
   std::function<TextureShape(const void* parameters)> texture_shape;
-  /// The components that it places itself, without a link of the document; empty where that is none.
+  /// Lists the components that it places without a link in the document. Null if there are none.
   std::function<std::vector<PlacedComponent>(const void* parameters)> placed;
-  /// The names of what its children are given (Emitter::give); empty where that is nothing.
+  /// Returns the names of the values that it gives its descendants (Emitter::give). Null if it gives none.
   std::function<GivenNames(const void* parameters)> gives;
-  /// What each instance has at least; empty if nothing is known.
+  /// Returns the minimum counts of each instance. Null if nothing is known.
   std::function<MinimumCounts(const void* parameters, const KnownMembers& known)> minimum_counts;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
-  /// Whether it shows how the component grows that it shows; empty where that is never so.
+  /// Returns true if it shows the growth of the component that it shows. Null if it never does.
   std::function<bool(const void* parameters)> watches_growth;
-  /// Whether each instance grows in a stand of its own; empty for components that compete with none.
+  /// Returns true if each instance grows in a stand of its own. Null for components that compete with none.
   std::function<bool(const void* parameters)> grows_alone;
-  /// Plants one instance in a stand; empty for components that do not grow.
+  /// Plants one instance in a stand. Null for components that do not grow.
   std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
 };
 
@@ -143,60 +146,63 @@ struct ComponentType : ComponentTraits {
 struct Prototype {
   std::string id;                       ///< id in the document
   const ComponentType* type = nullptr;  ///< not null
-  std::shared_ptr<void> parameters;     ///< what does not vary
+  std::shared_ptr<void> parameters;     ///< values that do not vary
   std::vector<Varying> varyings;        ///< parameters that differ from instance to instance
-  /// Hash of all that the document says of it; nullopt if that is not known, and then its results are not cached.
+  /// Hash of everything that the document contains about the component. Unset if unknown; its results are then not
+  /// cached.
   std::optional<std::uint64_t> fingerprint{};
   std::optional<std::uint64_t> growth_fingerprint{};  ///< of everything that the component's growth depends on
-  bool depends_on_time = true;                        ///< whether an expression or a key of it may ask for t
-  bool growth_depends_on_time = true;                 ///< the same of what its growth depends on
+  bool depends_on_time = true;                        ///< whether an expression or a key of the component may use the
+                                                      ///< time
+  bool growth_depends_on_time = true;                 ///< whether the component's growth may depend on the time
   std::string shown{};                                ///< id of the component that it shows, or empty
   std::vector<std::uint32_t>
       given_slots{};  ///< slots of the values that it gives its children by name: indices into Graph::site_names
 
-  /// The id that its instances draw their random numbers by.
+  /// Returns the id from which its instances derive their random numbers.
   const std::string& drawn_as() const { return shown.empty() ? id : shown; }
   /// Returns the parameters that all components have.
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };
 
-/// The names of those rows of a component that grows which growth does not ask for: where only they change, what has
-/// grown stays.
+/// Returns the names of rows of a growing component that its growth does not read. If only these rows change, the grown
+/// plants stay valid.
 std::vector<std::string> rows_after_growth(const ComponentType& type);
 
-/// Sets its fingerprints: `value` is what the document says of it, with those of `constants` that it names, and `files`
-/// are those that were read with it.
+/// Sets the component's fingerprints. `value` is its value in the document, `constants` are the document's variables,
+/// and `files` are the files that were read with the value.
 void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTable& constants,
                       std::span<const NamedFile> files, const Limits& limits);
 
-/// Throws an InputError if an instance's parameters break a rule of their table: they may vary, so what held for those
-/// of the component need not hold for each instance.
+/// Throws an InputError if an instance's parameters break a rule of their table. Parameters may vary, so each instance
+/// is checked.
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits);
 
-/// All that defines a component type with parameter struct P, which derives from ComponentBase.
+/// Defines a component type with parameter struct P, which derives from ComponentBase.
 template <class P>
 struct ComponentDefinition {
   ComponentTraits traits;  ///< facts about the type
   Table<P> parameters;     ///< rows of the parameters
-  /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
+  /// Makes one instance's geometry and the sites of its children through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
-  /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
-  /// `out.take_grown()`. P derives from GrowingComponent if it competes with others.
+  /// For components that grow: plants one instance at its site. After the growth, `out.take_grown()` in `expand`
+  /// returns the skeleton. P derives from GrowingComponent if the component competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
-  /// What the uvs of its geometry show, for textures that follow a shape.
+  /// Returns the shape that the uvs of its geometry cover, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
-  /// The components that `expand` places by `out.named_site`, by their numbers there.
+  /// Lists the components that `expand` places with `out.named_site`, in the order of the numbers used there.
   std::vector<PlacedComponent> (*placed)(const P& parameters) = nullptr;
-  /// For components that show another one: whether they look at its growth, by `out.watched_growth`.
+  /// For components that show another one: returns true if they use the other component's growth through
+  /// `out.watched_growth`.
   bool (*watches_growth)(const P& parameters) = nullptr;
-  /// The names of what `expand` gives by `out.give`.
+  /// Returns the names of the values that `expand` gives with `out.give`.
   GivenNames (*gives)(const P& parameters) = nullptr;
-  /// What each instance has at least, so that too many are refused before any is made. `parameters` has plain values;
-  /// members that differ from instance to instance mean nothing there, `known` tells which.
+  /// Returns the minimum counts of each instance, so that too many instances are refused before any is made.
+  /// `parameters` has plain values; its members that differ from instance to instance must not be used (see `known`).
   MinimumCounts (*minimum_counts)(const P& parameters, const KnownMembers& known) = nullptr;
 };
 
-/// Makes a component type of a definition. Adds the rows that all components have to its table.
+/// Makes a component type from a definition. Adds the rows that all components have.
 template <class P>
 ComponentType define_component(ComponentDefinition<P> definition) {
   static_assert(std::is_base_of_v<ComponentBase, P>);

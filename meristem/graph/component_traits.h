@@ -12,26 +12,27 @@
 
 namespace meristem {
 
-/// What of a component light and gravity turn.
+/// The direction of a component that light and gravity turn.
 enum class Tropism {
   heading,  ///< toward the light, or down
   face,     ///< the upper face toward the light, the heading down
-  none,     ///< nothing: the component bends by itself
+  none,     ///< nothing is turned: the component bends its own geometry
 };
 
-/// A look of its own for some of a component's geometry.
+/// The look of some of a component's geometry, if that differs from the rest.
 struct BladeLook {
   Material material;                  ///< material of the geometry
-  bool has_document_colours = false;  ///< with the colours that the document gives the component, and their variety
+  bool has_document_colours = false;  ///< whether it has the colours and the variety that the document gives the
+                                      ///< component
 };
 
-/// How a component shows another one, which its text row `of` names: what it does not say itself, it takes from there,
-/// and it draws its random numbers as the other one does where both stand on the same parent.
+/// Describes a component that shows another one, whose id is in its text row `of`. It copies missing rows from the
+/// other component. Both draw equal random numbers if they stand on the same parent.
 struct Showing {
-  std::string type;  ///< type of the other component; empty: it shows none
-  /// The rows that it takes from the other component, each with the row's path there, as in "light.limit".
+  std::string type;  ///< type of the other component; empty: this component shows none
+  /// Pairs of a row that is copied and the row's path in the other component, as in "light.limit".
   std::vector<std::pair<std::string, std::string>> rows;
-  /// Rows of its own that mean nothing where it shows what growth has left to the other component.
+  /// Its own rows that have no effect when it shows the remains of the other component's growth.
   std::vector<std::string> before_growth;
 };
 
@@ -43,20 +44,22 @@ struct ComponentTraits {
   double variety = 0;            ///< variety of colours where the document gives none
   BladeLook blades;              ///< look of what the component emits as blades
   bool has_geometry = true;      ///< false: it has no geometry of its own and no parameters of looks
-  bool is_whole_plant = false;   ///< what it places has looks and tropisms of its own
+  bool is_whole_plant = false;   ///< the components that it places have their own looks and tropisms
   bool is_camera = false;        ///< the root of every graph
   bool bears_plants = false;     ///< each instance that stands on it directly is a plant of its own (Individual)
-  bool speaks_of_space = false;  ///< it makes nothing: what stands on it directly is a plant of its own where it is one
-  bool begins_clock = false;     ///< what hangs on it has a clock of its own
-  bool grows_in_time = false;    ///< its stems may stand as they stood at an earlier step: nodes tell their births
+  bool speaks_of_space = false;  ///< it has no geometry; if a plant of its own begins at its site, each component that
+                                 ///< stands directly on it is one instead
+  bool begins_clock = false;     ///< its descendants have a clock of their own
+  bool grows_in_time = false;    ///< its stems can be shown as at an earlier step: nodes store their births
   bool makes_stems = false;      ///< branch links place children along stems
-  bool has_twigs =
-      false;              ///< by default children stand along the twigs of its stems alone; what grows has twigs anyway
-  bool has_ribs = false;  ///< branch links without placement keys stand at the branch sites, others along the stems
-  BranchStance stance = BranchStance::on_bark;  ///< how a branch link sets it on a stem
-  Tropism tropism = Tropism::heading;           ///< which direction light and gravity turn
-  /// Parameters that growth does not ask for, besides the looks that all components have: where only they change, what
-  /// has grown stays.
+  bool has_twigs = false;  ///< by default, children stand only along the twigs of its stems; grown stems always have
+                           ///< twigs
+  bool has_ribs = false;   ///< branch links without placement keys use the branch sites, other branch links use the
+                           ///< stems
+  BranchStance stance = BranchStance::on_bark;  ///< position and direction in which a branch link places it on a stem
+  Tropism tropism = Tropism::heading;           ///< the direction that light and gravity turn
+  /// Parameters that growth does not read, besides the looks that all components have. If only these change, the grown
+  /// plants stay valid.
   std::vector<std::string> after_growth;
   Showing shows;  ///< component that it shows; usually none
 };

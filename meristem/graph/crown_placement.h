@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the children of a crown link stand: on a jittered grid in the crown body of a stem.
+// Places the children of a crown link on a jittered grid in the crown body of a stem.
 //
 // Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), 5.5.
 #pragma once
@@ -24,17 +24,18 @@ struct CrownPlacement {
   };
   double density = 30;              ///< sites per cubic metre
   Orient orient = Orient::outward;  ///< outward or random
-  double turn = 0;                  ///< outward children turn aside by up to this, radians
+  double turn = 0;                  ///< largest angle to which outward children turn aside, radians
   double droop = 0;                 ///< share of the turn that brings the heading straight down
-  std::optional<double> depth;      ///< metres below the crown's surface to which children stand; unset: all through it
+  std::optional<double> depth;      ///< depth below the crown's surface within which children stand, metres; unset: the
+                                    ///< whole crown
 };
 
 /// Returns the rows of CrownPlacement.
 const ParameterTable& crown_placement_table();
 
-/// The sites in the crown body that `surface` gives `skeleton`, which must have one. They see where they are from the
-/// crown's base to its top as u, and its height as length; i and n count over all. Throws InputError past the limit of
-/// instances, and Cancelled.
+/// Returns the sites in the crown body that `surface` gives to `skeleton`. The surface must have a crown body. A site's
+/// u is its height from the crown's base (0) to its top (1), and its length is the crown's height; i and n count over
+/// all sites. Throws InputError past the limit of instances, and Cancelled.
 std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surface, const CrownPlacement& placement,
                                  const PlacementContext& context, Progress& progress);
 

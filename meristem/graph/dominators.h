@@ -8,13 +8,14 @@
 
 namespace meristem {
 
-/// The dominators of a directed graph whose nodes are numbered from 0. A node dominates another one if every way from
-/// the root to the other one passes it. Building takes O(edges * log(nodes)) time, a question takes constant time.
+/// The dominators of a directed graph whose nodes are numbered from 0. A node dominates another node if every path from
+/// the root to the other node passes it. Construction takes O(edges * log(nodes)) time, a query takes constant time.
 class Dominators {
  public:
   using Node = std::uint32_t;
 
-  /// `successors` holds the nodes to which the edges of each node lead. `progress` may stop the search; null: never.
+  /// `successors` lists for each node the nodes at the ends of its edges. `progress` can stop the search. Null: the
+  /// search cannot be stopped.
   Dominators(const std::vector<std::vector<Node>>& successors, Node root, const Progress* progress = nullptr);
 
   /// Returns true if `node` can be reached from the root, differs from `above`, and every way to it passes `above`.
@@ -24,8 +25,8 @@ class Dominators {
   }
 
  private:
-  /// Preorder numbers in the tree of dominators: of the node, and behind the last node below it. 0 and 0 if the node
-  /// cannot be reached.
+  /// Preorder numbers in the tree of dominators: the node's own, and the number after the last node below it. Both are
+  /// 0 if the node cannot be reached.
   struct Span {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;

@@ -10,25 +10,27 @@
 
 namespace meristem {
 
-/// Expands a graph into the tree of its instances and gives what they make.
+/// Expands a graph into the tree of its instances and returns the plant that the instances make.
 ///
-/// Components that grow wait until all others above them have been expanded, then grow together in one stand.
-/// Randomness is keyed by the instance's path, so editing one component leaves the others as they were; blocks of
-/// instances expand in parallel with the same result on any number of threads. Nothing recurses. The graph's structure
-/// must be sound (analyse_structure). With a `cache`, everything that has not changed since the cache's last expansion
-/// is taken from there, as far as components, links and scenes have fingerprints; batch.h says what an expansion leaves
-/// for the next one. Textures are sketches until paint_textures (looks.h). Throws InputError (limits, numbers that are
-/// not finite), Cancelled.
+/// Components that grow wait until all others above them have been expanded, then grow together in one stand. Random
+/// numbers depend on an instance's path, so editing one component leaves the others unchanged. Blocks of instances
+/// expand in parallel, with equal results on any number of threads. Nothing recurses. The graph's structure must be
+/// sound (analyse_structure).
+///
+/// With a `cache`, everything unchanged since the cache's last expansion is reused if its components, links and scene
+/// have fingerprints (see batch.h). Textures are sketches until paint_textures() paints them (looks.h). Throws
+/// InputError (limits, numbers that are not finite) and Cancelled.
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache = nullptr);
 
-/// What an expansion may keep and show besides.
+/// Options of an expansion: what it keeps, shows and records.
 struct ExpandOptions {
-  Cache* cache = nullptr;          ///< results of earlier expansions; null: everything is made anew
+  Cache* cache = nullptr;          ///< results of earlier expansions; null: nothing is reused
   GrowthView view;                 ///< the step of growth that is shown
-  GrowthTraces* traces = nullptr;  ///< gets what `view` wishes to be recorded; null: nobody asks
+  GrowthTraces* traces = nullptr;  ///< receives the records that `view` requests; null: nothing is recorded
 };
 
-/// The same with the plants as `view` says. Whatever is recorded, the plant has the same bytes.
+/// Expands a graph as above, with the plants shown as `options.view` requests. Recording does not change the plant's
+/// bytes.
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, const ExpandOptions& options);
 
 }  // namespace meristem

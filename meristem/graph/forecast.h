@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts what a graph will make at least, from its structure alone: the counts of multipliers, links and fields, and
-// the depths of recursions, as products.
+// Computes the minimum counts of an expansion from the graph's structure alone: products of the counts of multipliers,
+// links and fields, and of the depths of recursions.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 
 namespace meristem {
 
-/// A count that passes a limit, and the component that makes most of it.
+/// A count that exceeds a limit, and the component with the largest share.
 struct CountShare {
   std::string_view what;  ///< "instances"
   double total = 0;
   bool is_whole = true;  ///< false: there are more than `total`
   std::string largest;   ///< id of the component
-  double share = 0;      ///< what the component makes of the total
+  double share = 0;      ///< the component's share of the total
   std::uint64_t limit = 0;
   std::string_view limit_name;
 };
 
-/// Returns the fault: "2.1e+08 instances, of which leaf 1.9e+08 (90 %), are too many".
+/// Returns the fault, for example "2.1e+08 instances, of which leaf 1.9e+08 (90 %), are too many".
 Diagnostic share_diagnostic(const CountShare& share);
 
-/// Throws one InputError with each limit that an expansion of the graph is certain to pass: limits.instances and
-/// limits.nodes. Each message tells the total and the component with the largest share. Counts only what is known
-/// before growth (ComponentType::minimum_counts), so what it refuses would fail in any case. Takes less than a second.
+/// Throws one InputError with each limit (limits.instances, limits.nodes) that an expansion of the graph will certainly
+/// exceed. Each message names the total and the component with the largest share. Counts only what is known before
+/// growth (ComponentType::minimum_counts), so a refused graph would fail in any case. Takes less than a second.
 void require_bounded_counts(const Graph& graph, const Scene& scene);
 
 }  // namespace meristem

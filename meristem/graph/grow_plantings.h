@@ -19,10 +19,10 @@ struct PlantingBatch {
   std::shared_ptr<const BatchResult> result;
 };
 
-/// Grows what the batches ask for, equal requests once and different ones side by side, and says where it stands: in
-/// the order of the components and batches. The plants stand as `view` says, and what it wishes to be recorded goes to
-/// `traces`, unless that is null. Throws InputError where there are too many variants or their nodes, and where one
-/// cannot grow; Cancelled.
+/// Grows the plants that the batches request. Equal requests grow once, different ones in parallel. Returns their
+/// positions in the order of the components and batches. The plants are shown as `view` requests. Records go to
+/// `traces` unless that is null. Throws InputError if there are too many variants or nodes, or if a plant cannot grow,
+/// and Cancelled.
 std::vector<Planting> grow_plantings(const Graph& graph, std::vector<PlantingBatch> batches, const GrowthView& view,
                                      GrowthTraces* traces, CacheRun& results, Progress& progress);
 

@@ -11,24 +11,24 @@
 
 namespace meristem {
 
-/// Which step of the growth of its plants a graph shows, and what is recorded of that growth.
+/// The growth step at which a graph shows its plants, and the parts of their growth to record.
 struct GrowthView {
-  /// All plants that grow by a model stand as after this step, or after their last one where that comes before; the
-  /// steps of an L-system are those of its derivation. So they stand as they would with no more iterations, whatever
-  /// the clock says. The growth is recorded, so that a cache gives all steps of one growth. Unset: after the last one.
+  /// All plants that grow by a model are shown after this step, or after their last step if that comes earlier. The
+  /// steps of an L-system are the steps of its derivation. The plants look as if they had no more iterations, whatever
+  /// the clock shows. The growth is recorded, so that a cache gives all steps of one growth. Unset: the last step.
   std::optional<int> step;
   TraceWish wish;  ///< parts of the growth to record
-  /// Plants that only plan stand as after what they plan. A view that merely wishes for the outcome to be recorded
-  /// shows them before it; with a cache both views come of one growth. Without meaning where there is a step.
+  /// If true, plants in plan mode are shown after their planned operations. A view that only records the outcome shows
+  /// them before. With a cache, both views share one growth. Has no effect if `step` is set.
   bool outcome = false;
-  /// Id of the component whose plants alone `step` is for, as they have grown or as it places them; all others have
-  /// grown to their end. Empty: all plants.
+  /// Id of the component whose plants `step` applies to: plants that it grows or places. All other plants are fully
+  /// grown. Empty: all plants.
   std::string of{};
 
   bool operator==(const GrowthView&) const = default;
 };
 
-/// Whether the step of a view is for the plants of a component.
+/// Returns true if the step of a view applies to the plants of a component.
 inline bool is_looked_at(const GrowthView& view, const std::string& component) {
   return view.of.empty() || view.of == component;
 }
@@ -42,46 +42,48 @@ struct TracedGrowth {
 
 struct GrowthTraces;
 
-/// What was recorded of a plant of another document, and where it stands.
+/// The records of a plant of another document, and the frames at which it stands.
 struct PlacedTraces {
   std::string component;      ///< id of the component that places it
-  std::vector<Frame> frames;  ///< from its world to the world, one for each place; without what deforms it there
+  std::vector<Frame> frames;  ///< one frame per position, from the plant's world to the world, without deformations
   std::shared_ptr<const GrowthTraces> traces;  ///< records of the plant's own growths
 };
 
-/// How many steps the plants of one component take.
+/// The number of steps that the plants of one component take.
 struct ComponentSteps {
   std::string component;  ///< id; it grows plants, or places plants of other documents
-  int last_step = 0;      ///< the most of them
+  int last_step = 0;      ///< the largest number of steps among them
 
   bool operator==(const ComponentSteps&) const = default;
 };
 
 /// The marks of one growth.
 struct GrowthMarks {
-  std::string component;       ///< id; within placed plants with the ids that lead there: "oak.tree"
+  std::string component;       ///< id; for placed plants, the ids that lead there: "oak.tree"
   std::uint32_t instance = 0;  ///< number among the growths of that component
   StepMarks marks;             ///< the marks
 };
 
-/// What was recorded of a graph's plants.
+/// The records of the growth of a graph's plants.
 struct GrowthTraces {
   std::vector<TracedGrowth> growths;  ///< of its own plants
-  std::vector<PlacedTraces> placed;   ///< of plants of other documents, each once for all of its places
-  std::vector<ComponentSteps> steps;  ///< of all components whose plants take any, by their ids
-  int last_step = 0;                  ///< of all plants that the view's step is for; 0 where none grows by a model
-  std::optional<int> step;            ///< that these plants stand at; unset: their last
+  std::vector<PlacedTraces> placed;   ///< records of plants of other documents; each is listed once with all of its
+                                      ///< positions
+  std::vector<ComponentSteps> steps;  ///< all components whose plants take any steps, sorted by id
+  int last_step = 0;                  ///< last step of all plants that the view's step applies to; 0 if none grows by a
+                                      ///< model
+  std::optional<int> step;            ///< step at which these plants are shown; unset: their last
   std::string of{};                   ///< GrowthView::of: id of the component whose plants `step` is for; empty: all
-  TraceWish recorded;                 ///< what was asked to be recorded, whether or not there was such a thing
+  TraceWish recorded;                 ///< the requested records, even if no plant has such parts
 
-  /// Takes account of plants of a component that take that many steps; `view` is what they are shown by.
+  /// Registers that plants of a component take `last` steps; `view` is the view that shows them.
   void add_steps(const std::string& component, int last, const GrowthView& view);
-  /// The step that the plants stand at, 0 to last_step.
+  /// Returns the step at which the plants are shown, 0 to last_step.
   int shown_step() const;
 
-  /// What is known of one step of all plants that the view's step is for, of those in their places, too; of a plant
-  /// that has ended before, and of all others, its last step's. Throws as GrowthTrace::marks(), and InputError where
-  /// placed plants have more than 4 million marks.
+  /// Returns the marks of one step of all plants that the view's step applies to, including placed plants. A plant that
+  /// has ended earlier, and every other plant, contributes its last step. Throws as GrowthTrace::marks(), and
+  /// InputError if placed plants have more than 4 million marks.
   StepMarks marks(int of_step, TraceWish wish, const Progress& progress) const;
   /// Returns the marks of each growth: first the growths of the document in their order, then the growths of placed
   /// plants, place by place.

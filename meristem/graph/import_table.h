@@ -6,8 +6,8 @@
 
 namespace meristem {
 
-/// The position of a file's content in a document. The up axis of the file is turned up; then the content is scaled,
-/// rotated and moved. All of this is done in 64 bits.
+/// The pose of a file's content in a document. First the file's up axis is turned up, then the content is scaled,
+/// rotated and moved, all in 64 bits.
 struct ImportPose {
   /// The axis of the file that points up.
   enum class Up { y, z };
@@ -21,7 +21,7 @@ struct ImportPose {
 };
 
 const ParameterTable& import_table();  ///< the rows of ImportPose
-/// The names of its rows, which stand beside the file's own in a table.
+/// Returns the names of its rows, which stand beside a file's own rows in a table.
 const std::vector<std::string>& import_names();
 
 }  // namespace meristem

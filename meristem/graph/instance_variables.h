@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// The values that sites have by name at one time of the document.
+/// Draws the variables of instances at one time of the document.
 class InstanceVariables {
  public:
   /// `graph` must outlive this object. `time` is the document's, seconds.
@@ -18,7 +18,7 @@ class InstanceVariables {
 
   /// Hash of the names of Graph::site_names.
   std::uint64_t names_hash() const { return names_hash_; }
-  /// Hash of how the variables of a component are drawn.
+  /// Returns a hash of the definitions of a component's variables.
   std::uint64_t hash(ComponentIndex component) const;
   /// Returns the sites with the variables that each instance of the component draws.
   std::vector<Site> draw(ComponentIndex component, std::vector<Site> sites) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instances that a graph expands into: the tree that they make (the i-tree), and which of them made what is seen of
-// a plant.
+// The tree of instances into which a graph expands (the i-tree), and queries for the instance that made a part of a
+// plant.
 #pragma once
 
 #include <cstdint>
@@ -17,64 +17,64 @@
 
 namespace meristem {
 
-/// The i-tree of a graph. It has the camera's one instance as its root.
+/// The i-tree of a graph. Its root is the single instance of the camera.
 struct InstanceTree {
   /// One instance, and the instance that it stands on.
   struct Instance {
     ComponentIndex component = 0;     ///< index into Graph::components
-    std::uint32_t parent = kNoIndex;  ///< index into instances; kNoIndex for the root
-    LinkIndex link = kNoIndex;        ///< from its parent to it
+    std::uint32_t parent = kNoIndex;  ///< index of the instance that it stands on; kNoIndex for the root
+    LinkIndex link = kNoIndex;        ///< link from its parent
     std::uint32_t i = 0;              ///< number among its siblings by that link
-    std::uint32_t n = 1;              ///< siblings by that link, itself included
+    std::uint32_t n = 1;              ///< number of siblings by that link, including itself
   };
-  std::vector<Instance> instances;  ///< parents before children, those of one parent and link in their order
+  std::vector<Instance> instances;  ///< parents before children; children of one parent and link in their order
 };
 
-/// Expands the graph, one instance after another, and notes who stands on whom. Throws an InputError where there are
-/// more than `most` instances, and as expand() does.
+/// Expands the graph and returns the tree of its instances. Throws an InputError if there are more than `most`
+/// instances, and as expand() does.
 InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most, Progress& progress);
 
-/// How many instances each component of the graph has, in their order; those that are left out do not count. With the
-/// cache of an expansion of the same arguments, nothing is made anew. Throws as expand() does.
+/// Returns the number of instances of each component of the graph, in the order of the components. Omitted instances do
+/// not count. With the cache of an expansion of equal arguments, nothing is made again. Throws as expand() does.
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                            Cache* cache = nullptr, const GrowthView& view = {});
 
-/// A clock that an instance has begun for what hangs on it.
+/// A clock that an instance has begun for its descendants.
 struct BegunClock {
-  ComponentIndex component = 0;  ///< of the instance
+  ComponentIndex component = 0;  ///< component of the instance
   Clock clock;                   ///< the clock
 };
 
-/// The clocks that the components of a graph have begun up to a time, those of each component by their starts and each
-/// once. Clocks of instances that have not appeared yet, and of those that bear nothing, are not among them. With the
-/// cache of an expansion of the same arguments, nothing is made anew. Throws as expand() does.
+/// Returns the clocks that the components of a graph have begun up to a time. The clocks of a component are sorted by
+/// their starts, without duplicates. Clocks of instances that have not appeared yet or have no children are left out.
+/// With the cache of an expansion of equal arguments, nothing is made again. Throws as expand() does.
 std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                      Cache* cache = nullptr, const GrowthView& view = {});
 
-/// A part of a plant whose instance is asked for, as expand() orders what it gives.
+/// A request for the instance of a part of a plant. Parts are numbered in the order of the plant that expand() returns.
 struct InstanceWish {
-  /// The kind of thing that a number counts.
+  /// The kind of part that `number` counts.
   enum class Of {
     organ,     ///< number `number` among the organs of the component
     stem,      ///< number `number` among its visible stems: StemPart::instance
-    instance,  ///< number `number` among its instances, whatever they make
+    instance,  ///< number `number` among its instances, even without geometry
   };
   std::string component;     ///< id of the component
   Of of = Of::organ;         ///< organ, stem or instance
   std::uint64_t number = 0;  ///< from 0
 };
 
-/// An instance with what it is given.
+/// An instance with its site and its varying parameters.
 struct FoundInstance {
-  Site site;  ///< before the `frame` of the component
-  /// The parameters that differ from instance to instance, by their path in the document, with their values here, in
-  /// the units of the document.
+  Site site;  ///< site before the `frame` of the component is applied
+  /// The parameters that differ from instance to instance, with the path in the document and the value of this instance
+  /// in the units of the document.
   std::vector<std::pair<std::string, double>> values;
 };
 
-/// The instance that made a part of the plant that expand() gives for the same arguments; nothing where there is no
-/// such part, or several instances made it together. With the cache of that expansion, nothing is grown anew. Throws as
-/// expand() does.
+/// Returns the instance that made a part of the plant that expand() returns for equal arguments. Returns nothing if
+/// there is no such part, or if several instances made it together. With the cache of that expansion, nothing is grown
+/// again. Throws as expand() does.
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
                                            const InstanceWish& wish, Progress& progress, Cache* cache = nullptr,
                                            const GrowthView& view = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The links of a graph: which component stands on which, and where its instances stand.
+// The links of a graph. A link sets the instances of one component on another component.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,13 @@ inline constexpr std::uint32_t kNoIndex = 0xffffffffU;  ///< marks a missing com
 /// The child stands where the parent's geometry ends.
 struct ChildLink {};
 
-/// The child is multiplied along the parent's stems or ribs; elsewhere it acts as a child link.
+/// The child is multiplied along the parent's stems or ribs. On other parents it acts as a child link.
 struct BranchLink {
   Placement placement;  ///< where the children stand
-  GivenRows given;      ///< which rows of it the document gives
+  GivenRows given;      ///< the rows of the placement that the document gives
 };
 
-/// In a recursion the child appears only where it ends; on a grown skeleton at the tips.
+/// In a recursion the child appears only at its end. On a grown skeleton it appears at the tips.
 struct LeafLink {};
 
 /// The child is multiplied in the crown body of the parent's stems.
@@ -37,7 +37,7 @@ struct CrownLink {
 
 /// The parent itself places the child. No document has such a link; the graph makes it.
 struct PlacedLink {
-  std::uint32_t name = 0;  ///< which of the ids that the parent places
+  std::uint32_t name = 0;  ///< index of the id in the list of what the parent places
 };
 
 /// A link from a component to another, which stands on it.
@@ -45,24 +45,24 @@ struct Link {
   ComponentIndex from = 0;                                                    ///< component that bears the child
   ComponentIndex to = 0;                                                      ///< component that is the child
   std::variant<ChildLink, BranchLink, LeafLink, CrownLink, PlacedLink> kind;  ///< kind of link, with its placement
-  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that the document says of it
+  std::optional<std::uint64_t> fingerprint{};  ///< hash of everything that the document says about the link
 
   /// Returns true for a link of this kind.
   template <class Kind>
   bool is() const {
     return std::holds_alternative<Kind>(kind);
   }
-  /// Null for a link of another kind.
+  /// Returns the link as this kind, or null for a link of another kind.
   template <class Kind>
   const Kind* as() const {
     return std::get_if<Kind>(&kind);
   }
 };
 
-/// The kinds that documents name.
+/// The kinds of links that documents can name.
 enum class LinkKind { child, branch, leaf, crown };
 
-/// The keys that every link of a document has. Links that place their children say more, in the tables of their
+/// The keys that every link of a document has. Links with a placement have further keys, in the tables of their
 /// placements.
 struct LinkHead {
   std::string from;                 ///< id of the component that bears the child

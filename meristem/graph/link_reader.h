@@ -13,14 +13,15 @@ namespace meristem {
 /// Reads a document's links into its graph.
 class LinkReader {
  public:
-  /// The graph has all its components; faulty ones are without a type, so that links to them are no further fault. Both
-  /// outlive the reader.
+  /// The graph must have all its components. Faulty components have no type, and links to them cause no further fault.
+  /// Graph and reader must outlive this object.
   LinkReader(Graph& graph, ParameterReader& reader);
 
-  /// A list of links, each ["from", "to"] or an object.
+  /// Reads a list of links. Each link is ["from", "to"] or an object.
   void read(const Value& links, const DocumentPath& path);
 
-  /// Links to what components place themselves by its id; `components` is where they stand in the document.
+  /// Adds links to components that other components place by id. `components` is the path of the components in the
+  /// document.
   void link_placed(const DocumentPath& components);
 
  private:
@@ -30,7 +31,7 @@ class LinkReader {
   ComponentIndex read_end(const Value& value, const DocumentPath& path);
   void check_crown(const DocumentPath& path, const Link& link);
   void check_placement(const Value& value, const DocumentPath& path, const Link& link, LinkKind kind);
-  /// Null where that is not known.
+  /// Returns the component at the beginning of a link, or null if it is unknown.
   const Prototype* parent_of(const Link& link) const;
 
   Graph& graph_;

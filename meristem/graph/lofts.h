@@ -14,30 +14,32 @@
 
 namespace meristem {
 
-/// An emitted section with the component of its instance.
+/// An emitted section, with the component of its instance.
 struct SurfaceSection : EmittedSection {
   ComponentIndex component = 0;
   std::uint32_t individual = 0;  ///< index into Plant::individuals
 };
 
-/// A mesh that surfaces share, and where it stands.
+/// A mesh that equal surfaces share, and the organs that place it.
 struct SurfacePiece {
   ComponentIndex component = 0;
   std::shared_ptr<const Mesh> mesh;
-  bool is_open = false;       ///< of a surface that encloses nothing: it is seen from both sides
+  bool is_open = false;       ///< true: the surface encloses nothing and is visible from both sides
   std::vector<Organ> organs;  ///< without prototypes
-  std::vector<std::shared_ptr<const Deformation>> deformations;  ///< one per organ: that of the section it begins with
+  std::vector<std::shared_ptr<const Deformation>> deformations;  ///< one per organ: the deformation of its first
+                                                                 ///< section
 };
 
-/// Joins the sections of children to those of their parents.
+/// Joins the sections of children to the sections of their parents.
 ///
-/// The first of a section's children, in the order given, continues its surface; each other begins one of its own, from
-/// the same section. What of a surface ends at a section belongs to that section's component and has its instance's
-/// tint; normals do not show where one piece ends. A surface of a single section is a flat face where that is a ring
-/// with a cap, else nothing. Surfaces of the same sections that differ in place, turn and size only, up to 1e-4 of
-/// their size, share their meshes.
+/// The first child of a section, in the order given, continues its surface. Each other child begins a new surface at
+/// that section. A piece of surface that ends at a section belongs to that section's component and has its instance's
+/// tint. Normals are smooth across the ends of pieces. A single section makes a flat face if it is a ring with a cap,
+/// else nothing. Surfaces that differ only in position, rotation and size, up to 1e-4 of their size, share their
+/// meshes.
 ///
-/// `mesh_bytes` have been spent on other meshes. Linear in points. Throws InputError for the limit of bytes, Cancelled.
+/// `mesh_bytes` is the size of all other meshes. Takes time in proportion to the points. Throws InputError for the
+/// limit of bytes, and Cancelled.
 std::vector<SurfacePiece> join_sections(std::span<const SurfaceSection> sections, const Graph& graph,
                                         std::uint64_t mesh_bytes, Progress& progress);
 

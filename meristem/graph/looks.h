@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a document says of a component's looks to its material, and to what each instance makes of it.
+// Makes a component's material from the looks that the document gives, and the tint of each instance.
 #pragma once
 
 #include <vector>
@@ -12,25 +12,26 @@
 
 namespace meristem {
 
-/// The material of a component, with a sketch of its texture.
+/// Returns the material of a component, with a sketch of its texture.
 Material material_of(const Prototype& prototype);
-/// Paints the textures that materials have as sketches, equal ones once. With a `cache`, those that it has are not
-/// painted anew. Throws Cancelled.
+/// Paints the textures of materials that are sketches, equal ones once. With a `cache`, textures that it has are
+/// reused. Throws Cancelled.
 void paint_textures(const Graph& graph, std::vector<Material>& materials, Progress& progress, Cache* cache = nullptr);
 
-/// The material of what a component emits as blades.
+/// Returns the material of what a component emits as blades.
 Material blades_of(const Prototype& prototype);
 
-/// What tells a component's instances apart in colour.
+/// Computes the differences in colour between a component's instances.
 class Tinting {
  public:
   explicit Tinting(const Prototype& prototype);
 
-  /// Linear factors on the material's colour for one instance: its position among the `colours`, and its own shade.
+  /// Returns linear factors on the material's colour for one instance: its position among the `colours` and its own
+  /// shade.
   Vec3 tint(const ComponentBase& instance, RandomKey key) const;
 
  private:
-  std::vector<Vec3> colours_;  // over their mean, linear
+  std::vector<Vec3> colours_;  // linear, divided by their mean
   double variety_;
 };
 

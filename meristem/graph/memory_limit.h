@@ -8,13 +8,13 @@
 
 namespace meristem {
 
-/// The memory that the results of an expansion take, against what limits.instances and limits.nodes stand for.
+/// Limits the memory that the results of an expansion take, in proportion to limits.instances and limits.nodes.
 class MemoryLimit {
  public:
   explicit MemoryLimit(const Limits& limits) : limits_(limits) {}
 
-  /// Adds a result of a component, without its sites for children. Throws InputError, with the component's id, if all
-  /// results take too much.
+  /// Adds a result of a component, without its sites for children. Throws InputError with the component's id if all
+  /// results together take too much memory.
   void add(const std::string& component, const BatchResult& result);
 
  private:

@@ -10,28 +10,28 @@
 
 namespace meristem {
 
-/// What each instance of a component has at least, whatever its site, chance and the time are. Smaller numbers are
-/// always true; 0 says that nothing is known.
+/// Minimum counts of each instance of a component, for any site, random numbers and time. Smaller numbers are always
+/// valid; 0 means unknown.
 struct MinimumCounts {
   double children = 0;       ///< sites for the children of child links
   double child_scale = 1;    ///< scale of the smallest of these sites, relative to the frame of the instance
   double nodes = 0;          ///< skeleton nodes
-  bool bears_along = false;  ///< it has a stem on which a branch link with a `count` has as many children
+  bool bears_along = false;  ///< true: it has a stem on which a branch link with a `count` places that many children
 };
 
-/// Tells which members of a component's parameters are the same for all instances.
+/// Distinguishes members of a component's parameters that are equal for all instances from members that vary.
 class KnownMembers {
  public:
   /// `parameters` is the component's struct, `varyings` are the members that differ. Both must outlive this object.
   KnownMembers(const void* parameters, std::span<const Varying> varyings)
       : parameters_(parameters), varyings_(varyings) {}
 
-  /// True if the member of the struct, or a part of the member, differs from instance to instance.
+  /// Returns true if the member of the struct, or a part of it, differs from instance to instance.
   template <class Member>
   bool varies(const Member& member) const {
     return find(&member, sizeof(Member)) != nullptr;
   }
-  /// Returns the smallest whole number of parts that a count has. Returns 0 if this is not known.
+  /// Returns the minimum number of parts of a count, or 0 if unknown.
   double minimum(const Count& count) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the children of a branch link stand along the axes of a skeleton.
+// Places the children of a branch link along the axes of a skeleton.
 #pragma once
 
 #include <cstdint>
@@ -26,40 +26,42 @@ namespace meristem {
 struct Placement {
   bool operator==(const Placement&) const = default;
 
-  std::optional<double> density;                    ///< sites per metre of stem; 40 where neither is given
+  std::optional<double> density;                    ///< sites per metre of stem; 40 if neither density nor count is
+                                                    ///< given
   std::optional<Count> count;                       ///< sites on a skeleton, shared out over its axes by length
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
-  int whorl = 1;                                    ///< organs per site
+  int whorl = 1;                                    ///< children per site
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from site to site
-  std::optional<double> roll;  ///< turn of the first site from the stem's upper side; unset: drawn from all around
-  PerChild angle = kPi / 4;    ///< between axis and organ
-  std::optional<double>
-      angle_tip;  ///< between axis and organ at the axis's tip, with even steps from `angle` to it; unset: as `angle`
-  double angle_spread = 0;     ///< the angle varies evenly by up to this much to both sides
-  Curve size{{{0, 1}}};        ///< scale over u; below 0 counts as 0
-  Curve spread{{{0, 1}}};      ///< relative density over u; below 0 counts as 0
-  double droop = 0;            ///< share of the turn that brings the heading straight down
-  std::optional<Facing> face;  ///< where the upper face turns, whatever the light
-  double face_share = 1;       ///< share of the turn that brings it there
-  double face_light = 0;       ///< share of the turn that brings the upper face to the light
-  double start = 0;            ///< share of each axis left free at its base
-  double end = 1;              ///< share of each axis where the sites end
+  std::optional<double> roll;       ///< turn of the first site from the stem's upper side; unset: random
+  PerChild angle = kPi / 4;         ///< between axis and organ
+  std::optional<double> angle_tip;  ///< angle between axis and organ at the axis's tip, reached in even steps from
+                                    ///< `angle`; unset: equal to `angle`
+  double angle_spread = 0;          ///< largest random deviation of the angle, to both sides
+  Curve size{{{0, 1}}};             ///< scale over u; below 0 counts as 0
+  Curve spread{{{0, 1}}};           ///< relative density over u; below 0 counts as 0
+  double droop = 0;                 ///< share of the turn that brings the heading straight down
+  std::optional<Facing> face;       ///< direction to which the upper face turns, whatever the light; unset: no turn
+  double face_share = 1;            ///< share of the turn to `face`
+  double face_light = 0;            ///< share of the turn that brings the upper face to the light
+  double start = 0;                 ///< share of each axis left free at its base
+  double end = 1;                   ///< share of each axis where the sites end
 };
 
 /// Returns the rows of Placement.
 const ParameterTable& placement_table();
-/// The rule between its rows, for components that have them as their own.
+/// Checks the rules between the rows of Placement, for components that have them as their own rows.
 void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader);
 
-/// `own` with those members that `link` was given. A link that says how many there are
-/// replaces both ways of saying so, one with an angle also the angle at the tip.
+/// Returns `own` with the members that `link` was given. A link with a density or a count replaces both of `own`, and a
+/// link with an angle also replaces the angle at the tip.
 Placement overridden(Placement own, const Placement& link, const GivenRows& given);
 
-/// How a branch link sets a component on a stem.
+/// The position and direction in which a branch link places a component on a stem.
 enum class BranchStance {
   on_bark,  ///< on the bark, heading away from the stem by the link's angle
   on_axis,  ///< on the stem's axis, heading away by the link's angle: for stems, which begin within their parent stem
-  along_axis,  ///< on the axis and heading along it, unless the link gives an angle: its own form leads away
+  along_axis,  ///< on the axis and heading along it, unless the link gives an angle; the component's own form leads
+               ///< away from the stem
 };
 
 /// The surroundings of a placement.
@@ -67,7 +69,7 @@ struct PlacementContext {
   Directions directions;  ///< directions of light and gravity
   BranchStance stance =
       BranchStance::on_bark;        ///< stance of the children; `along_axis` leaves the placement's angles aside
-  bool has_twigs = true;            ///< by default they carry the children
+  bool has_twigs = true;            ///< by default children stand only on twigs
   std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the sites
   Site parent;                      ///< site of the instance that made the stem; gives the sites their keys and depths
   std::optional<RandomKey> places;  ///< key for the sites' positions, unset: the parent's; equal keys give equal sites
@@ -75,30 +77,32 @@ struct PlacementContext {
   /// Returns the key from which the sites draw their positions.
   RandomKey key_of_places() const { return places.value_or(parent.key); }
   const Limits* limits = nullptr;        ///< limits of the document; must not be null
-  const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: there are none
-  double time = 0;                       ///< the document's, for expressions
-  bool everywhere = false;               ///< all parts of the skeleton bear children, whatever the placement says
-  std::string path;                      ///< path of what gives the placement in the document, for errors: "links[1]"
+  const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: no obstacles
+  double time = 0;                       ///< the document's time for expressions, seconds
+  bool everywhere = false;               ///< true: all parts of the skeleton carry children, whatever the placement
+                                         ///< selects
+  std::string path;                      ///< path of the placement in the document, for errors: "links[1]"
 };
 
-/// Unit axes turned so that the heading comes nearer to where gravity pulls, or for a negative `droop` to its opposite,
-/// by that share at a gravity of strength 1.
+/// Returns unit axes turned so that the heading comes nearer to the direction of gravity, or to its opposite if `droop`
+/// is negative. At a gravity of strength 1, `droop` is the share of the turn.
 Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity);
 
-/// For every node whether the segment that ends in it may bear children.
+/// Returns for every node 1 if the segment that ends in the node may carry children, else 0.
 std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
                                         const PlacementContext& context);
 
-/// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. A count with
-/// a fraction gives each axis a number of places between those of the whole counts below and above: the last place is
-/// smaller, and the others make room for it, so that nothing jumps while a count rises or falls. An organ's
-/// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
-/// A lateral axis begins at its parent's bark. A skeleton of one node has no axis to stand on and gets no sites.
-/// Throws InputError past the limit of instances.
+/// Returns the sites of `placement` on `skeleton`, axis by axis from base to tip; i, n and u count along each axis. A
+/// count with a fraction gives each axis a number of places between the numbers of the whole counts below and above.
+/// The last place is smaller, and the others make room for it, so that nothing jumps while a count rises or falls. An
+/// organ's frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the
+/// axis's tip. A lateral axis begins at its parent's bark. A skeleton of one node has no axis and gets no sites. Throws
+/// InputError past the limit of instances.
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
-/// A site at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
-/// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's id.
+/// Returns a site at the tip of every axis of `skeleton`. The site heads along the axis's last segment; on a single
+/// node it heads as the parent does. i and n count over all tips, and the keys are derived from the parent's. `stem` is
+/// the skeleton's id.
 std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent);
 
 }  // namespace meristem

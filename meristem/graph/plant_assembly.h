@@ -15,22 +15,22 @@
 
 namespace meristem {
 
-/// Puts a plant together from what its batches have made, and deforms it: batches know nothing of deformations, so all
+/// Puts a plant together from the results of its batches, and deforms it. Batches know no deformations: everything
 /// grows and is placed in undeformed space.
 class PlantAssembly {
  public:
-  /// `graph` outlives it.
+  /// `graph` must outlive this object.
   explicit PlantAssembly(const Graph& graph) : graph_(graph), batches_of_(graph.components.size()) {}
 
-  /// The next batch, of instances of `component`. `own` is the batch if nobody else reads it, else null: `run` takes
-  /// the organs out of own batches, so that no organ is in memory twice.
+  /// Adds the next batch, with instances of `component`. `own` is the batch if nobody else reads it, else null. `run`
+  /// moves the organs out of own batches, so that no organ is in memory twice.
   void add(ComponentIndex component, std::shared_ptr<const BatchResult> batch, BatchResult* own);
 
-  /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
-  /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
-  /// batches, joined; individuals in the order in which batches found them. The batches' meshes take `mesh_bytes`.
-  /// Throws InputError where textures have too many pixels, surfaces or deformed shapes too many bytes, trimming has
-  /// left no stem, and as Deformation::map does; Cancelled.
+  /// Returns the plant. Materials have sketches of their textures, and equal textures are shared. Prototypes and organs
+  /// are ordered by component, then by batch; surfaces follow. Joined stems follow the order of the batches.
+  /// Individuals follow the order in which batches found them. `mesh_bytes` is the size of the batches' meshes. Throws
+  /// InputError if textures have too many pixels, if surfaces or deformed shapes take too many bytes, if trimming has
+  /// left no stem, and as Deformation::map does. Throws Cancelled.
   Plant run(std::uint64_t mesh_bytes, Progress& progress);
 
  private:
@@ -43,7 +43,7 @@ class PlantAssembly {
   using Surfaces = std::vector<SurfacePiece>;
   using Rows = std::vector<DeformedOrgans>;
 
-  /// The plants of the document, with their numbers by the ids that sites have.
+  /// The individual plants of the document, and their numbers by the ids in sites.
   struct Individuals {
     std::vector<Individual> list;
     std::unordered_map<std::uint64_t, std::uint32_t> number_by_id;

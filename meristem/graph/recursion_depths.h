@@ -9,15 +9,15 @@
 
 namespace meristem {
 
-/// How deep an instance is in each level of nested recursions, as in Site::depths.
+/// Depths of an instance in each level of nested recursions, as in Site::depths.
 using RecursionDepths = std::array<std::uint16_t, kMaxRecursionLevels>;
 
-/// Returns true if instances at these depths have children by the link: a link back leads on until its depth is
-/// reached, a leaf link only from there.
+/// Returns true if instances at these depths have children by the link. A link back makes children until its depth is
+/// reached, and a leaf link only from that depth on.
 bool leads_on(const Graph& graph, LinkIndex link, const RecursionDepths& depths);
 
-/// Changes the depths of a parent to those of its children by the link. A recursion entered from outside, or within one
-/// that begins anew, starts at 0.
+/// Changes the depths of a parent to the depths of its children by the link. A recursion that is entered anew starts at
+/// depth 0, and so does each recursion within it.
 void count_depth(const Structure& structure, LinkIndex link, ComponentIndex to, RecursionDepths& depths);
 
 }  // namespace meristem

@@ -12,16 +12,16 @@
 
 namespace meristem {
 
-/// Meshes that all instances of one component share, by their keys. May be called from many threads.
+/// Meshes that all instances of one component share, found by their keys. May be called from many threads.
 class SharedMeshes {
  public:
-  /// `earlier` are those of an earlier expansion, which are taken over as they are asked for.
+  /// `earlier` are the meshes of an earlier expansion. They are taken over when they are requested.
   explicit SharedMeshes(std::shared_ptr<const SharedMeshes> earlier = nullptr) : earlier_(std::move(earlier)) {}
-  /// Null where there is none yet.
+  /// Returns the mesh with this key, or null if there is none yet.
   std::shared_ptr<const Mesh> find(std::uint64_t key);
-  /// Keeps `mesh`, or gives the one that another thread was quicker with.
+  /// Keeps `mesh` and returns it. If another thread has kept a mesh with this key before, returns that mesh.
   std::shared_ptr<const Mesh> keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh);
-  /// Lets go of the earlier ones that nobody has asked for.
+  /// Releases the earlier meshes that nobody has requested.
   void forget_earlier() { earlier_ = nullptr; }
   std::uint64_t bytes() const { return bytes_; }
 

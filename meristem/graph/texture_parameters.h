@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a document says what texture a component wears.
+// The parameters of a component's texture, as a document gives them.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-/// Pictures of the user's.
+/// Pictures from the user's files.
 struct PictureParameters {
   Asset<Image> colour;   ///< picture of the colours
   Asset<Image> normals;  ///< picture of the normals; may be missing
@@ -23,7 +23,7 @@ struct PictureParameters {
   double shift_v = 0;    ///< shift of the texture along v, in pictures
 };
 
-/// At most one of the four kinds is given.
+/// Parameters of a texture. At most one of the four kinds is given.
 struct TextureParameters {
   std::optional<BarkRecipe> bark;            ///< painted bark
   std::optional<LeafRecipe> leaf;            ///< painted leaf
@@ -36,15 +36,15 @@ struct TextureParameters {
 
 const ParameterTable& texture_table();  ///< the rows of TextureParameters
 
-/// Lays the picture of a form, if it has one, on a mesh as it says.
+/// Transforms the uvs of a mesh for the picture of a form, if the form has one.
 void lay_picture(const TextureParameters& form, Mesh& mesh);
 
-/// The texture that a checked form means, null for an empty one. `shape` is what the component's uvs show, `colour`
-/// (sRGB) its mean. Throws Cancelled.
+/// Returns the texture of a checked form, or null for an empty form. `shape` is the shape that the component's uvs
+/// cover, `colour` (sRGB) the mean colour. Throws Cancelled.
 std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour,
                                             const Progress& progress = Progress());
 
-/// A sketch of the texture, which takes no time: sizes and masks, without pixels.
+/// Returns a sketch of the texture: sizes and masks, without pixels. Takes almost no time.
 std::shared_ptr<const Texture> sketch_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour);
 
 }  // namespace meristem

@@ -19,35 +19,36 @@ struct StemPosition {
   float along = 1;     ///< share of the segment, 0 to 1
 };
 
-/// A stem that stands as it stood at a step of its growth.
+/// A stem shown as at an earlier step of its growth.
 struct GrowingStem {
-  GrowthSpans spans;                  ///< of the whole stem
+  GrowthSpans spans;                  ///< spans of the whole stem
   double step = 0;                    ///< step at which it stands
-  double steps_per_second = 1;        ///< of the stem's clock
-  double unfold = 0;                  ///< steps in which what stands on it comes to its full size
-  double pipe_exponent = 2;           ///< of the thickness of its wood
-  std::vector<float> step_of_node{};  ///< of the whole stem, as steps_of_nodes gives them
+  double steps_per_second = 1;        ///< growth steps per second of the stem's clock
+  double unfold = 0;                  ///< number of steps in which a child on the stem reaches its full size
+  double pipe_exponent = 2;           ///< pipe exponent of the thickness of its wood
+  std::vector<float> step_of_node{};  ///< steps of the nodes of the whole stem, as steps_of_nodes returns them
 
-  /// The share of its size that something has whose place on the segment of a node of the whole stem was born then.
+  /// Returns the share of its full size of a child whose site on the segment of a node of the whole stem was born at
+  /// `birth`.
   float share_unfolded(NodeIndex node, double birth) const;
 };
 
-/// Where what stood on a stem before it was trimmed stands on what is left of it. A cut stem keeps what stands on the
-/// part that is left, where it is; on a stem that fits, everything moves to the same share of its axis.
+/// Maps positions on a whole stem to positions on its trimmed rest. On a cut stem, children of the remaining part stay
+/// in place. On a stem that fits, children move to an equal share of their axis.
 class TrimmedStem {
  public:
-  /// `trimmed` is what `mode` has left of `whole`.
+  /// `trimmed` is the rest of `whole` after trimming by `mode`.
   TrimmedStem(Skeleton whole, TrimmedSkeleton trimmed, TrimMode mode);
 
   TrimMode mode() const { return mode_; }                     ///< effect of the body on the stem
   const Skeleton& whole() const { return whole_; }            ///< skeleton before trimming
   const Skeleton& left() const { return trimmed_.skeleton; }  ///< skeleton that is left
 
-  /// Where a position of the whole stem stands on what is left, or nothing where it is gone.
+  /// Returns the position on the rest for a position of the whole stem, or nothing if it was trimmed away.
   std::optional<StemPosition> left_of(StemPosition position) const;
-  /// By axis of what is left: the axis of the whole stem.
+  /// Returns for each axis of the rest the axis of the whole stem.
   std::vector<AxisIndex> whole_axes() const;
-  /// A frame at a position of the whole stem, moved to `to` on what is left and turned as the stem is there.
+  /// Moves a frame from a position of the whole stem to a position of the rest, and turns it with the stem.
   Frame moved(const Frame& frame, StemPosition from, StemPosition to) const;
 
   /// Moves a site of a growing stem from the position `from` of the whole stem to `to` on the remaining stem. The site
@@ -62,7 +63,8 @@ class TrimmedStem {
   Skeleton whole_;
   TrimmedSkeleton trimmed_;
   TrimMode mode_;
-  // For stems that fit: metres along axes, the axes' nodes, and the axis on what is left by axis of the whole.
+  // For stems that fit: arc lengths along axes (metres), the axes' nodes, and for each axis of the whole its axis of
+  // the rest.
   std::vector<float> whole_arc_;
   std::vector<float> left_arc_;
   std::vector<float> whole_length_;

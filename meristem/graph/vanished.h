@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-/// True where the frame's volume is too small to be inverted: what would stand there is left out.
+/// Returns true if the frame's volume is too small to be inverted. Instances at such frames are left out.
 inline bool has_vanished(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) < 1e-36F; }
 
 }  // namespace meristem

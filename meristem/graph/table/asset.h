@@ -6,12 +6,12 @@
 
 namespace meristem {
 
-/// What a document names by a file, or has as a text: the path or the text as written, and what was read from it.
-/// Copies share the content.
+/// The content of a file or of a text that a document gives, with its path or the text as written. Copies share the
+/// content.
 template <class T>
 struct Asset {
   std::string path;                  ///< as written in the document
-  std::shared_ptr<const T> content;  ///< null where no file is named, or it could not be read
+  std::shared_ptr<const T> content;  ///< null if no file is named, or if reading it failed
 
   explicit operator bool() const { return content != nullptr; }  ///< true if something was read
   const T& operator*() const { return *content; }                ///< the content, which must exist

@@ -5,12 +5,12 @@
 
 namespace meristem {
 
-/// A way that something faces: a direction, or that out of the surface which it stands at.
+/// A direction that something faces: a given one, or away from the surface on which it stands.
 struct Facing {
   bool operator==(const Facing&) const = default;
 
-  bool is_from_surface = false;  ///< true: out of the surface that it stands at
-  Vec3 direction = kUp;          ///< unit vector; where it is not from the surface
+  bool is_from_surface = false;  ///< true: away from the surface on which it stands
+  Vec3 direction = kUp;          ///< unit vector; used if is_from_surface is false
 };
 
 }  // namespace meristem

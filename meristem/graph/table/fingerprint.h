@@ -13,12 +13,13 @@
 
 namespace meristem {
 
-/// Whether a text of the value has the name as a word of its own.
+/// Returns true if a text within the value contains the name as a whole word.
 bool mentions(const Value& value, std::string_view name);
 
-/// Hash of what a document says at one path: the value, the constants whose names occur in its texts, and what stands
-/// in the `files` that were read with it; where there are such, all constants. Nothing where a file is none to be read
-/// twice, such as a pipe. Takes time by the size of the value, however many constants there are.
+/// Returns a hash of what a document says at one path. The hash covers the value, the constants whose names occur in
+/// its texts, and the content of the `files` that were read with it. If there are files, the hash covers all constants.
+/// Returns nothing if a file cannot be read twice, such as a pipe. Takes time in proportion to the value's size,
+/// whatever the number of constants.
 std::optional<std::uint64_t> fingerprint_of(const Value& value, const ConstantTable& constants,
                                             std::span<const NamedFile> files, std::uint64_t file_bytes);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists whose elements are structs of several kinds, each kind with a table of its own: an element is an object whose
-// member says its kind, and all its other members are read by that kind's table, in whatever order they stand.
+// Lists whose elements are structs of several kinds. Each kind has its own table. An element is an object; one member
+// names its kind, and the kind's table reads all others, in any order.
 #pragma once
 
 #include <cstddef>
@@ -20,18 +20,18 @@ struct Kinds {
     const ParameterTable& (*table)() = nullptr;  ///< rows of the kind; not null
   };
 
-  std::string element;      ///< what messages call one of any kind: "an operation"
+  std::string element;      ///< name of an element of any kind in messages: "an operation"
   std::string doc;          ///< one sentence on the elements
-  std::string key;          ///< the member that says the kind
+  std::string key;          ///< name of the member that gives the kind
   std::string key_doc;      ///< one sentence on this member
   std::vector<Kind> kinds;  ///< at least one
 };
 
-/// The rows of all kinds as one table, after the one that says the kind: for the schema, for lists of parameters, and
-/// for messages. A row is required there if every kind requires it; nothing is read by this table.
+/// Returns the rows of all kinds as one table, after the row of the kind. Used for the schema, for lists of parameters
+/// and for messages; nothing is read with it. A row is required if every kind requires it.
 ParameterTable table_of_kinds(const Kinds& kinds);
 
-/// Which kind an element is; nothing after a fault. `all` is the table of all kinds.
+/// Returns the index of an element's kind, or nothing after a fault. `all` is the table of all kinds.
 std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
                                      const DocumentPath& path, ParameterReader& reader);
 

@@ -6,8 +6,8 @@
 
 namespace meristem {
 
-/// Reports those parameters in `value` that nothing gives a meaning, at their names: what stands beside them there and
-/// what the struct at `object`, which was read from it, has come to be.
+/// Reports parameters in `value` that have no effect, at their names. Whether a parameter has an effect depends on the
+/// parameters beside it and on `object`, the struct that was read from `value`.
 void check_meanings(const ParameterTable& table, const void* object, const Value& value, const DocumentPath& path,
                     ParameterReader& reader);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be done with members of each type that a row may have: an overload of read_value and show_value a type. A
-// row whose type serves several kinds (a Vec3 is a vector or a colour) says by its kind which is meant.
+// Functions on members of each type that a row may have: one overload of read_value and of show_value per type. If a
+// type serves several kinds (a Vec3 is a vector or a colour), the row's kind selects one.
 #pragma once
 
 #include <cmath>
@@ -25,15 +25,16 @@
 
 namespace meristem {
 
-/// Makes something of a file, or throws InputError.
+/// Makes an asset from a file, or throws InputError.
 template <class T>
 using LoadAsset = T (*)(const std::string& file_path, const Limits& limits);
-/// Makes something of a text; `path` is the file's, or where the text stands in the document one in its folder.
+/// Makes an asset from a text. `path` is the path of the file, or a path in the document's folder if the text is in the
+/// document.
 template <class T>
 using TextAsset = T (*)(const std::string& text, const std::string& file_path, ParameterReader& reader,
                         std::vector<Diagnostic>& warnings);
 
-/// What an optional holds, or the type itself.
+/// The type within an optional, or the type itself.
 template <class M>
 struct ValueOfMember {
   using Type = M;  ///< the type without `optional`
@@ -42,7 +43,7 @@ template <class M>
 struct ValueOfMember<std::optional<M>> {
   using Type = M;
 };
-/// The type of a member's value: what an optional holds, or the type itself.
+/// The type of a member's value: the type within an optional, or the type itself.
 template <class M>
 using ValueOf = typename ValueOfMember<M>::Type;
 
@@ -165,12 +166,12 @@ void copy_member(void* to, const void* from) {
 template <class M>
 inline constexpr MemberType kMemberType{read_member<M>, show_member<M>, copy_member<M>};
 
-/// How the structs that a member holds are made and found: it is one, an optional one, a list or a map of them.
+/// Makes and finds the structs that a member holds. A member holds one struct, an optional struct, a list or a map.
 template <class T>
 struct Held {
-  /// Makes new structs in the member, as many as `value` has.
+  /// Makes as many new structs in the member as `value` has.
   static void make(T&, const Value&) {}
-  /// Returns how many structs the member holds.
+  /// Returns the number of structs in the member.
   static std::size_t count(const T&) { return 1; }
   /// Returns the struct with this index.
   static void* element(T& member, std::size_t) { return &member; }

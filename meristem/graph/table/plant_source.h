@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents that a document places as whole plants. The graph knows them by this interface alone; who reads documents
-// gives them.
+// Documents that a document places as whole plants. The graph knows them only by this interface; the reader of
+// documents implements it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct GrowthTraces;
 struct GrowthView;
 struct PlantVariant;
 
-/// With what a plant is grown.
+/// The values with which a plant is grown.
 struct PlantRequest {
   std::vector<std::pair<std::string, double>> values{};  ///< variables by name and parameters by path, in this order
   std::uint64_t seed = 0;                                ///< seed of the plant
@@ -27,7 +27,7 @@ struct PlantRequest {
   bool operator==(const PlantRequest&) const = default;
 };
 
-/// A plant of another document as a view shows it, and what was recorded of its growth.
+/// A plant of another document as a view shows it, and the records of its growth.
 struct ShownPlant {
   std::shared_ptr<const PlantVariant> plant;   ///< not null
   std::shared_ptr<const GrowthTraces> traces;  ///< null if nothing was recorded
@@ -37,20 +37,20 @@ struct ShownPlant {
 class PlacedGrowth {
  public:
   virtual ~PlacedGrowth() = default;
-  /// The plant at the step of the view, all of whose components are looked at. A view with a step, or with wishes, has
-  /// the growth kept: then other steps do not grow anew. One call at a time. Throws InputError, placed in the text of
-  /// its own document, and Cancelled.
+  /// Returns the plant at the step of the view. The view's `of` does not apply: the step is for all components. A view
+  /// with a step or a trace request keeps the growth, so that other steps need no new growth. Only one call at a time
+  /// is allowed. Throws InputError, placed in the text of its own document, and Cancelled.
   virtual ShownPlant show(const GrowthView& view, const Progress& progress) = 0;
-  virtual std::uint64_t bytes() const = 0;  ///< of memory that is kept
+  virtual std::uint64_t bytes() const = 0;  ///< memory of the kept growth
 };
 
-/// A document that was read and found good.
+/// A document that was read without faults.
 class PlantSource {
  public:
-  /// What may be set in it.
+  /// A variable or parameter that a plant's request may set.
   struct Handle {
     bool is_known = false;  ///< true if the document has such a handle
-    std::string nearest{};  ///< the nearest name of one, where it is not known
+    std::string nearest{};  ///< nearest name of a handle, if this one is unknown
     double min = 0;         ///< lower end of the variable's own range; -infinity if the document gives none
     double max = 0;         ///< upper end of the variable's own range; infinity if the document gives none
   };
@@ -59,7 +59,8 @@ class PlantSource {
   virtual const std::string& file() const = 0;               ///< as messages name it
   virtual std::uint64_t fingerprint() const = 0;             ///< hash of everything that the source was read from
   virtual Handle handle(const std::string& name) const = 0;  ///< handle of a variable, or of a parameter by its path
-  /// Reads it with what is requested. May be called from many threads. Throws InputError, placed in its own text.
+  /// Reads the document with the requested values. May be called from many threads. Throws InputError, placed in its
+  /// own text.
   virtual std::shared_ptr<PlacedGrowth> plant(const PlantRequest& request) const = 0;
 };
 
@@ -73,8 +74,8 @@ class PlantSources {
   };
 
   virtual ~PlantSources() = default;
-  /// `name` is that of a shipped model, or a path from the folder of `access`. Throws InputError (what is wrong in the
-  /// document, documents that use each other, one outside of the root), and MachineError.
+  /// Opens a document. `name` is the name of a shipped model, or a path from the folder of `access`. Throws InputError
+  /// (faults in the document, documents that use each other, a document outside of the root), and MachineError.
   virtual Opened open(const std::string& name, const FileAccess& access) = 0;
 };
 

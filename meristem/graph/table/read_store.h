@@ -12,16 +12,16 @@
 
 namespace meristem {
 
-/// Keeps the expensive results of reading a document, such as those of files, by the content that they were made of,
-/// for the next reads of the same or a changed document. An edit reads no file again: until reload(), a file counts as
-/// it was first read. Results that the last reads without faults have not used are removed. One read at a time may use
-/// it.
+/// Keeps expensive results of reading a document, such as the contents of files, by hashes of their sources. Later
+/// reads of an unchanged or changed document reuse them. A file is read once: its content counts as unchanged until
+/// reload(). Results that the last reads without faults did not use are removed. Only one read at a time may use the
+/// store.
 class ReadStore {
  public:
-  /// Makes the next read look which files have changed, by size and time, and read those again.
+  /// Makes the next read check the size and time of all files, and read changed files again.
   void reload();
 
-  /// What has been done since its beginning.
+  /// Counts of the work of this store since its beginning.
   struct Counts {
     std::uint64_t files_read = 0;  ///< files whose content was read
     std::uint64_t made = 0;        ///< results that had to be made
@@ -34,10 +34,10 @@ class ReadStore {
   /// Ends a read without faults.
   void end_read();
 
-  /// Hash of a file's content; nothing where it is no plain file. Throws as read_file does.
+  /// Returns the hash of a file's content. Returns nothing if the file is not a plain file. Throws as read_file does.
   std::optional<std::uint64_t> file_hash(const std::string& path, std::uint64_t most_bytes);
 
-  /// What was kept under the key, or null.
+  /// Returns the result that was kept under the key, or null.
   template <class T>
   std::shared_ptr<const T> find(std::uint64_t key) {
     return std::static_pointer_cast<const T>(find_any(key_of<T>(key)));
@@ -54,7 +54,7 @@ class ReadStore {
     std::int64_t time = 0;
     std::uint64_t hash = 0;
     std::uint64_t read = 0;   // the last read that used it
-    bool is_checked = false;  // since the last reload
+    bool is_checked = false;  // whether it was checked since the last reload
   };
   struct Entry {
     std::shared_ptr<const void> made;

@@ -29,15 +29,15 @@ namespace meristem {
 /// Number of names that reading one document compares with unknown names to propose a similar name.
 inline constexpr std::size_t kMaxNamesCompared = 2'000'000;
 
-/// Where a number goes.
+/// The destination of a number.
 struct NumberSlot {
   void* member = nullptr;       ///< member of the struct
   StoreNumber store = nullptr;  ///< writes the number to the member
   double present = 0;           ///< the default, in document units: what an expression without a range sees as v
 };
 
-/// Reads values into structs by their tables, collects every fault with its path, and sets aside the numbers that
-/// differ from instance to instance.
+/// Reads values into structs by their tables and collects every fault with its path. Numbers that differ from instance
+/// to instance are returned as Varying.
 class ParameterReader {
  public:
   /// Takes a text and the path of its file, and adds warnings by line and column.
@@ -51,11 +51,11 @@ class ParameterReader {
         instance_names_(site_variables()),
         access_(std::move(access)) {}
 
-  /// Names that expressions of instances may use besides the site variables, from here on.
+  /// Adds names that the expressions of instances may use besides the site variables. Applies to later reads.
   void add_instance_names(std::span<const std::string> names) { instance_names_.add(names); }
-  /// What messages say of names that one may look for and that there are not: "is a column of texts".
+  /// Sets the reason that messages give for a name that cannot be used: "is a column of texts".
   void refuse_instance_name(const std::string& name, std::string reason) { refused_names_[name] = std::move(reason); }
-  /// All of them, the site variables first.
+  /// Returns all names that the expressions of instances may use, the site variables first.
   const std::vector<std::string>& instance_names() const { return instance_names_.names(); }
 
   /// Reading throws Cancelled soon after `progress` was asked to stop. Null: reading cannot be stopped.
@@ -65,83 +65,89 @@ class ParameterReader {
     if (progress_ != nullptr) progress_->check();
   }
 
-  /// The document that a component names, ready to grow; null with faults at `path`.
+  /// Returns the document that a component names, ready to grow. Returns null after faults at `path`.
   std::shared_ptr<const PlantSource> plant_source(const std::string& name, const DocumentPath& path);
 
-  /// Reads `value` into the struct at `object`, where every number must be one number. Returns the rows that it gives.
+  /// Reads `value` into the struct at `object`. Every number must be a single number. Returns the rows that `value`
+  /// gives.
   GivenRows read(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
-  /// Reads `value` into a component's struct. Numbers in it, and in the elements of its lists, may vary from instance
-  /// to instance and then end up in the result.
+  /// Reads `value` into a component's struct. Returns the numbers, including those in the elements of its lists, that
+  /// vary from instance to instance.
   std::vector<Varying> read_varying(const ParameterTable& table, void* object, const Value& value,
                                     const DocumentPath& path);
 
   /// Reports a fault of a value. `text_offset` is the byte within a text value, or -1 for the whole value.
   void fault(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
-  /// A fault at a member's name instead of its value.
+  /// Reports a fault at a member's name instead of its value.
   void fault_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
-  /// A fault for a parameter that means nothing where it stands, or nothing beside `other`.
+  /// Reports a parameter that has no effect at its position, or no effect beside `other`.
   void fault_meaning(const DocumentPath& path, std::string message, std::string expected,
                      const DocumentPath* other = nullptr);
-  /// Document paths of such parameters so far, and of the parameter beside which they mean nothing, if there is one.
+  /// Paths of a parameter without effect, and of the parameter that prevents an effect, if there is one.
   struct Meaningless {
     std::string file_path;  ///< path of the parameter
     std::string other;      ///< path of the other parameter, or empty
   };
-  /// Returns such parameters, in the order of reading.
+  /// Returns the parameters without effect, in the order of reading.
   const std::vector<Meaningless>& meaningless() const { return meaningless_; }
-  /// The candidate nearest to `name`, until the number of faults exceeds what is shown. Empty as well once all searches
-  /// together have looked at kMaxNamesCompared candidates, so that many faults among many names cost little time.
+  /// Returns the candidate nearest to `name`. Returns an empty text once the number of faults exceeds what is shown, or
+  /// once all searches together have compared kMaxNamesCompared candidates. Many faults among many names therefore cost
+  /// little time.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
   /// Adds a warning at a value.
   void warn(const DocumentPath& path, std::string message);
-  /// The fault of `wanted` of `what` where the limit called `limit_name` allows fewer.
+  /// Reports that `wanted` of `what` exceed the limit called `limit_name`.
   void fault_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                    std::string_view limit_name);
   const Limits& limits() const { return limits_; }                             ///< limits of the document
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }  ///< faults and warnings so far
   /// Returns the faults and warnings, and leaves none.
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
-  std::size_t fault_count() const { return faults_; }  ///< number of all faults, not only of diagnostics()
+  std::size_t fault_count() const { return faults_; }  ///< number of all faults; diagnostics() may hold fewer
 
-  // What tables are made of; each reports what it cannot take.
+  // The functions below are used by tables. Each reports values that it cannot accept.
 
-  /// One number in its form's range, written plainly or as an expression of the document's variables.
+  /// Reads one number in its form's range, written plainly or as an expression of the document's variables.
   std::optional<double> number(const Parameter& parameter, const Value& value, const DocumentPath& path);
-  /// A number into its slot, at once or, where allowed, as a Varying.
+  /// Stores a number into its slot: at once, or as a Varying if that is allowed.
   void store_number(const Parameter& parameter, const Value& value, const DocumentPath& path, const NumberSlot& slot);
-  /// Whether a number that was read stands there as an expression or a range, and so may be another one for another
-  /// instance or at another time.
+  /// Returns true if a number that was read is written as an expression or a range. Its value may then depend on the
+  /// instance or the time.
   bool is_worked_out(const DocumentPath& path) const;
-  /// Whether what is read is a component, in which numbers may vary.
+  /// Returns true while a component is read, in which numbers may vary.
   bool reads_component() const { return holder_.object != nullptr; }
-  /// A number that may differ among the children of an instance.
+  /// Reads a number that may differ among the children of an instance.
   void store_per_child(const Parameter& parameter, const Value& value, const DocumentPath& path, PerChild& number);
-  /// An expression over `variables` and the document's variables.
+  /// Reads an expression over `variables` and the document's variables.
   std::optional<Expression> expression(const Value& value, const DocumentPath& path,
                                        std::span<const std::string> variables);
   /// Returns the text of a value; null after a fault.
   const std::string* text(const Parameter& parameter, const Value& value, const DocumentPath& path);
   /// Returns the index of a choice; nothing after a fault.
   std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const DocumentPath& path);
-  /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `path`.
+  /// Calls `load` with the full path of the file that `value` names. Exceptions of `load` become faults at `path`.
   void file(const Parameter& parameter, const Value& value, const DocumentPath& path,
             FunctionRef<void(const std::string& file_path)> load);
-  /// Calls `read` with a text that may stand as a list of its lines, and with a path in the document's folder. The
-  /// faults that it throws and the warnings that it gives, by line and column, come to stand at their paths in the
-  /// document.
+  /// Calls `read` with a text, which may be given as a list of its lines, and with a path in the document's folder.
+  /// Faults and warnings with a line and column are moved to their position in the document.
   void lines(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// Calls `read` with the text of the file that `value` names, as `lines` does with a text.
   void text_file(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
-  /// The document's variables.
+  /// Returns the document's variables.
   const std::vector<ExpressionNames::Constant>& constants() const { return constants_.all(); }
-  const ConstantTable& constant_table() const { return constants_; }  ///< the same with a table of their names
-  /// The text of a file that another one names, sought from the folder of that one. Throws an InputError.
+  const ConstantTable& constant_table() const {
+    return constants_;
+  }  ///< the document's variables with a table of
+     ///< their names
+  /// Returns the text of a file that another file includes. The path starts at the folder of the including file. Throws
+  /// an InputError.
   std::string included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes);
-  /// All files that were named so far.
+  /// Returns all files that were named so far.
   const std::vector<NamedFile>& files() const { return files_; }
 
-  /// What `make` gives, or what it gave in an earlier read with this key, a fingerprint of all that it depends on.
+  /// Returns the result of `make`, or its result in an earlier read with this key. The key must cover everything that
+  /// the result depends on.
   template <class T, class Make>
   std::shared_ptr<const T> kept(const Fingerprint& key, Make make) {
     if (access_.store == nullptr) return std::make_shared<const T>(make());
@@ -152,7 +158,8 @@ class ParameterReader {
     }
     return made;
   }
-  /// What `load` makes of the file at `path`, which reader.file() has named, or what it made of it in an earlier read.
+  /// Returns what `load` makes of the file at `path`, or its result in an earlier read. reader.file() must have named
+  /// the file.
   template <class T>
   std::shared_ptr<const T> kept_file(const std::string& file_path, T (*load)(const std::string&, const Limits&)) {
     const std::optional<std::uint64_t> hash = file_hash(file_path);
@@ -160,8 +167,7 @@ class ParameterReader {
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(load));
     return kept<T>(key.add_text(file_path).add(*hash), [&] { return load(file_path, limits_); });
   }
-  /// What `make_of` makes of a text, or what it made of it in an earlier read; warnings come as if the text were read
-  /// anew.
+  /// Returns what `make_of` makes of a text, or its result in an earlier read. Warnings are reported in both cases.
   template <class T>
   std::shared_ptr<const T> kept_text(const std::string& text, const std::string& file_path,
                                      std::vector<Diagnostic>& warnings,
@@ -192,13 +198,13 @@ class ParameterReader {
     files_.insert(files_.end(), found->files.begin(), found->files.end());
     return found->made;
   }
-  /// The document paths of the values that keys of the animation stand for, as {"keys": [[time, value, way], ...]}.
+  /// Sets the document paths of values that stand for keys of the animation, as {"keys": [[time, value, way], ...]}.
   void expect_keys(const std::vector<std::string>& paths) { keyed_ = {paths.begin(), paths.end()}; }
-  /// Takes the paths of all expressions that are read from here on; null: none.
+  /// Collects the paths of all expressions that are read from now on. Null stops the collection.
   void note_expressions(std::vector<std::string>* paths) { expression_paths_ = paths; }
-  /// The table's members from an object, or its shorthand from a bare value.
+  /// Reads the table's members from an object, or its shorthand from a bare value.
   GivenRows object(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
-  /// The element with this index of the list or map at `member`.
+  /// Reads the element with this index of the list or map at `member`.
   void element(const Parameter& row, void* member, std::size_t index, const Value& value, const DocumentPath& path);
   /// Reports a value that is not of the row's kind.
   void wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path);
@@ -221,7 +227,7 @@ class ParameterReader {
   const Progress* progress_ = nullptr;
   mutable std::size_t names_compared_ = 0;
   std::map<std::string, std::string, std::less<>> refused_names_;
-  /// The hash of a file as the store has it; nothing where there is no store.
+  /// Returns the hash of a file from the store, or nothing if there is no store.
   std::optional<std::uint64_t> file_hash(const std::string& file_path);
   void name_file(NamedFile file);
   bool is_below_folder(const std::string& file_path) const;
@@ -233,14 +239,14 @@ class ParameterReader {
   std::vector<NamedFile> files_;
   std::vector<std::string>* expression_paths_ = nullptr;
   std::unordered_set<std::string> worked_out_;  // document paths of numbers
-  std::unordered_set<std::string> keyed_;       // and of those with keys
+  std::unordered_set<std::string> keyed_;       // document paths of numbers with keys
   std::vector<Diagnostic> diagnostics_;
   std::vector<Meaningless> meaningless_;
   std::size_t faults_ = 0;
-  /// What a component's instances have copies of and is being read: its struct, or an element of a list in it.
+  /// The struct that is being read and that every instance copies: a component's struct, or an element of a list in it.
   struct Holder {
-    std::byte* object = nullptr;        // null where no component is read, so that no number may vary
-    std::vector<Varying::Element> way;  // to it from the struct
+    std::byte* object = nullptr;        // null if no component is read: then no number may vary
+    std::vector<Varying::Element> way;  // steps from the component's struct to it
   };
   Holder holder_;
   std::vector<Varying> varyings_;

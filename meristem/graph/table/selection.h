@@ -11,7 +11,7 @@
 
 namespace meristem {
 
-/// An expression over names that its parameter states, as the document wrote it.
+/// An expression over the names that its parameter allows, as the document wrote it.
 struct Formula {
   std::string text;       ///< as the document wrote it
   Expression expression;  ///< compiled

@@ -11,13 +11,14 @@ namespace meristem {
 
 class Deformation;
 
-/// What the components above an instance say of the space that it stands in. Where they say nothing of something, its
-/// pointer is null.
+/// The surroundings that the components above an instance set. Each pointer is null if no component has set it.
 struct Surroundings {
   std::shared_ptr<const Directions> directions{};    ///< of light and gravity; null: the scene's
-  std::shared_ptr<const Deformation> deformation{};  ///< of what is seen of the instance; null: none
-  CrownPointer trim{};                               ///< body that stems are kept in, in world space; null: none
-  /// Hash of all the surroundings: equal for equal ones, and 0 where it is not known what they were made of.
+  std::shared_ptr<const Deformation> deformation{};  ///< deformation of the instance's visible geometry; null: not
+                                                     ///< deformed
+  CrownPointer trim{};                               ///< body that trims stems, in world space; null: stems are not
+                                                     ///< trimmed
+  /// Hash of all the surroundings. Equal surroundings have equal hashes. 0 if their origin is unknown.
   std::uint64_t hash = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The range in which people move a number: what an editor's slider shows, narrower than what is allowed.
+// The range of an editor's slider: the range in which people usually set a number, narrower than the hard range.
 #pragma once
 
 #include <utility>

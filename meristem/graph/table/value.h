@@ -9,8 +9,8 @@
 
 namespace meristem {
 
-/// What a person wrote, before anybody knows what it means: the tree of a document's text. Members keep their order.
-/// Its builders bound the nesting, so recursion over it is safe.
+/// A value as a document's text contains it, before its meaning is known. Members keep their order. Builders limit the
+/// depth of nesting, so recursion over a value is safe.
 class Value {
  public:
   using List = std::vector<Value>;               ///< elements in their order
@@ -42,11 +42,11 @@ class Value {
   List* list() { return std::get_if<List>(&data_); }
   Object* object() { return std::get_if<Object>(&data_); }
 
-  /// The member of an object, or null if it has none or this is not an object.
+  /// Returns the member of an object. Returns null if the value has no such member or is not an object.
   const Value* find(std::string_view name) const;
   Value* find(std::string_view name);
 
-  /// What it is, for messages: "a number", "a list of 3", "the text 'abc'".
+  /// Returns a description for messages: "a number", "a list of 3", "the text 'abc'".
   std::string description() const;
 
   bool operator==(const Value&) const = default;
@@ -55,7 +55,7 @@ class Value {
   std::variant<std::monostate, bool, double, std::string, List, Object> data_;
 };
 
-/// A path in a document, as a chain of stack objects from the top down; it costs nothing until it is written out.
+/// A path in a document, as a chain of objects on the stack from the top down. It costs nothing until text() is called.
 class DocumentPath {
  public:
   DocumentPath() = default;
@@ -63,7 +63,7 @@ class DocumentPath {
   DocumentPath(const DocumentPath& parent, std::string_view member) : parent_(&parent), member_(member) {}
   DocumentPath(const DocumentPath& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
 
-  /// "components.stem.angle", "links[1].density"; empty at the top.
+  /// Returns the path as text: "components.stem.angle", "links[1].density". Empty at the top.
   std::string text() const;
 
  private:

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Puts the keys of an animation into the tree of a document. Each key path is resolved to a row of a parameter table. A
+// parameter that follows the clocks of instances gets all of its keys in place of its value; any other parameter gets
+// the value of its keys at the document's time.
 #include "meristem/document/animation_keys.h"
 
 #include <algorithm>
@@ -28,7 +31,7 @@ namespace {
 
 const std::vector<std::string> kWays{"linear", "smooth", "step"};
 
-/// A row that a path leads to, or why it leads nowhere.
+/// The row at the end of a path, or the reason why the path is wrong.
 struct FoundRow {
   const Parameter* row = nullptr;
   bool is_element = false;  // one number of a vector
@@ -45,7 +48,7 @@ struct WrittenKey {
 
 constexpr std::size_t kNoElement = SIZE_MAX;
 
-/// 2 for "[2]"; kNoElement for what is no number in brackets.
+/// Returns the index in brackets: 2 for "[2]". Returns kNoElement for other texts.
 std::size_t index_of(const std::string& element) {
   if (element.size() < 3 || element[0] != '[') return kNoElement;
   std::size_t index = 0;
@@ -54,7 +57,7 @@ std::size_t index_of(const std::string& element) {
   return parsed.ec == std::errc() && parsed.ptr == end ? index : kNoElement;
 }
 
-/// The row that the elements of a path from the k-th on lead to.
+/// Finds the row at the end of a path, beginning at its k-th element.
 FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& elements, std::size_t k,
                 const ParameterReader& reader) {
   FoundRow found;
@@ -93,7 +96,7 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
   return found;
 }
 
-/// Reads the keys of one parameter after the other.
+/// Reads the keys of all parameters, one after the other.
 class KeyReader {
  public:
   KeyReader(Value& root, const Registry* registry, double time, ParameterReader& reader)
@@ -286,7 +289,8 @@ class KeyReader {
     reader_.fault(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
   }
 
-  /// Keys of numbers: themselves, in place of a value that differs from instance to instance, or what they give now.
+  /// Returns the keys if the value differs from instance to instance. Otherwise returns the value of the keys at the
+  /// present time.
   std::optional<Value> between(const FoundRow& found, const std::vector<WrittenKey>& keys, const DocumentPath& place,
                                bool by_instance) {
     const Parameter& row = *found.row;
@@ -308,7 +312,7 @@ class KeyReader {
     return vector;
   }
 
-  /// [[time, value, way], ...] of numbers, of ranges, or of one component of vectors.
+  /// Reads keys as [[time, value, way], ...]: keys of numbers, of ranges, or of one component of vectors.
   Value::List numbers(const Parameter& number, const std::vector<WrittenKey>& keys, const DocumentPath& place,
                       bool with_ranges, std::optional<std::size_t> component) {
     Value::List list;
@@ -353,7 +357,7 @@ class KeyReader {
     return is_whole ? std::floor(value + 0.5) : value;
   }
 
-  /// Colours pass from one to the next in sRGB, as they are written.
+  /// Returns the colour of the keys at the present time. Colours are interpolated in sRGB, as they are written.
   std::optional<Value> colour_now(const Parameter& row, const std::vector<WrittenKey>& keys,
                                   const DocumentPath& place) {
     std::array<std::vector<Track::Key>, 3> channels;
@@ -375,7 +379,7 @@ class KeyReader {
     return Value(std::move(text));
   }
 
-  /// Keys of what has no values between: the last one so far.
+  /// Returns the value of the last key so far, for parameters without values between keys.
   std::optional<Value> jumping(const Parameter& row, const std::vector<WrittenKey>& keys, const DocumentPath& place) {
     const Value* last = keys.front().value;
     for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -412,7 +416,7 @@ class KeyReader {
     *target = std::move(before);
   }
 
-  /// The value at a path, whose component or variable is there.
+  /// Finds or adds the value at a path. The component or variable of the path must exist.
   Value* find_or_add_known(const std::string& path, const DocumentPath& place, std::vector<Diagnostic>& faults) {
     const std::vector<std::string> elements = path_elements(path);
     const bool is_component = elements.size() > 1 && elements[0] == "components";
@@ -422,7 +426,8 @@ class KeyReader {
     return find_or_add_below(component, std::span(elements).subspan(2), place.text(), faults);
   }
 
-  /// A vector of which one number has keys has its default in the others, where the document does not say it.
+  /// If only one number of a vector has keys and the document does not give the vector, adds the vector with its
+  /// defaults.
   void add_vector(const std::string& path, const Parameter& row, const DocumentPath& place,
                   std::vector<Diagnostic>& faults) {
     Value* const vector = find_or_add_known(path, place, faults);
@@ -431,7 +436,7 @@ class KeyReader {
     if (vector->is_null()) *vector = Value::List{0, 0, 0};
   }
 
-  /// What is applied to the value stays.
+  /// Replaces a value by its keys. An expression in "apply" is kept.
   static void put_keys(Value& target, Value keys) {
     const Value* apply = target.object() != nullptr ? target.find("apply") : nullptr;
     Value::Object made{{"keys", std::move(keys)}};
@@ -449,7 +454,7 @@ class KeyReader {
   std::vector<KeyedParameter> keyed_;
 };
 
-/// Which components hang on one that begins a clock.
+/// Returns for each component 1 if it descends from a component that begins a clock, else 0.
 std::vector<std::uint8_t> with_own_clocks(const Graph& graph) {
   std::vector<std::uint8_t> own(graph.components.size(), 0);
   std::vector<ComponentIndex> open;

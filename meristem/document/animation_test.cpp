@@ -263,8 +263,8 @@ TEST(GrowthAsTime, StartsFromNothingAndEndsFullGrown) {
 }
 
 TEST(GrowthAsTime, NothingJumpsBetweenFrames) {
-  // The top of what stands rises no faster than the segments of a step do: ten metamers of a shoot, and those of a
-  // lateral that opens with it.
+  // A step adds at most ten metamers of a shoot, and ten of a lateral that opens in this step. The top of the plants
+  // rises no faster.
   const Document document = read(kGrowing);
   GrowthCache cache;
   constexpr double kFrame = 1.0 / 40;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Collects the files of a document and finds names for them in one folder. All paths are taken relative to the
+// document's folder. If they lead up from there, the document is placed as many folders deep, so that its relative
+// paths stay valid.
 #include "meristem/document/bundle.h"
 
 #include <algorithm>
@@ -28,14 +31,14 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return !folder.empty() && !relative.empty() && *relative.begin() != "..";
 }
 
-/// Where a path leads, without links and dots as far as it exists.
+/// Returns an absolute path without links and dots, up to its last existing part.
 fs::path whole_path(const fs::path& path) {
   std::error_code error;
   const fs::path found = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? fs::absolute(path).lexically_normal() : found;
 }
 
-/// The absolute paths among the texts of a value.
+/// Adds the absolute paths among the texts of a value.
 void add_absolute_paths(const Value& value, std::set<fs::path>& paths) {
   if (const Value::Object* const object = value.object()) {
     for (const auto& [name, member] : *object) add_absolute_paths(member, paths);
@@ -46,7 +49,7 @@ void add_absolute_paths(const Value& value, std::set<fs::path>& paths) {
   }
 }
 
-/// Those that a document and the documents that it names say, however they themselves were found.
+/// Returns the absolute paths in a document and in the documents that it names.
 std::set<fs::path> said_absolute_paths(const Document& document) {
   std::set<fs::path> paths;
   add_absolute_paths(document.source.tree, paths);
@@ -55,13 +58,13 @@ std::set<fs::path> said_absolute_paths(const Document& document) {
     try {
       add_absolute_paths(parse_json(whole_file(named).value_or("")), paths);
     } catch (const InputError&) {
-      // A table that is called so names no files.
+      // A table with the ending .json names no files.
     }
   }
   return paths;
 }
 
-/// How many folders up from its own folder a document's relative paths lead, at most.
+/// Returns the number of ".." in a relative path: how many folders it leads up.
 std::size_t steps_up(const fs::path& relative) {
   return static_cast<std::size_t>(std::count(relative.begin(), relative.end(), fs::path("..")));
 }
@@ -79,13 +82,13 @@ std::string DocumentBundle::hash() const {
 }
 
 DocumentBundle bundle_of(const Document& document, const std::string& models) {
-  // Relative to the document's folder, as the document itself names them: links are not followed, or the names would
-  // lead elsewhere where the bundle is unpacked.
+  // Paths are relative to the document's folder, as in the document. Links are not followed: the names would otherwise
+  // be wrong where the bundle is unpacked.
   const fs::path file(document.source.file);
   const fs::path folder = fs::absolute(file.parent_path() / ".").lexically_normal();
   const bool is_shipped = !models.empty() && is_below(whole_path(file), whole_path(models));
   const fs::path shipped = models.empty() || is_shipped ? fs::path() : whole_path(models);
-  std::map<fs::path, fs::path> found;  // by the path from the document's folder
+  std::map<fs::path, fs::path> found;  // by the path relative to the document's folder
   const std::set<fs::path> is_said_absolutely = said_absolute_paths(document);
   std::size_t up = 0;
   for (const std::string& named : document.source.named_files) {
@@ -97,7 +100,7 @@ DocumentBundle bundle_of(const Document& document, const std::string& models) {
     found.emplace(relative, named);
   }
 
-  // The document lies as deep as its paths lead up.
+  // The document lies as many folders deep as its paths lead up.
   fs::path own;
   for (std::size_t k = 0; k < up; ++k) own /= fmt::format("folder{}", k + 1);
   const bool is_file = !file.filename().empty() && file.filename().string().front() != '<';

@@ -112,7 +112,7 @@ TEST(CountLimits, NothingIsCountedThatMayNotBeThere) {
   EXPECT_EQ(outcome(text(R"j("size": "rand()")j")), kCancelled) << "children may have no size";
   EXPECT_EQ(outcome(text(R"j("frame": {"scale": ["rand()", 1, 1]})j")), kCancelled);
   EXPECT_EQ(outcome(text(R"j("omit": ["i == 0"])j")), kCancelled);
-  // Each instance of the recursion is smaller than its parent, and those that have vanished bear nothing.
+  // Each instance of the recursion is smaller than its parent, and vanished instances have no children.
   const auto shrinking = [](const std::string& size) {
     return document(R"j("twig": {"type": "hydra", "number": 2, "recursion": 60, "size": )j" + size + "}",
                     R"j(["twig", "twig"])j");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crowns and points as documents write them: what they become, and what is said of wrong ones.
+// Crowns and points in documents: the bodies that they become, and the messages about wrong ones.
 #include <array>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads a document's tree into a Document. The order follows the dependencies: limits, keys of the animation,
+// variables, scene, components, links, and last the structure of the graph. All faults are collected, and a faulty part
+// does not stop the others.
 #include "meristem/document/document.h"
 
 #include <algorithm>
@@ -30,7 +33,7 @@ namespace meristem {
 
 namespace {
 
-/// The lower of each two limits.
+/// Returns the lower value of each limit.
 Limits within(const Limits& own, const Limits& outer) {
   Limits both = own;
   for (std::uint64_t Limits::*const limit :
@@ -41,10 +44,10 @@ Limits within(const Limits& own, const Limits& outer) {
   return both;
 }
 
-/// Fills a Document from the tree of its text; the reader collects what is wrong.
+/// Fills a Document from the tree of its text and collects all faults.
 class DocumentReader {
  public:
-  /// The tree gets what the keys of the animation say.
+  /// `root` is the tree of the text, with the overrides.
   DocumentReader(const Value& root, const Registry& registry, const ReadOptions& options, const std::string& file)
       : root_(&root),
         registry_(registry),
@@ -102,7 +105,7 @@ class DocumentReader {
     take_from(reader);
     if (options_.seed) document.graph.seed = *options_.seed;
 
-    // The links mean something only once all are read.
+    // The structure is analysed once all components and links are read without faults.
     if (!has_errors(diagnostics_)) {
       add_camera(document.graph, registry_.camera());
       analyse_structure(document.graph, diagnostics_, options_.progress);
@@ -115,7 +118,7 @@ class DocumentReader {
   }
 
   const std::vector<ParameterReader::Meaningless>& meaningless() const { return meaningless_; }
-  /// Whether the document's time makes it another one.
+  /// Returns true if the document's content depends on its time.
   bool depends_on_time() const { return depends_on_time_; }
 
   static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
@@ -135,7 +138,8 @@ class DocumentReader {
     return keyed;
   }
 
-  /// Nothing else is read then: whatever uses the variables would be faulty as well.
+  /// Reports the fault of too many variables. Does not read the rest: values that use the variables would be faulty as
+  /// well.
   std::vector<Diagnostic> with_too_many_variables(const Limits& limits) {
     ParameterReader reader({}, limits);
     read_variables(root_->find("variables"), {}, reader);
@@ -144,7 +148,7 @@ class DocumentReader {
     return std::move(diagnostics_);
   }
 
-  /// Document paths of the numbers in whose place keys stand.
+  /// Returns the document paths of the numbers that keys replace.
   std::vector<std::string> paths_of_keys(const std::vector<KeyedParameter>& keyed) {
     std::vector<std::string> paths;
     for (const KeyedParameter& parameter : keyed) {
@@ -174,7 +178,7 @@ class DocumentReader {
                         std::make_move_iterator(found.end()));
   }
 
-  /// Leaves at most a given number of diagnostics, errors before warnings, and counts the errors that are left out.
+  /// Keeps at most a given number of diagnostics, errors before warnings, and counts the errors that are left out.
   void keep_first(std::size_t limit) {
     if (diagnostics_.size() > limit) {
       const auto warnings = std::stable_partition(diagnostics_.begin(), diagnostics_.end(),
@@ -229,7 +233,7 @@ class DocumentReader {
     }
     graph.components.resize(given->object()->size());
     for (std::size_t c = 0; c < graph.components.size(); ++c) graph.components[c].id = (*given->object())[c].first;
-    // What gives names comes before all that may use them.
+    // Components that give names are read before all components that may use the names.
     const auto read_all = [&](bool gives) {
       for (std::size_t c = 0; c < graph.components.size(); ++c) {
         reader.check_stop();
@@ -248,14 +252,14 @@ class DocumentReader {
     read_all(false);
   }
 
-  /// Whether a component, as the document says it, is of a type that gives its children names.
+  /// Returns true if a component of the document has a type that gives names to its descendants.
   bool gives_names(const Value& component) const {
     const Value* name = component.find("type");
     const ComponentType* type = name == nullptr || name->text() == nullptr ? nullptr : registry_.find(*name->text());
     return type != nullptr && type->gives;
   }
 
-  /// The names that a component gives, each once in the graph.
+  /// Adds the names that a component gives to the graph. A name that several components give is added once.
   void take_names(ParameterReader& reader, Graph& graph, Prototype& prototype, const DocumentPath& path) {
     if (reader.fault_count() > 0) return;
     GivenNames given = prototype.type->gives(prototype.parameters.get());
@@ -273,8 +277,8 @@ class DocumentReader {
     for (auto& [name, reason] : given.refused) reader.refuse_instance_name(name, std::move(reason));
   }
 
-  /// The type that a component names; null after a fault. Faulty components stay in the graph without a type, so that
-  /// links to them are no further fault.
+  /// Returns the type of a component, or null after a fault. A faulty component stays in the graph without a type, so
+  /// that links to it cause no further fault.
   const ComponentType* type_of(ParameterReader& reader, const std::string& id, const Value& value,
                                const DocumentPath& path) const {
     const auto fits = [](char c) {
@@ -316,7 +320,7 @@ class DocumentReader {
                      reader.limits());
   }
 
-  /// Where a component shows what growth has left to another one, its own rows for what there was before mean nothing.
+  /// Reports rows of a component that have no effect because the component shows the remains of another one's growth.
   static void check_shown(ParameterReader& reader, const Prototype& prototype, const Value& value,
                           const DocumentPath& path) {
     const auto& watches = prototype.type->watches_growth;
@@ -329,7 +333,7 @@ class DocumentReader {
     }
   }
 
-  /// What a component says, and what it takes from the one that it shows.
+  /// Returns a component's value, completed with the rows that it copies from the component that it shows.
   Value with_shown(ParameterReader& reader, Prototype& prototype, const Value& value, const DocumentPath& path) {
     const Showing& shows = prototype.type->shows;
     const Value* of = shows.type.empty() ? nullptr : value.find("of");
@@ -352,7 +356,7 @@ class DocumentReader {
     return whole;
   }
 
-  /// Components of one type, as the document says them.
+  /// The components of one type, with their values in the document.
   struct Typed {
     NameTable ids;
     std::vector<const Value*> values;
@@ -369,7 +373,7 @@ class DocumentReader {
     return found->second;
   }
 
-  /// The value behind names that dots part; null where there is none.
+  /// Returns the value at a path of names with dots between them. Returns null if the path does not exist.
   static const Value* find_member(const Value& value, std::string_view names) {
     const Value* found = &value;
     while (found != nullptr && !names.empty()) {
@@ -381,8 +385,8 @@ class DocumentReader {
   }
 
   const Value* root_;
-  std::optional<Value> own_;  // a copy of the root with what the keys of the animation say
-  NameTable columns_;         // that components give to their children
+  std::optional<Value> own_;  // a copy of the root that contains the keys of the animation
+  NameTable columns_;         // names of columns that components give to their descendants
   std::map<std::string, Typed> typed_;
   const Registry& registry_;
   const ReadOptions& options_;
@@ -391,7 +395,7 @@ class DocumentReader {
   const DocumentPath top_;
   std::vector<Diagnostic> diagnostics_;
   std::vector<ParameterReader::Meaningless> meaningless_;
-  std::size_t hidden_ = 0;  // faults that are only counted
+  std::size_t hidden_ = 0;  // number of faults that are only counted
   bool depends_on_time_ = false;
 };
 
@@ -414,7 +418,7 @@ void Source::place(std::vector<Diagnostic>& diagnostics, const Progress* progres
 
 namespace {
 
-/// Results of files that all reads of one document at other times share.
+/// A store of read files that all reads of one document at other times share.
 struct SharedReads {
   StoppableMutex mutex;  // one read at a time
   ReadStore store;
@@ -445,7 +449,7 @@ Document read_document(std::string text, const std::string& file, const Registry
   document.source = {.file = file, .text = std::move(text)};
   bool depends_on_time = false;
   std::vector<Diagnostic> diagnostics;
-  const bool is_outermost = options.chain == nullptr;  // what others name is part of one read
+  const bool is_outermost = options.chain == nullptr;  // documents that others name are part of the outermost read
   if (options.store != nullptr && is_outermost) options.store->begin_read();
   const DocumentChain outermost{.file = real_file(file), .name = file};
   ReadOptions reading = options;
@@ -460,7 +464,8 @@ Document read_document(std::string text, const std::string& file, const Registry
       DocumentReader reader(root, registry, reading, file);
       diagnostics = reader.run(document);
       depends_on_time = reader.depends_on_time();
-      // What is set goes before the document: what this says and means nothing beside it gives way.
+      // Overrides take precedence: values of the document that have no effect beside them are removed, and the document
+      // is read again.
       again = give_way(root, reader.meaningless(), document.source.overridden);
       if (again) document = Document{.source = std::move(document.source)};
     }

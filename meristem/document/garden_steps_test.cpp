@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of plants that other documents place: those of their own documents, from one growth for each.
+// Steps of plants that other documents place. Each document is grown once, and its steps are shown from this growth.
 #include <fstream>
 #include <string>
 #include <vector>
@@ -139,7 +139,7 @@ TEST_F(GardenSteps, MarksStandAtThePlaces) {
     for (const TracedPlace& point : growths[k].marks.points) EXPECT_LE(glm::distance(point.position, middle), 1.01F);
   }
   EXPECT_EQ(at.traces.marks(6, {TracePart::points}, Progress()).points.size(), 300U);
-  // What is no longer looked at has its last step.
+  // Plants that the view's step no longer applies to are at their last step.
   GrownDocument other = grown({.step = 6, .wish = {TracePart::points}, .of = "herb"});
   for (const TracedPlace& point : other.traces.marks(2, {TracePart::points}, Progress()).points)
     if (point.state == PlaceState::used) return;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Grows a document in stages: the plant with sketches of its textures, its meshes, and the painted textures. A growth
+// can stop after any stage and be completed later. Variants of plants from other documents share their meshes and
+// pictures.
 #include "meristem/document/grow.h"
 
 #include <algorithm>
@@ -20,16 +23,16 @@ namespace meristem {
 
 namespace {
 
-/// Paints the textures of the variants that a plant's plantings show, at any depth.
+/// Replaces texture sketches in the plants that a plant's plantings show, at any depth.
 class VariantPainter {
  public:
   explicit VariantPainter(Progress& progress) : progress_(progress) {}
 
-  /// Shows painted variants in place of those with sketches.
+  /// Replaces variants with sketches by variants with painted textures.
   void paint(std::vector<Planting>& plantings) {
     for (Planting& planting : plantings) planting.variant = painted(planting.variant);
   }
-  /// Paints the materials of meshes.
+  /// Replaces sketches in the materials of meshes.
   void paint(std::vector<Material>& materials) const {
     for (Material& material : materials) {
       const auto found = pictures_.find(material.texture.get());
@@ -58,17 +61,18 @@ class VariantPainter {
   }
 
   Progress& progress_;
-  Cache textures_;  // so that equal textures of several variants are painted once and shared
+  Cache textures_;  // lets equal textures of several variants be painted once and shared
   CacheSeries series_{textures_};
   std::unordered_map<const PlantVariant*, std::shared_ptr<const PlantVariant>> painted_;
   std::unordered_map<const Texture*, std::shared_ptr<const Texture>> pictures_;  // by sketch
 };
 
-/// Paints the textures of the plant, which its meshes share. Nothing else changes, so others may read it meanwhile.
+/// Paints the textures of the plant, which its meshes share. Changes only textures, so other threads may read the plant
+/// at the same time.
 void paint_variants(const Document& document, GrownDocument& grown, Progress& progress, GrowthCache* cache) {
   std::vector<Material> painted = grown.plant.materials;
   paint_textures(document.graph, painted, progress, cache);
-  // The materials of meshes begin with the plant's.
+  // The materials of the meshes begin with the plant's materials.
   for (std::vector<Material>* materials : {&grown.plant.materials, &grown.meshes.materials}) {
     const std::size_t count = std::min(painted.size(), materials->size());
     for (std::size_t m = 0; m < count; ++m) (*materials)[m].texture = painted[m].texture;

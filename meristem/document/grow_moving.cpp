@@ -22,7 +22,8 @@ MovingScene grow_moving(const Document& document, Progress& progress, const Movi
   MovingSceneMaker maker(document.graph.limits, options.limits, options.keys);
   GrowthCache cache;
   for (std::size_t step = 0; step < options.keys; ++step) {
-    // The last key comes right after the first, so that what moves too much is told after two growths.
+    // The last key is made right after the first one, so that a scene with too much movement is refused after two
+    // growths.
     const std::size_t k = step == 0 ? 0 : step == 1 ? options.keys - 1 : step - 1;
     const double time = length * static_cast<double>(k) / static_cast<double>(options.keys - 1);
     std::optional<Document> other;

@@ -48,7 +48,7 @@ Box box_at(const MovingScene& moving, std::size_t key) {
       for (const auto& [a, b, c] : instances.mesh->triangles) {
         const Vec3 at_a = frame.point(mesh.positions[a]), at_b = frame.point(mesh.positions[b]);
         const Vec3 at_c = frame.point(mesh.positions[c]);
-        // What is not there yet lies together at its base.
+        // A triangle that has not appeared yet is a point at its base.
         if (glm::length(glm::cross(at_b - at_a, at_c - at_a)) < 1e-9F) continue;
         for (const Vec3 position : {at_a, at_b, at_c}) box.add(position);
       }

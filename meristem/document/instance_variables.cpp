@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads variables that each instance of a component draws, and checks who uses them. Variables are ordered so that each
+// follows the variables that it uses. A name may be used below its giver only; dominators of the graph answer this for
+// a single giver, and a walk for several givers.
 #include "meristem/document/instance_variables.h"
 
 #include <algorithm>
@@ -22,13 +25,13 @@ namespace meristem {
 
 namespace {
 
-/// A variable on its way into the graph.
+/// A variable that is not yet in the graph.
 struct Draft {
   std::string name;
   ComponentIndex owner = kNoIndex;
   const Value* said = nullptr;
   Varying value;
-  std::vector<std::size_t> uses;  // other drafts
+  std::vector<std::size_t> uses;  // indices of other drafts
 };
 
 class InstanceVariableReader {
@@ -69,7 +72,7 @@ class InstanceVariableReader {
  private:
   void read(Draft& draft) {
     const DocumentPath own(path_, draft.name);
-    // Its value is an expression over the owner's sites; the rest is that of any variable.
+    // The value is an expression over the owner's sites. The other members are read as for any variable.
     Value::Object rest = *draft.said->object();
     for (Value::Member& member : rest) {
       if (member.first == "value") member.second = Value(0.0);
@@ -106,12 +109,12 @@ class InstanceVariableReader {
                   nearest);
   }
 
-  /// Adds each variable after those that it uses: in rounds, of which each adds, in the document's order, all variables
-  /// whose used ones are there. Variables that are left over need each other.
+  /// Adds each variable after the variables that it uses. Works in rounds: each round adds, in the document's order,
+  /// all variables whose used variables have been added. Variables that are left over depend on each other.
   void add_in_order() {
     const std::size_t count = drafts_.size();
     std::vector<std::vector<std::size_t>> users(count);
-    std::vector<std::size_t> missing(count);  // of those that a variable uses
+    std::vector<std::size_t> missing(count);  // number of used variables that have not been added
     for (std::size_t k = 0; k < count; ++k) {
       missing[k] = drafts_[k].uses.size();
       for (const std::size_t used : drafts_[k].uses) users[used].push_back(k);
@@ -148,7 +151,7 @@ class InstanceVariableReader {
   }
 
   void tell_circle(const std::vector<bool>& is_added) {
-    // Follow uses from one that is left until one comes again.
+    // Follows uses from a variable that is left, until a variable is met again.
     std::size_t at = static_cast<std::size_t>(std::ranges::find(is_added, false) - is_added.begin());
     std::vector<std::size_t> way;
     std::vector<bool> is_met(drafts_.size());
@@ -170,18 +173,18 @@ class InstanceVariableReader {
   ParameterReader& reader_;
   const DocumentPath top_;
   const DocumentPath path_{top_, "variables"};
-  NameTable ids_;  // of components
+  NameTable ids_;  // ids of components
   std::vector<Draft> drafts_;
   std::size_t first_slot_ = 0;
 };
 
-/// Whether a member of a component is a name, a file or a choice and no expression.
+/// Returns true if a member of a component is a name, a file or a choice, and so no expression.
 bool is_plain_text(std::string_view member) {
   constexpr std::array kTexts{"type", "file", "table", "choose", "names", "grammar", "of"};
   return std::ranges::find(kTexts, member) != kTexts.end();
 }
 
-/// Which components stand somewhere without any of the givers above them.
+/// Returns for each component true if it stands somewhere without any of the givers above it.
 std::vector<bool> reached_without(const Graph& graph, const std::vector<bool>& gives) {
   std::vector<bool> reached(graph.components.size());
   std::vector<ComponentIndex> ahead;
@@ -200,7 +203,7 @@ std::vector<bool> reached_without(const Graph& graph, const std::vector<bool>& g
   return reached;
 }
 
-/// Looks at every name that a component or a variable mentions, once.
+/// Checks every name that a component or a variable mentions. Each mention is checked once.
 class GivenNamesCheck {
  public:
   GivenNamesCheck(const Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress)
@@ -215,7 +218,7 @@ class GivenNamesCheck {
         if (givers_[slot].empty() || givers_[slot].back() != c) givers_[slot].push_back(c);
       }
     }
-    // The owner of a variable sees it itself; who gives columns gives them to children only.
+    // The owner of a variable may use it itself. A component that gives columns gives them only to its descendants.
     for (const InstanceVariable& variable : graph.instance_variables) {
       std::vector<ComponentIndex>& givers = givers_[variable.slot];
       const auto place = std::ranges::lower_bound(givers, variable.owner);
@@ -236,7 +239,7 @@ class GivenNamesCheck {
  private:
   static constexpr std::size_t kByComponent = 0;
 
-  /// A component that mentions a name, or its variable with the number `variable` - 1.
+  /// A component that uses a name. `variable` - 1 is the index of the component's variable that uses it.
   struct Mention {
     std::uint32_t slot = 0;
     std::size_t variable = kByComponent;
@@ -245,11 +248,12 @@ class GivenNamesCheck {
   };
 
   void find_mentions(const Value& root) {
-    std::vector<ComponentIndex> last(names_.size(), kNoIndex);  // component that mentioned a name last
+    std::vector<ComponentIndex> last(names_.size(), kNoIndex);  // the last component that mentioned each name
     const Value* components = root.find("components");
     const std::size_t count =
         components == nullptr || components->object() == nullptr ? 0 : components->object()->size();
-    // The graph's components are those of the document in their order, and then those that the reader adds.
+    // The graph's components begin with the components of the document, in their order. Components that the reader has
+    // added follow.
     for (std::size_t k = 0; k < count; ++k) {
       if (progress_ != nullptr) progress_->check();
       const auto component = static_cast<ComponentIndex>(k);
@@ -281,7 +285,7 @@ class GivenNamesCheck {
     }
   }
 
-  /// Whether the component stands somewhere without any of the givers of the name above it.
+  /// Returns true if the component stands somewhere without any giver of the name above it.
   bool is_reached(const Mention& mention) {
     const std::vector<ComponentIndex>& givers = givers_[mention.slot];
     if (!dominators_) {
@@ -293,7 +297,7 @@ class GivenNamesCheck {
       return dominators_->is_strictly_dominated(mention.component, giver);
     };
     if (givers.size() == 1) return !is_above(givers[0]);
-    // A name that several components give needs a walk, once for all names that these give.
+    // A name with several givers needs a walk. Names with equal givers share one walk.
     if (walked_slot_ != mention.slot && (!walked_ || *walked_ != givers)) {
       std::vector<bool> gives(graph_.components.size());
       for (const ComponentIndex giver : givers) gives[giver] = true;
@@ -305,7 +309,7 @@ class GivenNamesCheck {
   }
 
   void tell(const Mention& mention) {
-    // Only the number of faults beyond the limit is shown.
+    // Faults beyond the limit are only counted.
     if (++told_ > graph_.limits.diagnostics) {
       diagnostics_.emplace_back();
       return;
@@ -328,14 +332,14 @@ class GivenNamesCheck {
   const Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
   const Progress* progress_;
-  const NameTable names_;                            // of sites
-  std::vector<std::vector<ComponentIndex>> givers_;  // by name, rising
-  std::vector<ComponentIndex> owners_;               // by name, of a variable
+  const NameTable names_;                            // names of the values of sites
+  std::vector<std::vector<ComponentIndex>> givers_;  // by name: indices of its givers, rising
+  std::vector<ComponentIndex> owners_;               // by name: owner of the variable
   std::vector<Mention> mentions_;
   std::optional<Dominators> dominators_;
-  std::optional<std::uint32_t> walked_slot_;           // of the mention before
+  std::optional<std::uint32_t> walked_slot_;           // slot of the previous mention
   std::optional<std::vector<ComponentIndex>> walked_;  // givers of the last walk
-  std::vector<bool> reached_;                          // by it
+  std::vector<bool> reached_;                          // result of the last walk
   std::size_t told_ = 0;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads JSON with comments into a tree. The parser sends events, and a builder without recursion makes the tree, checks
+// limits and repeated keys, and stops at the first fault. Faults get line, column and path.
 #include "meristem/document/json.h"
 
 #include <algorithm>
@@ -17,10 +19,10 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kValuesBetweenChecks = 4096;
-constexpr std::size_t kLongestKey = 1000;  // bytes; keys stand in messages, names of parameters are short
+constexpr std::size_t kLongestKey = 1000;  // bytes; keys appear in messages, and names of parameters are short
 
-/// The parser's words for what it did not like, in ours: "syntax error while parsing object - unexpected string
-/// literal; last read: '"b"'; expected '}'" says that a string literal was not expected, and that ',' or '}' were.
+/// Rewrites a message of the parser: "syntax error while parsing object - unexpected string literal; last read: '"b"';
+/// expected '}'" becomes "unexpected string literal", with ',' or '}' as expected.
 Diagnostic syntax_fault(std::string_view what) {
   const std::size_t dash = what.find(" - ");
   if (dash != std::string_view::npos) {
@@ -34,7 +36,7 @@ Diagnostic syntax_fault(std::string_view what) {
     fault.expected = what.substr(at + kExpected.size());
     fault.message.resize(at);
   }
-  // What was read last may be the whole text, or not UTF-8.
+  // The text that was read last is removed: it may be the whole document, or not UTF-8.
   for (std::string* part : {&fault.message, &fault.expected})
     part->resize(std::min(part->find("; last read: "), part->size()));
   if (fault.expected == "'}'" || fault.expected == "']'") fault.expected = "',' or " + fault.expected;
@@ -43,7 +45,7 @@ Diagnostic syntax_fault(std::string_view what) {
   return fault;
 }
 
-/// Builds the tree from the parser's events, without recursion, and stops at the first fault.
+/// Builds the tree from the parser's events without recursion. Stops at the first fault.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(std::string_view text, const Limits& limits, const Progress* progress)
@@ -77,8 +79,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
-    // The parser counts the bytes it has read. For a whole token in the wrong position that is the end, elsewhere the
-    // byte after the one that is wrong.
+    // The parser counts the bytes that it has read. The count ends behind a whole token in a wrong position, and
+    // otherwise one byte behind the wrong byte.
     const std::string_view what = error.what();
     const bool is_overflow = what.find("number overflow") != std::string_view::npos;
     const bool is_token = what.find(" - unexpected ") != std::string_view::npos &&
@@ -132,7 +134,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return add(std::move(done));
   }
 
-  /// Returns the first name in alphabetical order that is given twice. Null if there is none.
+  /// Returns the first name, in alphabetical order, that is given twice. Returns null if all names differ.
   static const std::string* repeated_key(const Value::Object& object) {
     constexpr std::size_t kFew = 16;
     bool is_repeated = false;
@@ -156,7 +158,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return twice == names.end() ? nullptr : *twice;
   }
 
-  /// The path of what the parser reads now; every open object but one that is between members has its key in `keys_`.
+  /// Returns the path of the value that the parser reads now. Every open object has its present key in `keys_`, except
+  /// an object between two members.
   std::string present_path() const {
     std::string path;
     std::size_t key = 0;
@@ -188,7 +191,7 @@ Value parse_json(std::string_view text, const Limits& limits, const Progress* pr
     throw InputError(Diagnostic{.message = fmt::format("the text has {} bytes", text.size()),
                                 .expected = fmt::format("at most {}", limits.document_bytes)});
   }
-  // The parser takes it for the end of the text, or of a comment.
+  // The parser would take a zero byte for the end of the text or of a comment.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     const TextPosition at = text_position(text, zero);
     throw InputError(Diagnostic{

@@ -124,7 +124,7 @@ TEST(LargeDocument, ComponentsWithoutTheirVariablesAreThoseThatAWalkFinds) {
 }
 
 TEST(LargeDocument, VariablesOfInstancesFollowThoseThatTheyUse) {
-  // a uses c, b uses a, c uses nothing, d uses f: c comes first, then in further rounds those that wait for it.
+  // a uses c, b uses a, c uses nothing, d uses f. c comes first; variables that wait for others follow in later rounds.
   const std::string text = R"json({"meristem": 1, "variables": {
     "a": {"value": "c", "per": "leaf"}, "b": {"value": "a", "per": "leaf"}, "c": {"value": "1", "per": "leaf"},
     "d": {"value": "f + c", "per": "leaf"}, "f": {"value": "2", "per": "leaf"}},

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The rows of a scene's light, their rules, and the light that they describe. The sun is a single position, the
+// positions of one day, or the positions of a season, which share its light.
 #include "meristem/document/light_table.h"
 
 #include <cmath>
@@ -12,12 +14,12 @@ namespace meristem {
 
 namespace {
 
-constexpr double kSeasonHours = 1;        // between the positions of a season that does not say
-constexpr double kMostPositions = 10000;  // a year of all its hours; growth asks each for shade
+constexpr double kSeasonHours = 1;        // hours between the positions of a season, by default
+constexpr double kMostPositions = 10000;  // allows all hours of a year; growth traces shade for each position
 constexpr std::size_t kMostLamps = 1000;
 constexpr int kDaysOfYear = 365;
 
-/// The days of a season; one that ends before it begins goes on into the next year.
+/// Returns the days of a season. A season that ends before it begins continues into the next year.
 std::vector<double> season_days(const SunParameters& sun) {
   const int first = sun.days[0];
   const bool goes_on = sun.days[1] < first;
@@ -40,7 +42,7 @@ void check_positions(const SunParameters& sun, const DocumentPath& path, Paramet
                fmt::format("at most {}: a longer '{}'", kMostPositions, name));
 }
 
-/// The one day of the year that a day or a date gives.
+/// Returns the day of the year that a day or a date gives, or nothing.
 std::optional<double> day_of(const SunParameters& sun) {
   if (sun.day || sun.date.empty()) return sun.day;
   const std::optional<Date> date = parse_date(sun.date);
@@ -134,12 +136,12 @@ const ParameterTable& lamp_table() {
   return table;
 }
 
-/// The hour of pictures, in words.
+/// Returns the hour of pictures as text.
 std::string shown_time(const SunParameters& sun) {
   return sun.time ? clock_hour_text(*sun.time) : fmt::format("{:.6g} h", sun.hour);
 }
 
-/// What the sun does wrong if it gives no light, in words.
+/// Returns the reason, as text, why the sun gives no light.
 std::string reason_without_sun(const LightParameters& settings) {
   const SunParameters& sun = *settings.sun;
   if (!has_days(sun)) return "the sun is below the horizon";
@@ -159,7 +161,8 @@ std::string_view consequence_without_sun(const LightParameters& settings) {
   return has_sky ? "sky and lamps give all light" : "the lamps give all light";
 }
 
-/// An hour of the night with lamps is meant, and so are pictures of it.
+/// Warns if the sun gives no light, in general or in pictures. A scene with lamps at a single hour of the night is
+/// intended and gives no warning.
 void warn_of_night(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader,
                    const Scene& scene) {
   const SunParameters& sun = *settings.sun;
@@ -172,7 +175,7 @@ void warn_of_night(const LightParameters& settings, const DocumentPath& path, Pa
   }
 }
 
-/// Where the sun stands in pictures.
+/// Returns the position of the sun in pictures.
 SkyDirection shown_sun(const LightParameters& settings) {
   const SunParameters& sun = *settings.sun;
   if (sun.azimuth) return {*sun.azimuth, *sun.altitude};
@@ -185,7 +188,7 @@ SkyDirection shown_sun(const LightParameters& settings) {
   return sun_position(*settings.latitude, days[days.size() / 2], sun.hour);
 }
 
-/// All positions of the sun, 1 in all.
+/// Returns all positions of the sun. Their weights add up to 1.
 std::vector<DirectionalLight> sun_positions(const LightParameters& settings, SkyDirection shown) {
   const SunParameters& sun = *settings.sun;
   if (!sun.days.empty()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scanner that knows just enough JSON (with comments) to say where the value at a document path begins. The parser
-// proper gives no positions; scanning again costs nothing where there are no faults.
+// A scanner that reads just enough JSON (with comments) to find where the value at a document path begins. The parser
+// itself gives no positions. The text is scanned again only if there are faults.
 #include "meristem/document/locate.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr std::size_t kTokensBetweenChecks = 4096;
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// Four hexadecimal digits at `at`; 0 where there are none.
+/// Returns the value of four hexadecimal digits at `at`, or 0 if there are no such digits.
 unsigned hexadecimal(std::string_view text, std::size_t at) {
   unsigned value = 0;
   if (at + 4 <= text.size()) std::from_chars(text.data() + at, text.data() + at + 4, value, 16);
@@ -47,7 +47,7 @@ void append_utf8(unsigned character, std::string& out) {
   put(0x80U | (character & 0x3FU));
 }
 
-/// Appends what the byte or escape at `at` of a JSON text stands for. Returns where the next begins.
+/// Appends the character of the byte or escape at `at` of a JSON text. Returns the position of the next one.
 std::size_t decode(std::string_view text, std::size_t at, std::string& out) {
   if (text[at] != '\\' || at + 1 == text.size()) {
     out += text[at];
@@ -99,12 +99,12 @@ class Scanner {
  private:
   struct Container {
     bool is_object = false;
-    std::size_t path_length = 0;  // of its own path
-    std::size_t index = 0;        // of the next element
-    bool awaits_value = false;    // after an object's colon, or anywhere in a list
+    std::size_t path_length = 0;  // length of the container's own path
+    std::size_t index = 0;        // index of the next element
+    bool awaits_value = false;    // true after an object's colon, and anywhere in a list
   };
 
-  /// One token inside a container.
+  /// Reads one token inside a container.
   void step() {
     Container& top = open_.back();
     const char c = text_[at_];
@@ -133,8 +133,8 @@ class Scanner {
     }
   }
 
-  /// The wanted path that is the present one. Longer ones are not even hashed: in a text that is nothing but brackets
-  /// that would take time by the square of its length.
+  /// Returns the entry of the present path if it is wanted, else null. Longer paths are not even hashed: in a text of
+  /// only brackets that would take quadratic time.
   Found* find() {
     if (path_.size() > longest_) return nullptr;
     const auto found = wanted_.find(path_);
@@ -157,7 +157,7 @@ class Scanner {
     }
   }
 
-  /// Reads the text at the present quote; anything else is passed over byte by byte.
+  /// Reads the text at the present quote. Steps over any other byte.
   std::string read_string() {
     std::string read;
     if (text_[at_++] != '"') return read;
@@ -191,13 +191,13 @@ class Scanner {
   std::vector<Container> open_;
 };
 
-/// The path without its last element, "a.b[2]" -> "a.b" -> "a".
+/// Returns the path without its last element: "a.b[2]" gives "a.b", which gives "a".
 std::string parent_path(const std::string& path) {
   const std::size_t cut = path.find_last_of(".[");
   return cut == std::string::npos ? std::string() : path.substr(0, cut);
 }
 
-/// The byte of the document at which byte `offset` of the text value at `begin` stands, escapes counted.
+/// Returns the byte of the document at which byte `offset` of the text value at `begin` stands. Escapes are counted.
 std::size_t offset_in_text(std::string_view text, std::size_t begin, int offset) {
   std::size_t at = begin + 1;
   std::string read;
@@ -209,7 +209,7 @@ std::size_t offset_in_text(std::string_view text, std::size_t begin, int offset)
   return at;
 }
 
-/// Line and column of offsets that only rise, in one pass over the text.
+/// Computes line and column of rising offsets in one pass over the text.
 class PositionCounter {
  public:
   explicit PositionCounter(std::string_view text) : text_(text) {
@@ -234,7 +234,8 @@ class PositionCounter {
   TextPosition position_;
 };
 
-/// The byte at which a diagnostic's fault lies, or nothing where neither its path nor a part of it is in the text.
+/// Returns the byte of a diagnostic's fault. Returns nothing if neither its path nor the beginning of its path is in
+/// the text.
 std::optional<std::size_t> offset_of(const Diagnostic& diagnostic, std::string_view text,
                                      const std::unordered_map<std::string, Found>& wanted) {
   std::string path = diagnostic.path;
@@ -265,7 +266,7 @@ std::vector<std::size_t> places_of_bytes(std::string_view text, std::size_t begi
 TextPosition text_position(std::string_view text, std::size_t offset) { return PositionCounter(text).at(offset); }
 
 void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics, const Progress* progress) {
-  // Every path is wanted, and its ancestors in case it is not in the text.
+  // Every path is wanted. Its ancestors are wanted too, in case it is not in the text.
   std::unordered_map<std::string, Found> wanted;
   for (const Diagnostic& diagnostic : diagnostics) {
     std::string path = diagnostic.path;
@@ -273,7 +274,7 @@ void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics
   }
   Scanner(text, wanted, progress).run();
 
-  // Lines are counted from the first fault to the last.
+  // Lines are counted in one pass from the first fault to the last.
   std::vector<std::pair<std::size_t, Diagnostic*>> found;
   for (Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.line != 0) continue;

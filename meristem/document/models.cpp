@@ -44,7 +44,7 @@ DocumentFile find_document_within(const std::string& path, const std::string& fo
   if (root.empty()) return {find_document(path, folder), root};
   const bool is_plain_name = path.find_first_of("./") == std::string::npos;
   if (is_plain_name && !is_within_root(path, root)) {
-    // A file outside is not looked at, so that the answer is the same whether there is one or not.
+    // A file outside the root is not checked, so that the answer does not depend on its existence.
     const std::vector<std::string> names = model_names(folder);
     if (std::find(names.begin(), names.end(), path) != names.end()) return {model_path(folder, path), folder};
   }

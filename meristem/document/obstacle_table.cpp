@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The rows of obstacles, the check of their meshes, and the bodies for the scene. A mesh from a file must be a closed
+// body unless the document accepts a broken one; the result of this slow check is kept with the mesh.
 #include "meristem/document/obstacle_table.h"
 
 #include <algorithm>
@@ -15,9 +17,9 @@ namespace meristem {
 namespace {
 
 constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
-constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
+constexpr double kBytesATriangle = 300;  // memory per triangle: the mesh, the test for the inside, and the search tree
 
-/// The form's mesh where it stands in the scene.
+/// Returns the mesh of an obstacle at its place in the scene.
 TriangleMesh placed_mesh(const ObstacleParameters& form) {
   TriangleMesh mesh = form.mesh ? form.mesh->mesh
                                 : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),

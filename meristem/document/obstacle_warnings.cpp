@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stems are tested by segments, so that thin obstacles are not missed. Shapes that are drawn about a path, such as
-// horns, are tested at some of their vertices: a wall that is thinner than the distance between these may be missed.
+// Stems are tested by segments, so thin obstacles are not missed. Shapes that are drawn around a path, such as horns,
+// are tested at some of their vertices; a wall that is thinner than their distance may be missed.
 #include "meristem/document/obstacle_warnings.h"
 
 #include <algorithm>
@@ -17,10 +17,11 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kSegmentsAtOnce = 1024;
-constexpr std::size_t kMostVertices = 64;  // that an organ is looked at
-constexpr float kOffTheGround = 0.01F;     // of a stem's first segment, whose root may stand on an obstacle
+constexpr std::size_t kMostVertices = 64;  // largest number of vertices that are tested per organ
+// Metres at the start of a stem's first segment that are not tested: the root may stand on an obstacle
+constexpr float kOffTheGround = 0.01F;
 
-/// What of a component has been looked at, and what of that lies in obstacles.
+/// Counts of a component's pieces that were tested, and of the pieces that lie in obstacles.
 struct Tally {
   const Prototype* component = nullptr;
   const char* pieces = "";  ///< what is counted
@@ -39,7 +40,7 @@ bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
 }
 
-/// Which components draw stems by themselves.
+/// Returns the components that draw stems without growth.
 std::vector<const Prototype*> drawn_components(const Graph& graph) {
   std::vector<const Prototype*> drawn;
   for (const Prototype& prototype : graph.components) {
@@ -77,7 +78,7 @@ class Looker {
   }
 
  private:
-  /// The component's tallies begin here; nothing for one that draws no stems.
+  /// Returns the index of the component's first tally, or nothing for a component that draws no stems.
   std::optional<std::size_t> tally_of(const std::string& component) const {
     const auto found = by_id_.find(component);
     return found == by_id_.end() ? std::nullopt : std::optional(found->second);
@@ -129,7 +130,7 @@ class Looker {
   const Box bounds_;
   const Plant& plant_;
   const Progress& progress_;
-  std::vector<Tally> tallies_;  // two per component: of its stems, and of what it draws besides
+  std::vector<Tally> tallies_;  // two per component: its stems, and its other drawn pieces
   std::unordered_map<std::string, std::size_t> by_id_;
 };
 

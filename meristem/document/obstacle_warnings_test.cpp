@@ -11,7 +11,7 @@
 
 namespace meristem::obstacle_warnings_test {
 
-// A wall from x = 1 to 1.5, into which a component may be told to go.
+// Returns the warnings for components beside a wall from x = 1 to 1.5.
 std::vector<Diagnostic> warnings_of(const std::string& components, const std::string& links = "[]",
                                     const std::string& box = "[[1, -1, -5], [1.5, 9, 5]]") {
   const std::string text = fmt::format(

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Sets values in the tree of a document by their paths. A path is split into names and indices; missing members are
+// added, and the reader checks them later. Values of the document that lose their effect beside an override are
+// removed.
 #include "meristem/document/override.h"
 
 #include <algorithm>
@@ -32,7 +35,7 @@ Diagnostic unknown(const std::string& path, std::string message, const std::stri
   return diagnostic;
 }
 
-/// The element of a list that `element`, "[2]", names; null with a fault where there is none.
+/// Returns the element of a list that `element`, for example "[2]", names. Returns null after a fault.
 Value* find_element(Value& at, const std::string& element, const std::string& path,
                     std::vector<Diagnostic>& diagnostics) {
   std::size_t index = 0;
@@ -47,7 +50,8 @@ Value* find_element(Value& at, const std::string& element, const std::string& pa
   return nullptr;
 }
 
-/// The member of that name, added where the object does not have it; null with a fault where it cannot be.
+/// Returns the member of that name and adds it if it is missing. Returns null after a fault if the value cannot have
+/// members.
 Value* find_or_add_member(Value& at, const std::string& name, const std::string& path,
                           std::vector<Diagnostic>& diagnostics) {
   if (Value* member = at.find(name)) return member;
@@ -59,7 +63,8 @@ Value* find_or_add_member(Value& at, const std::string& name, const std::string&
   return &at.object()->emplace_back(name, Value()).second;
 }
 
-/// Keys are added and checked by the reader, but components and variables must be there.
+/// Returns true if the component or variable of a path exists. All other names are added here and checked by the
+/// reader.
 bool is_known(const Value& root, const std::vector<std::string>& elements, const std::string& path,
               std::vector<Diagnostic>& diagnostics) {
   if (elements.size() < 2 || (elements[0] != "components" && elements[0] != "variables")) return true;
@@ -123,7 +128,7 @@ Value* find_or_add_below(Value& value, std::span<const std::string> elements, co
 
 namespace {
 
-/// Takes a member away, if it is there.
+/// Removes a member if it exists.
 void remove_member(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::string> elements = path_elements(path);
   if (!is_known(root, elements, path, diagnostics)) return;
@@ -135,7 +140,7 @@ void remove_member(Value& root, const std::string& path, std::vector<Diagnostic>
   std::erase_if(*at->object(), [&](const Value::Member& member) { return member.first == elements.back(); });
 }
 
-/// Adds what was set as `--set` takes it, in place of an earlier value of that path.
+/// Adds an override in the form of `--set`. Replaces an earlier value of that path.
 void note_set(const Override& override, std::vector<std::string>& sets) {
   const std::string path = override.path + "=";
   std::erase_if(sets, [&path](const std::string& set) { return set.starts_with(path); });
@@ -183,7 +188,8 @@ void apply_overrides(Value& root, const std::vector<Override>& overrides, Source
 
 namespace {
 
-/// "components.view" of "components.view.position[0]", "links[1]" of "links[1].angle", "scene" of "scene.latitude".
+/// Returns the part of a path that names a component, a link or a top-level key: "components.view" of
+/// "components.view.position[0]", "links[1]" of "links[1].angle", "scene" of "scene.latitude".
 std::string part_of(const std::string& path) {
   const std::size_t first = path.find('.');
   return path.substr(0, path.starts_with("components.") ? path.find_first_of(".[", first + 1) : first);

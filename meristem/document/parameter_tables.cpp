@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Lists all parameter tables as a value for editors. Rows refer to nested tables by name, so each table is listed once,
+// even if tables contain themselves.
 #include "meristem/document/parameter_tables.h"
 
 #include <algorithm>
@@ -25,11 +27,11 @@ constexpr int kForm = 1;
 
 List texts_of(const std::vector<std::string>& texts) { return List(texts.begin(), texts.end()); }
 
-/// The tables that were asked for and those that they nest, each once.
+/// The requested tables and the tables nested in them, each once.
 class TableList {
  public:
-  /// The name under which a table stands; `owner` tells it from another one of this name. Rows that `without` has too
-  /// stand there.
+  /// Adds a table and returns its name in the list. `owner` distinguishes tables of equal names. Rows that `without`
+  /// also has are left out.
   std::string add(const ParameterTable& table, const std::string& owner, const ParameterTable* without = nullptr) {
     const auto known =
         std::find_if(named_.begin(), named_.end(), [&](const Named& named) { return named.table == &table; });
@@ -42,7 +44,7 @@ class TableList {
 
   Value take() {
     Object made;
-    // Rows name further tables.
+    // Rows may add further tables while the list is written.
     for (std::size_t k = 0; k < named_.size(); ++k) {
       const Named named = named_[k];
       made.emplace_back(named.name, table(*named.table, named.name, named.without));
@@ -57,7 +59,7 @@ class TableList {
     std::string name;
   };
 
-  /// "a branch link" is called branch_link, and "a leaf's texture" leaf_texture.
+  /// Returns the name of a table: branch_link for "a branch link", leaf_texture for "a leaf's texture".
   static std::string noun_of(const ParameterTable& table) {
     std::string noun = table.name;
     for (const std::string article : {"a ", "an "}) {
@@ -138,7 +140,7 @@ class TableList {
     return made;
   }
 
-  /// Elements say their kind by a key; each kind has a table.
+  /// Lists the tables of all kinds of an element, with the key that selects the kind.
   Value kinds(const Kinds& kinds, const std::string& owner) {
     Object tables;
     for (const Kinds::Kind& kind : kinds.kinds) {

@@ -176,7 +176,7 @@ TEST(ComponentTables, UsualRangesHoldTheDefaultWithinTheHardRange) {
       }
       const NumberRange& form = row.form;
       expect_usual_within(usual_range(row, defaults[k]), form, where);
-      // What a row says itself, which may be nothing (NaN), holds its default without help.
+      // An end that the row gives itself (not NaN) includes the default.
       std::vector<double> numbers;
       collect_numbers(defaults[k], numbers);
       for (const double number : numbers) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes the overrides that turn a document into a plan: the operations of its trees at their last iteration, together
+// with further rules, are found but not carried out.
 #include "meristem/document/plan.h"
 
 #include <optional>
@@ -13,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-/// The components whose trees operations act on, and the iteration of the last.
+/// Returns the components whose trees have operations, each with its last iteration.
 std::vector<std::pair<std::string, int>> pruned_components(const Document& document) {
   std::vector<std::pair<std::string, int>> found;
   for (const Prototype& component : document.graph.components) {
@@ -24,14 +26,14 @@ std::vector<std::pair<std::string, int>> pruned_components(const Document& docum
                               .expected = "a document with a component of type organize"});
 }
 
-/// What the document says of a component, overrides included; null where it does not.
+/// Returns a key of a component, including overrides. Returns null if it is not given.
 const Value* key_of(const Document& document, const std::string& id, const char* key) {
   const Value* const components = document.source.tree.find("components");
   const Value* const own = components != nullptr ? components->find(id) : nullptr;
   return own != nullptr ? own->find(key) : nullptr;
 }
 
-/// A rule as the operation of trees with this last iteration.
+/// Returns a rule as an operation of trees with this last iteration.
 Value operation_of(Value rule, int last, const std::string& name) {
   if (rule.object() == nullptr) {
     throw InputError(Diagnostic{.message = fmt::format("{} cannot be {}", name, rule.description()),
@@ -69,7 +71,7 @@ std::vector<Override> only_planned(const Document& document, const PlanRules& ru
   for (const auto& component : pruned_components(document)) {
     const std::string& id = component.first;
     const bool has_own = key_of(document, id, "operations") != nullptr || key_of(document, id, "training") != nullptr;
-    if (!has_own && rules.operations.empty()) continue;  // there is nothing that it could plan
+    if (!has_own && rules.operations.empty()) continue;  // this component has nothing to plan
     overrides.push_back({fmt::format("components.{}.plan", id), true, ""});
   }
   return overrides;

@@ -38,7 +38,7 @@ GrownDocument grown(const Document& document, const GrowthView& view = {}, Growt
   return grow_document(document, progress, {.up_to = GrownPart::meshes, .cache = cache, .view = view});
 }
 
-/// All that is seen and told of a plant.
+/// Returns a hash of everything that is visible or reported of a plant.
 std::string hash_of(const GrownDocument& grown) {
   std::string text;
   for (const Stem& stem : grown.plant.stems) {

@@ -100,7 +100,7 @@ TEST(Sample, InstancesHaveTheValuesThemselvesAsOftenAsTheyAreThere) {
 TEST(Sample, SmoothOnesLieOnTheLinesBetweenNeighbours) {
   std::vector<double> values = drawn(R"({"angle": {"sample": [0, 30, 40, 100], "smooth": true}})", kMany);
   std::ranges::sort(values);
-  // The distribution's share below a value is that of its rank among the lines, each a third.
+  // A value's share is interpolated between the ranks of its neighbours: each of the three lines has a third.
   const Sample sample{{0, 30, 40, 100}, true};
   for (const double share : {0.1, 0.25, 1.0 / 3, 0.5, 0.6, 0.9}) {
     const double value = sample.quantile(share);
@@ -109,7 +109,7 @@ TEST(Sample, SmoothOnesLieOnTheLinesBetweenNeighbours) {
   }
   EXPECT_GE(values.front(), 0);
   EXPECT_LT(values.back(), 100);
-  // The mean of the lines is that of their middles.
+  // The mean of the distribution is the mean of the middles of its lines.
   EXPECT_NEAR(mean(values), (15 + 35 + 70) / 3.0, 4 * deviation(values) / std::sqrt(kMany));
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the JSON Schema (draft 7) of documents from the parameter tables. Each row becomes a schema by its kind, and
+// each rule between rows a condition. Tables that contain themselves become named definitions. The schema accepts what
+// the reader accepts wherever JSON Schema can express it.
 #include "meristem/document/schema.h"
 
 #include <algorithm>
@@ -116,13 +119,13 @@ class SchemaWriter {
     if (!rules.empty()) schema.emplace_back("allOf", std::move(rules));
   }
 
-  /// The first name of a path such as "surface.style", and what is left of it.
+  /// Splits a path such as "surface.style" into its first name and the rest.
   static std::pair<std::string, std::string> first_of(const std::string& row_path) {
     const std::size_t dot = row_path.find('.');
     return {row_path.substr(0, dot), dot == std::string::npos ? std::string() : row_path.substr(dot + 1)};
   }
 
-  /// The member at a path; null where there is none.
+  /// Returns the member at a path, or a null value.
   static Value member_at(const Value& value, const std::string& row_path) {
     const auto [name, rest] = first_of(row_path);
     const Value* member = value.find(name);
@@ -130,7 +133,7 @@ class SchemaWriter {
     return rest.empty() ? *member : member_at(*member, rest);
   }
 
-  /// The schema of an object that has something at the path.
+  /// Returns the schema of an object with a value at the path.
   static Value given_schema(const std::string& row_path) {
     const auto [name, rest] = first_of(row_path);
     Object schema = typed("object");
@@ -139,8 +142,8 @@ class SchemaWriter {
     return schema;
   }
 
-  /// The schema of an object whose parameter at the path has one of the values, given or by default. Where a nested
-  /// object may be written in short, the reader alone knows.
+  /// Returns the schema of an object whose parameter at the path has one of the values, given or by default. The short
+  /// form of a nested object is not covered: only the reader knows it.
   static Value value_schema(const ParameterTable& table, const std::string& row_path, const List& values) {
     const auto [name, rest] = first_of(row_path);
     const Parameter* row = table.find(name);
@@ -152,12 +155,12 @@ class SchemaWriter {
       usual = member_at(usual, rest);
     }
     Object schema{{"properties", Object{{name, std::move(wanted)}}}};
-    // What is not given has its default.
+    // A parameter that is not given has its default.
     if (std::ranges::find(values, usual) == values.end()) schema.emplace_back("required", List{Value(name)});
     return schema;
   }
 
-  /// A nested table's schema, or where it contains itself a reference to its definition.
+  /// Returns a nested table's schema. Returns a reference to its definition if the table contains itself.
   Value nested(const ParameterTable& nested_table) const {
     if (!nested_table.contains_itself()) return table(nested_table);
     const std::string noun = nested_table.name.substr(nested_table.name.find(' ') + 1);
@@ -171,7 +174,7 @@ class SchemaWriter {
     return Object{{"allOf", List{Object{{"$ref", "#/definitions/" + name}}}}};
   }
 
-  /// An element of any of the kinds, each with its own rows alone.
+  /// Returns the schema of an element with several kinds. Each kind allows only its own rows.
   Value of_kinds(const Kinds& kinds) const {
     List alternatives;
     for (const Kinds::Kind& kind : kinds.kinds) {
@@ -293,7 +296,8 @@ Value link_schema(const SchemaWriter& writer) {
       {list_of(id, 2, 2), plain, placed(placement_table(), "branch"), placed(crown_placement_table(), "crown")});
 }
 
-/// Keys by the path of a parameter; what they may be, the parameter's row says.
+/// Returns the schema of the animation's keys by path. The values of keys are described by the rows of their
+/// parameters.
 Value keys_schema() {
   const Value time = number_schema("number", {.min = 0});
   const Value way = Object{{"enum", List{"linear", "smooth", "step"}}};
@@ -304,7 +308,8 @@ Value keys_schema() {
   return schema;
 }
 
-/// A `recursion` needs a link that leads back, and so links, or components that place others by themselves.
+/// Returns the rule that a `recursion` needs a link that leads back: a document with a recursion must have links, or
+/// components that place others.
 Value recursion_rule(const Registry& registry) {
   const auto all_components = [](Value each) {
     return Object{{"properties", Object{{"components", Object{{"additionalProperties", std::move(each)}}}}}};

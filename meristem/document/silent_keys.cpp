@@ -22,7 +22,8 @@ void report(std::vector<Diagnostic>& diagnostics, std::string path, std::string 
 }
 
 void check_recursions(const Value& components, const Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  // The graph's components are those of the document in their order, and then those that the reader adds.
+  // The graph's components begin with the components of the document, in their order. Components that the reader has
+  // added follow.
   if (components.object() == nullptr) return;
   for (std::size_t k = 0; k < components.object()->size(); ++k) {
     const auto component = static_cast<ComponentIndex>(k);
@@ -36,7 +37,8 @@ void check_recursions(const Value& components, const Graph& graph, std::vector<D
   }
 }
 
-/// Where children head along the stem unless the link gives an angle, nothing else turns them away from it.
+/// Reports angles that have no effect: children that head along the stem turn away from it only if the link gives an
+/// angle.
 void check_angles(const Value& links, std::vector<Diagnostic>& diagnostics, const Graph& graph) {
   NameTable ids;
   for (const Prototype& prototype : graph.components) ids.add(prototype.id);

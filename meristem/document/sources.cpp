@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A document is read without changes when another document names it, so that its faults are reported at once, and read
-// again with the set values for each variant that is grown.
+// A document that another one names is first read unchanged, so that its faults are reported at once. It is read again
+// with the requested values for each variant that is grown.
 #include "meristem/document/sources.h"
 
 #include <filesystem>
@@ -32,9 +32,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostNested = 8;  // documents in each other
+constexpr std::size_t kMostNested = 8;  // maximum depth of documents within each other
 
-/// The textures of one document's variants, each painted once.
+/// The painted textures of all variants of one document.
 class PaintedTextures {
  public:
   std::shared_ptr<const Texture> find(std::uint64_t fingerprint) {
@@ -52,7 +52,7 @@ class PaintedTextures {
   std::unordered_map<std::uint64_t, std::shared_ptr<const Texture>> painted_;
 };
 
-/// Paints the sketches among the materials that no other variant has had.
+/// Paints the sketches among the materials that no other variant has painted.
 void paint(const Graph& graph, PaintedTextures& painted, std::vector<Material>& materials, Progress& progress) {
   std::vector<Material> fresh;
   std::vector<std::size_t> numbers;
@@ -73,7 +73,7 @@ void paint(const Graph& graph, PaintedTextures& painted, std::vector<Material>& 
   }
 }
 
-/// The plant of one document, whose growth is kept where somebody looks at its steps.
+/// The plant of one document. Its growth is kept if a view requests its steps.
 class DocumentGrowth : public PlacedGrowth {
  public:
   DocumentGrowth(std::shared_ptr<const Document> document, double time, std::shared_ptr<PaintedTextures> painted)
@@ -113,9 +113,9 @@ class DocumentGrowth : public PlacedGrowth {
   const std::shared_ptr<const Document> document_;
   const double time_;  // seconds
   const std::shared_ptr<PaintedTextures> painted_;
-  Cache cache_;       // of the growth, where it is kept
-  GrowthView view_;   // that was shown last
-  ShownPlant shown_;  // nothing where it is not kept
+  Cache cache_;       // cache of the growth, used if the growth is kept
+  GrowthView view_;   // the view that was shown last
+  ShownPlant shown_;  // empty if the growth is not kept
 };
 
 class DocumentSource : public PlantSource {
@@ -186,7 +186,7 @@ class DocumentSource : public PlantSource {
   }
 
  private:
-  /// A copy whose links stay where they are; the last one is that of the document itself.
+  /// Returns a copy of a chain that stays valid. Its last element is the document itself.
   static std::vector<DocumentChain> whole_chain(const DocumentChain* last) {
     std::vector<DocumentChain> chain;
     for (const DocumentChain* link = last; link != nullptr; link = link->before) chain.insert(chain.begin(), *link);
@@ -207,7 +207,7 @@ class DocumentSource : public PlantSource {
   std::shared_ptr<PaintedTextures> painted_;
 };
 
-/// "street.json -> row.json -> street.json"
+/// Returns a chain of documents as text: "street.json -> row.json -> street.json".
 std::string chain_text(const DocumentChain* last, const std::string& next) {
   std::string text = next;
   for (const DocumentChain* link = last; link != nullptr; link = link->before) text = link->name + " -> " + text;
@@ -239,7 +239,7 @@ std::string real_file(const std::string& file) {
 }
 
 PlantSources::Opened DocumentSources::open(const std::string& name, const FileAccess& access) {
-  // A file of that name goes before a model.
+  // A file takes precedence over a model of the name.
   std::string file = (fs::path(access.folder) / name).string();
   std::error_code error;
   bool is_model = false;
@@ -247,7 +247,7 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
     throw InputError(Diagnostic{.message = "this names no document", .expected = "a file or a shipped model"});
   }
   const bool is_plain = name.find_first_of("./") == std::string::npos;
-  // With a root, where a link leads is not looked at before it is known to lie within.
+  // With a root, the target of a link is not examined before it is known to lie within the root.
   const bool is_link = !options_.root.empty() && fs::is_symlink(fs::symlink_status(file, error));
   if (is_plain && !is_link && (!fs::exists(file, error) || fs::is_directory(file, error))) {
     if (options_.models.empty()) {
@@ -284,7 +284,7 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
   Opened opened;
   opened.files = files_of(document, file, !is_model && !fs::path(name).is_absolute());
   options.chain = &here;
-  options.progress = nullptr;  // it need not live as long as the source
+  options.progress = nullptr;  // the progress may be destroyed before the source
   opened.source = std::make_shared<const DocumentSource>(file, std::move(text), registry_, options, document);
   return opened;
 }

@@ -10,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a JSON number is exact
+constexpr double kLargestWhole = 9007199254740992;  // 2^53: whole numbers up to here are exact in JSON
 
 const ParameterTable& ground_table() {
   static const ParameterTable table =

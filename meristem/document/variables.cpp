@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variable is computed after those that it uses. A depth-first walk over the names in the expressions finds the
-// order, without recursion and in time proportional to the number of names. A way back to a variable on the walk is a
-// circle.
+// A variable is computed after the variables that it uses. A depth-first walk over the names in the expressions finds
+// the order. It needs no recursion and takes time in proportion to the number of names. A link back to a variable on
+// the walk closes a circle.
 #include "meristem/document/variables.h"
 
 #include <algorithm>
@@ -26,12 +26,13 @@ namespace meristem {
 
 namespace {
 
-/// More are no handles, and each instance holds a number for each variable that is drawn per instance.
+/// Maximum number of variables. More are hard to use as handles, and each instance stores a number per variable that it
+/// draws.
 constexpr std::size_t kMostVariables = 1000;
-/// Grammars are shorter; what is longer, such as a mesh, is not searched for names.
+/// Maximum size of a grammar file, bytes. Larger files, such as meshes, are not searched for names.
 constexpr std::uint64_t kLongestGrammar = 1'000'000;
 
-/// Expressions can only be compiled with names that a variable may have.
+/// Returns true if a variable may have this name. Expressions can be compiled only with such names.
 bool is_free_name(const std::string& name) { return is_identifier(name) && !has_meaning(name); }
 
 const Value* value_of(const Value& variable) {
@@ -43,7 +44,7 @@ std::string text_of(const Value& variable) {
   return value != nullptr && value->text() != nullptr ? *value->text() : "";
 }
 
-/// "a -> b -> a"
+/// Returns a circle of variables as text: "a -> b -> a".
 std::string circle_text(const std::vector<ExpressionNames::Constant>& constants,
                         const std::vector<std::size_t>& circle) {
   std::string text;
@@ -81,16 +82,16 @@ class Solver {
   enum class State : std::uint8_t { ahead, on_the_way, solved };
 
   struct Node {
-    std::string text;  // of an expression
+    std::string text;  // text of the expression
     double value = 1;
     std::optional<Expression> expression;
     std::vector<std::size_t> uses;
-    std::size_t next = 0;  // of uses, for the walk
+    std::size_t next = 0;  // index of the next use, for the walk
     State state = State::ahead;
     bool is_in_circle = false;
   };
 
-  /// A fault in the text is told later, by who reads the value.
+  /// Compiles the expression of a variable. The reader of the value reports faults in the text later.
   void compile(Node& node, const Limits& limits) const {
     if (node.text.empty()) return;
     try {
@@ -134,8 +135,8 @@ class Solver {
     if (std::isfinite(value)) values_[k] = value;
   }
 
-  /// Where circles share a variable, only the first circle is told. It begins with the variable that the document has
-  /// first.
+  /// Adds a circle of variables. If circles share a variable, only the first circle is reported. The circle begins with
+  /// its first variable in the document's order.
   void add_circle(std::vector<std::size_t> members) {
     bool is_told = false;
     for (const std::size_t k : members) {
@@ -147,7 +148,7 @@ class Solver {
     solved_.circles.push_back(std::move(members));
   }
 
-  NameTable names_;  // each variable is one of an expression's variables
+  NameTable names_;  // by position: the index of the variable in expressions
   std::vector<Node> nodes_;
   std::vector<double> values_;
   VariableValues solved_;
@@ -164,7 +165,7 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
   reader.read(variable_table(), &variable, value, path);
   variable.name = name;
   variable.expression = text_of(value);
-  // Bounds that are not given leave room for the value.
+  // Missing bounds are widened to include the value.
   if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
   if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
   if (variable.min > variable.max) {
@@ -177,12 +178,12 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
 
 bool is_beyond(const Variable& variable) { return variable.value < variable.min || variable.value > variable.max; }
 
-/// Where a variable's value stands.
+/// Returns the path of a variable's value.
 DocumentPath value_place(const DocumentPath& variable, const Value& said) {
   return said.object() == nullptr ? variable : DocumentPath(variable, "value");
 }
 
-/// The value at a path, as find_value() finds it. `components` are the root's.
+/// Returns the value at a path, like find_value(). `components` is the index of the root's components.
 const Value* find_value(const Value& root, const MemberIndex& components, std::string_view path) {
   constexpr std::string_view kComponents = "components.";
   if (!path.starts_with(kComponents)) return find_value(root, path);
@@ -195,7 +196,7 @@ const Value* find_value(const Value& root, const MemberIndex& components, std::s
   return found == nullptr ? component : found;
 }
 
-/// The text of a file that is no longer than grammars are.
+/// Returns the text of a file, or an empty text if the file is larger than a grammar may be.
 std::string text_of_grammar(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
@@ -233,7 +234,7 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
     return variables;
   }
   for (const auto& [name, value] : *given->object()) {
-    if (is_per_instance(value)) continue;  // no handle: read_instance_variables
+    if (is_per_instance(value)) continue;  // not a handle: read by read_instance_variables
     variables.push_back(read_variable(reader, name, value, DocumentPath(path, name)));
   }
   for (const std::vector<std::size_t>& circle : solved.circles) {
@@ -249,7 +250,7 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
 }
 
 void warn_of_variables(const Value& root, const std::vector<Variable>& variables, ParameterReader& reader) {
-  // Where there are faults, what is unused may be so because of them.
+  // After faults no variable is reported as unused: the faults may be the reason.
   std::set<std::string, std::less<>> unused;
   for (const Variable& variable : variables) {
     if (reader.fault_count() == 0) unused.insert(variable.name);
@@ -294,7 +295,7 @@ std::vector<VariableNote> note_variables(const std::vector<Variable>& variables,
     if (is_beyond(variable)) text += fmt::format(", beyond {:.12g} to {:.12g}", variable.min, variable.max);
   }
   for (const std::vector<std::size_t>& circle : solved.circles) {
-    for (const std::size_t k : circle) texts.erase(solved.constants[k].name);  // their values mean nothing
+    for (const std::size_t k : circle) texts.erase(solved.constants[k].name);  // their values have no meaning
   }
   std::vector<VariableNote> notes;
   if (texts.empty()) return notes;
@@ -310,9 +311,9 @@ void tell_variables(const Value& root, const std::vector<VariableNote>& notes, s
   std::unordered_map<std::string_view, std::size_t> note_of;
   for (std::size_t k = 0; k < notes.size(); ++k) note_of.emplace(notes[k].variable, k);
   const MemberIndex components(root.find("components"));
-  std::unordered_map<const Value*, std::string> told_of;  // what is added to messages about a value
+  std::unordered_map<const Value*, std::string> told_of;  // text to add to messages, by value
   for (Diagnostic& diagnostic : diagnostics) {
-    // A fault in the text of an expression or in a name has nothing to do with a variable's value.
+    // Faults in the text of an expression or at a name do not depend on variables.
     if (diagnostic.severity != Severity::error || diagnostic.path.empty() || diagnostic.text_offset != -1) continue;
     const Value* said = find_value(root, components, diagnostic.path);
     if (said == nullptr) continue;
@@ -320,7 +321,7 @@ void tell_variables(const Value& root, const std::vector<VariableNote>& notes, s
       diagnostic.message += known->second;
       continue;
     }
-    // From the variables that are mentioned to those that they are made of.
+    // Follows the mentioned variables to the variables that they use.
     std::vector<bool> is_met(notes.size());
     std::vector<std::size_t> ahead;
     const auto meet = [&](std::size_t k) {

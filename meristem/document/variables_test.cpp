@@ -84,7 +84,7 @@ TEST(Variables, ThatGoRoundAreNamed) {
       "expression without this circle");
   EXPECT_EQ(faults_of(with(R"("age": "age + 1")", "age")),
             "d.json:2:22: variables.age: 'age' depends on itself; expected an expression without this circle");
-  // Two circles are two faults, and what hangs on them is none.
+  // Two circles are two faults. A variable that uses one of them causes no further fault.
   EXPECT_EQ(
       faults_of(with(R"("a": "b", "b": "a", "c": "d", "d": "c", "last": "a + c")", "last")),
       "d.json:2:20: variables.a: the variables a -> b -> a depend on each other in a circle; expected an expression "

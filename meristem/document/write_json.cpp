@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes a tree as JSON in its canonical form, without recursion. A list without objects stands on one line; all other
+// members and elements get lines of their own.
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -42,7 +44,7 @@ class Writer {
   struct Open {
     const Value* container;
     std::size_t next = 0;
-    bool in_lines = false;  // each member on its own
+    bool in_lines = false;  // each member on a line of its own
   };
 
   void begin(const Value& value) {
@@ -83,7 +85,7 @@ class Writer {
     out_.append(2 * open_.size(), ' ');
   }
 
-  /// Numbers, points and lists of points stand on one line.
+  /// Returns true for a value without objects: numbers, points and lists of points stand on one line.
   static bool holds_no_object(const Value& value) {
     std::vector<const Value*> left{&value};
     while (!left.empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of a document's animation: {"keys": {"stem.length": [[0, 0.05], [4, 1.8, "smooth"]]}}. A parameter that may
-// differ from instance to instance follows each instance's own clock; keys of such a one stand in the tree in place of
-// its value. All others are one value for the document, and have the value that their keys give at the document's time.
+// The keys of a document's animation: {"keys": {"stem.length": [[0, 0.05], [4, 1.8, "smooth"]]}}. If a parameter may
+// differ from instance to instance, it follows each instance's own clock, and its keys replace its value in the tree.
+// Any other parameter has one value for the document: the value of its keys at the document's time.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@
 
 namespace meristem {
 
-/// A parameter that has been given keys.
+/// A parameter that has keys.
 struct KeyedParameter {
-  std::string name;  ///< as the animation names it: "stem.length"
-  std::string path;  ///< of the value in the document: "components.stem.length"
+  std::string name;  ///< name in the animation: "stem.length"
+  std::string path;  ///< path of the value in the document: "components.stem.length"
   KeyClock clock = KeyClock::document;
-  double last_time = 0;  ///< of its keys, seconds
+  double last_time = 0;  ///< time of its last key, seconds
 };
 
-/// Puts what the keys of variables say at `time`, or what all others say, into the tree of a document that may be
-/// faulty in every other way. `reader` gets the faults of the keys.
+/// Puts the keys of variables, or the keys of everything else, into the tree of a document, as of `time`. The rest of
+/// the tree may have faults. Faults of the keys are reported to `reader`.
 std::vector<KeyedParameter> put_variable_keys(Value& root, double time, ParameterReader& reader);
 std::vector<KeyedParameter> put_other_keys(Value& root, const Registry& registry, double time, ParameterReader& reader);
 
-/// Adds a fault for keys that come after the animation's end, and for those of parameters that are one value for the
-/// document though clocks of their own run where they stand. The graph's structure is sound.
+/// Reports keys that come after the animation's end. Also reports keys of parameters that have one value for the
+/// document although instances have their own clocks there. The graph's structure must be sound.
 void check_key_clocks(const std::vector<KeyedParameter>& keyed, const Graph& graph,
                       std::vector<Diagnostic>& diagnostics);
 

@@ -9,18 +9,19 @@
 
 namespace meristem {
 
-inline constexpr std::size_t kUsualKeys = 16;   ///< of an animated file
+inline constexpr std::size_t kUsualKeys = 16;   ///< default number of times in an animated file
 inline constexpr std::size_t kMostKeys = 1000;  ///< largest number of times
 
-/// How a document is grown as a scene that moves.
+/// Options for growing a document as a moving scene.
 struct MovingOptions {
-  std::size_t keys = kUsualKeys;  ///< times at which it is grown, 2 to kMostKeys; more: closer to it, and larger
+  std::size_t keys = kUsualKeys;  ///< number of times at which it is grown, 2 to kMostKeys; more give a closer and
+                                  ///< larger scene
   MovingLimits limits;            ///< limits of the moving scene
 };
 
-/// The document's animation as a scene that moves, with textures: the document at `keys` times, evenly from 0 to the
-/// animation's length. What does not depend on the time is grown once. Throws InputError where the document has no
-/// animation, where what moves takes too many bytes, and as grow_document does; Cancelled.
+/// Returns the document's animation as a moving scene with textures. The document is grown at `keys` evenly spaced
+/// times from 0 to the animation's length. Parts that do not depend on time are grown once. Throws InputError if the
+/// document has no animation, if the moving parts take too many bytes, and as grow_document does. Throws Cancelled.
 MovingScene grow_moving(const Document& document, Progress& progress, const MovingOptions& options = {});
 
 }  // namespace meristem

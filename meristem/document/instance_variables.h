@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variables that are drawn once for each instance of a component, and the names that sites are given: who may use them,
-// and where.
+// Variables that are drawn once for each instance of a component. Checks of the names that sites get: which components
+// may use them.
 #pragma once
 
 #include <string>
@@ -12,17 +12,18 @@
 
 namespace meristem {
 
-/// Whether the document's value of a variable says that it is drawn per instance.
+/// Returns true if a variable's value in the document is drawn per instance.
 bool is_per_instance(const Value& variable);
 
-/// Reads those of the document's object of variables (null: it has none) into the graph, whose components have their
-/// ids and whose `site_names` hold the columns of tables; appends their names there and to the reader's. Faults: a
-/// component that is not there, a name that a column has, variables that need each other.
+/// Reads the variables that are drawn per instance into the graph, and adds their names to the graph and to the reader.
+/// `given` is the document's object of variables, or null. The graph's components must have their ids, and `site_names`
+/// must hold the columns of tables. Reports a component that does not exist, a name that a column has, and variables
+/// that depend on each other.
 void read_instance_variables(const Value* given, Graph& graph, ParameterReader& reader);
 
-/// Adds a fault for each component that uses a name which it is not given wherever it stands: what hangs on nothing
-/// that gives it. The graph's structure is sound. Faults beyond the graph's limit have no text, since only their number
-/// is shown. Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+/// Reports each component that uses a name that it does not get at every position: somewhere no component above it
+/// gives the name. The graph's structure must be sound. Faults beyond the graph's limit have no text, since only their
+/// number is shown. Throws Cancelled soon after `progress` was asked to stop. Null: it cannot be stopped.
 void check_given_names(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics,
                        const Progress* progress = nullptr);
 

@@ -10,15 +10,15 @@
 
 namespace meristem {
 
-/// Reads JSON text, comments allowed. Throws an InputError with line and column (no file) for the first fault of form:
-/// bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000 bytes long, nesting or size
-/// past the limits. Uses only `document_bytes` and `nesting` of `limits`; a document cannot change these two. Throws
-/// Cancelled soon after `progress` was asked to stop; null: parsing cannot be stopped.
+/// Reads JSON text, in which comments are allowed. Throws an InputError with line and column (no file) for the first
+/// fault of form. Such faults are bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000
+/// bytes long, and nesting or size past the limits. Uses only `document_bytes` and `nesting` of `limits`; a document
+/// cannot change these two. Throws Cancelled soon after `progress` was asked to stop. Null: it cannot be stopped.
 Value parse_json(std::string_view text, const Limits& limits = {}, const Progress* progress = nullptr);
 
-/// Writes JSON in the canonical form: a member per line, two spaces, members in their order; lists that hold no objects
-/// on one line; whole numbers without a point, others with the fewest digits that read back as the same number. Numbers
-/// that are not finite become null. Text must be UTF-8.
+/// Writes JSON in the canonical form. Each member has a line, with two spaces per level, and members keep their order.
+/// A list without objects stands on one line. Whole numbers have no point; other numbers have the fewest digits that
+/// give an equal number when read. Numbers that are not finite become null. Text must be UTF-8.
 std::string write_json(const Value& value);
 
 /// Writes JSON as write_json does, on one line without a line end: [1, {"a": 2}].

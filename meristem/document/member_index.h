@@ -10,11 +10,11 @@
 
 namespace meristem {
 
-/// The members of an object, each found by its name in constant time. While the index is in use, the object must get no
-/// members and lose none; the values of its members may change.
+/// Finds the members of an object by name in constant time. While the index is in use, no member may be added to or
+/// removed from the object; values may change.
 class MemberIndex {
  public:
-  /// Null, or a value that is no object: there are no members.
+  /// `object` may be null or no object: the index is then empty.
   explicit MemberIndex(const Value* object) {
     if (object == nullptr || object->object() == nullptr) return;
     members_ = object->object()->data();
@@ -22,12 +22,12 @@ class MemberIndex {
     for (const Value::Member& member : *object->object()) positions_.try_emplace(member.first, positions_.size());
   }
 
-  /// Returns the position of a member, or nothing if there is none of that name.
+  /// Returns the position of a member, or nothing if no member has that name.
   std::optional<std::size_t> position(std::string_view name) const {
     const auto found = positions_.find(name);
     return found == positions_.end() ? std::nullopt : std::optional(found->second);
   }
-  /// Returns the value of a member, or null if there is none of that name.
+  /// Returns the value of a member, or null if no member has that name.
   const Value* find(std::string_view name) const {
     const auto found = position(name);
     return found ? &members_[*found].second : nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the texts of a value mention, as far as that can be told without reading them as what they are.
+// Finds the names that the texts of a value mention, without compiling the texts.
 #pragma once
 
 #include <string_view>
@@ -9,16 +9,16 @@
 
 namespace meristem {
 
-/// Whether names may have this character.
+/// Returns true if names may contain this character.
 bool is_of_name(char c);
 
-/// Calls `take` for each word in the text that could be a name, in order; what is part of a number is none.
+/// Calls `take` for each word in the text that could be a name, in order. Parts of numbers are skipped.
 void for_each_name(std::string_view text, FunctionRef<void(std::string_view name)> take);
-/// Calls `take` for each word that could be a name in all texts of a value; names of members are no texts.
+/// Calls `take` for each word that could be a name in all texts of a value. Names of members are skipped.
 void for_each_mention(const Value& value, FunctionRef<void(std::string_view name)> take);
 
-/// The value at a document path such as "links[1].density", or of the longest part of the path that there is; null
-/// where not even its first part is there.
+/// Returns the value at a document path such as "links[1].density", or at the longest beginning of the path that
+/// exists. Returns null if not even the first part exists.
 const Value* find_value(const Value& root, std::string_view path);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shipped documents, which users name without path and ending. Each program knows their folder.
+// The shipped documents. Users name them without path and ending. Each program knows their folder.
 #pragma once
 
 #include <string>
@@ -7,13 +7,15 @@
 
 namespace meristem {
 
-/// The names of a folder's documents (files without `.json`), in alphabetical order; none if it cannot be read.
+/// Returns the names of a folder's documents (files without `.json`), in alphabetical order. Returns an empty list if
+/// the folder cannot be read.
 std::vector<std::string> model_names(const std::string& folder);
 /// Returns the path of a model's file in the folder, which need not exist.
 std::string model_path(const std::string& folder, const std::string& name);
 
-/// The file that a user means by `path`: that file, or the model of this name, after which a file of the same name goes
-/// first. Throws InputError with the nearest model where a plain name is neither; other paths come back as they are.
+/// Returns the file that a user means by `path`: the file at this path, or else the model of this name. A file takes
+/// precedence over a model. Throws InputError with the nearest model if a plain name is neither; other paths are
+/// returned unchanged.
 std::string find_document(const std::string& path, const std::string& folder);
 
 /// A document's file, and the folder that holds the files that it may name.
@@ -22,9 +24,9 @@ struct DocumentFile {
   std::string root;  ///< for ReadOptions::root; empty: any file may be read
 };
 
-/// Like find_document(), but finds no file outside the folder `root`, wherever links and dots lead. A shipped model may
-/// be read all the same, with the files beside it. Throws the same InputError for a file outside the root whether there
-/// is one or not. An empty root allows every file.
+/// Like find_document(), but finds no file outside the folder `root`, even through links and dots. A shipped model and
+/// the files beside it may still be read. For a file outside the root, the InputError does not depend on whether the
+/// file exists. An empty root allows every file.
 DocumentFile find_document_within(const std::string& path, const std::string& folder, const std::string& root);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles as documents write them.
+// The parameters of obstacles in documents.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace meristem {
 
-/// A mesh from a file, with what keeps it from being closed (closedness_faults) or else a body (body_fault), which
-/// takes long to find out.
+/// A mesh from a file, with the faults that prevent a closed mesh (closedness_faults) or a body (body_fault). Both
+/// checks take long.
 struct ObstacleMesh {
   TriangleMesh mesh;                ///< the triangles of the file
   std::vector<std::string> faults;  ///< reasons why the mesh is not closed; empty if it is closed
@@ -22,11 +22,11 @@ struct ObstacleMesh {
   bool is_sound() const { return faults.empty() && body_fault.empty(); }  ///< true for a closed body
 };
 
-/// Exactly one of box and mesh is given.
+/// Parameters of an obstacle. Exactly one of box and mesh is given.
 struct ObstacleParameters {
   std::optional<Box> box;           ///< corners as written, in any order
   Asset<ObstacleMesh> mesh;         ///< mesh from a file
-  ImportPose pose;                  ///< place of the mesh's file in the world
+  ImportPose pose;                  ///< pose of the file's mesh in the world
   bool broken = false;              ///< true: a mesh that is not closed is accepted
   bool hidden = false;              ///< true: not drawn in pictures
   Vec3 colour = Obstacle{}.colour;  ///< sRGB
@@ -35,10 +35,10 @@ struct ObstacleParameters {
 
 const ParameterTable& obstacle_table();  ///< the rows of ObstacleParameters
 
-/// Reports more triangles than the limits allow; `path` is the list's.
+/// Reports an error if the meshes have more triangles than the limits allow. `path` is the list's path.
 void check_obstacles(const std::vector<ObstacleParameters>& forms, const DocumentPath& path, ParameterReader& reader);
 
-/// The obstacles that checked forms mean.
+/// Returns the obstacles that checked parameters describe.
 Obstacles build_obstacles(const std::vector<ObstacleParameters>& forms);
 
 }  // namespace meristem

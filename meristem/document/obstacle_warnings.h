@@ -11,10 +11,9 @@
 
 namespace meristem {
 
-/// Growth models keep out of obstacles; stems that are drawn, and what is drawn about them, go where they are told.
-/// A warning for each component with such stems that goes into an obstacle: how much of it does, and where the first
-/// of it. Leaves, and all else that hangs on stems, are not asked about. Takes some microseconds for each node near an
-/// obstacle. Throws Cancelled.
+/// Returns a warning for each component with drawn stems that enters an obstacle: how much of it enters, and where it
+/// first does. Growth models avoid obstacles, but drawn stems and the shapes around them do not. Leaves and other
+/// children on stems are not tested. Takes some microseconds for each node near an obstacle. Throws Cancelled.
 std::vector<Diagnostic> obstacle_warnings(const Graph& graph, const Obstacles& obstacles, const Plant& plant,
                                           const Progress& progress);
 

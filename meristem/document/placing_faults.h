@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// What `work` returns; locates what it throws in the document's text.
+/// Returns the result of `work`. Sets the position, in the document's text, of errors that `work` throws.
 template <class Work>
 auto placing_faults(const Document& document, Work&& work) {
   try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people would do to the trees of a document now: the operations of their last iteration, found and not done. A
-// plan is a growth of a document that says so; these are the values that make one of any document.
+// Plans for the trees of a document: the operations of their last iteration are found but not carried out. A plan is a
+// growth of a document whose trees are in plan mode. These functions return the overrides that turn any document into a
+// plan.
 #pragma once
 
 #include <string>
@@ -11,20 +12,21 @@
 
 namespace meristem {
 
-/// Operations that are planned besides those of the document, as a document lists them.
+/// Operations to plan in addition to the document's own, in the form of a document's list.
 struct PlanRules {
   std::vector<Value> operations;  ///< operations, each an object
-  std::string name = "rules";     ///< what messages call them
+  std::string name = "rules";     ///< name of the rules in messages
 };
 
-/// What to read a document's text with, besides all that it was read with, so that the operations of all of its
-/// self-organizing trees go on with the rules. A rule acts at the last iteration of a component's trees unless it says
-/// when. Throws InputError for rules that are no objects or act in summer, and where no component has such trees.
+/// Returns the overrides that add the rules to the operations of all self-organizing trees of a document. Other
+/// overrides must be kept when the document is read again. A rule without a time acts at the last iteration of a
+/// component's trees. Throws InputError for rules that are no objects or act in summer, and if no component has such
+/// trees.
 std::vector<Override> with_rules(const Document& document, const PlanRules& rules);
 
-/// What to read it with so that its trees only plan what the operations of their last iteration, and these rules, would
-/// do. The growth of that document tells it by operation_records() and the column `plan_cut`; GrowthView::outcome shows
-/// the trees as they would stand after it. Throws as with_rules() does.
+/// Returns the overrides with which the document's trees only plan the operations of their last iteration and these
+/// rules. The growth of that document reports the plan by operation_records() and the column `plan_cut`.
+/// GrowthView::outcome shows the trees after the plan. Throws as with_rules() does.
 std::vector<Override> only_planned(const Document& document, const PlanRules& rules);
 
 }  // namespace meristem

@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// The JSON Schema (draft 7) of plant documents, made from the tables of `registry` and of the document.
+/// Returns the JSON Schema (draft 7) of plant documents, made from the tables of `registry` and of the document.
 Value document_schema(const Registry& registry);
 
 }  // namespace meristem

@@ -9,8 +9,8 @@
 
 namespace meristem {
 
-/// Reports keys that mean nothing because of what is linked to what: a recursion that no link closes, angles for what
-/// heads along its stem anyway. `root` is the document that the graph was read from, without faults.
+/// Reports keys that have no effect because of the links: a recursion that no link closes, and angles of children that
+/// head along their stem anyway. `root` is the tree of the document that the graph was read from without faults.
 void check_silent_keys(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics);
 
 }  // namespace meristem

@@ -8,17 +8,18 @@
 
 namespace meristem {
 
-/// Where a file really lies, without links and dots; as it was named where that cannot be told.
+/// Returns the path of a file without links and dots, or the given path if that fails.
 std::string real_file(const std::string& file);
 
-/// Reads the documents that a document names, and grows them. A document's own scene is what its plants grow in.
+/// Opens and grows the documents that a document names. A document's plants grow in its own scene.
 class DocumentSources : public PlantSources {
  public:
-  /// `registry` and `options` outlive it; `options.chain` begins with the document that names them, by the time that
-  /// open() is called.
+  /// `registry` and `options` must outlive this object. When open() is called, `options.chain` must begin with the
+  /// document that names the others.
   DocumentSources(const Registry& registry, const ReadOptions& options) : registry_(registry), options_(options) {}
 
-  /// What is opened from now on, and all that it opens, is read and grown within these limits as well as its own.
+  /// Sets limits for all documents that are opened later, and for the documents that they open. Their own limits apply
+  /// as well.
   void set_limits(const Limits& limits) { limits_ = limits; }
   Opened open(const std::string& name, const FileAccess& access) override;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of a document's own keys. The tables of components come from the registry.
+// The tables of a document's own keys. The registry has the tables of components.
 #pragma once
 
 #include <string>

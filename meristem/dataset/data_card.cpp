@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the data card of a data set. Two passes read the manifest row by row: the first finds the range of each
+// column, the second counts the values in bins. Memory therefore does not depend on the number of plants.
 #include "meristem/dataset/data_card.h"
 
 #include <algorithm>
@@ -26,10 +28,10 @@ namespace {
 
 constexpr std::size_t kBins = 10;
 constexpr std::size_t kBarLength = 20;        // characters
-constexpr std::size_t kMostValuesShown = 12;  // of texts and other values that are no numbers
+constexpr std::size_t kMostValuesShown = 12;  // number of different texts and other values without a number
 constexpr std::size_t kFailuresShown = 10;
 
-/// A column of the manifest, over all plants that did not fail.
+/// A summary of a column of the manifest over all plants that did not fail.
 struct ColumnSummary {
   std::string name;
   std::size_t place = 0;
@@ -38,8 +40,8 @@ struct ColumnSummary {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
   std::vector<std::uint64_t> bins = std::vector<std::uint64_t>(kBins);
-  std::map<std::string, std::uint64_t> others;  // what is no number, the first few
-  std::uint64_t further = 0;                    // rows with other texts than those
+  std::map<std::string, std::uint64_t> others;  // counts of values that are not numbers, for the first few of them
+  std::uint64_t further = 0;                    // number of rows with other texts
 
   void add(const std::string& field);
   void add_to_bin(const std::string& field);
@@ -90,7 +92,7 @@ void for_each_row(const DatasetPlan& plan, const std::string& folder, Progress& 
   }
 }
 
-/// The ending of a plant's file, from the first dot on.
+/// Returns the ending of a plant's file, from its first dot on.
 std::string ending_in(const std::string& path) {
   const std::size_t slash = path.find_last_of('/') + 1;
   const std::size_t dot = path.find('.', slash);
@@ -153,7 +155,7 @@ std::string data_card(const DatasetPlan& plan, const std::string& folder, Progre
     if (is_value || k > layout->error) columns.push_back({.name = names[k], .place = k, .others = {}});
   }
 
-  // The first pass finds ranges, files and failures, the second counts what lies in each bin.
+  // The first pass finds ranges, files and failures. The second pass counts values in bins.
   std::map<std::string, std::uint64_t> plants_of;
   std::map<std::string, FilesOfKind> kinds;
   std::uint64_t failed = 0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of the manifest is written once all of its rows are there, in the order of the plants; until then they lie in
-// files of their own. All of these files, and those of plants, appear by renaming, and each plant's row after its
-// files. So whatever is cut off, rows tell what is there; and tables do not depend on who made which plant, or when.
-// A table is written in this order: hashes of its rows, the table, its hash in dataset.json. The parts with its rows go
-// last, so whatever is cut off, either they or the hashes tell whether the table is right.
+// A table of the manifest is written once all of its rows exist, in the order of the plants. Until then its rows lie in
+// separate files. All of these files and the files of plants appear by renaming, and each plant's row appears after its
+// files. After any interruption the rows therefore show which plants exist, and tables do not depend on who made a
+// plant or when.
+//
+// A table is written in this order: hashes of its rows, the table, its hash in dataset.json. The parts with its rows
+// are removed last. After any interruption, either the parts or the hashes show whether the table is right.
 #include "meristem/dataset/dataset_folder.h"
 
 #include <algorithm>
@@ -41,10 +43,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFaultsTold = 100;
 constexpr std::size_t kFailuresTold = 10;
 constexpr std::uint64_t kMostInRange = 1000;  // plants
-constexpr double kNewShare = 0.3;             // of the last range in the mean of the times
+constexpr double kNewShare = 0.3;             // weight of the last range in the mean of the times
 constexpr std::uint64_t kTablesPerSave = 64;  // dataset.json is written after one new table for each 64 in it
 
-/// The names in a folder in which a data set was begun, and in the folder of a whole one.
+/// The names of parts in a folder in which a data set was begun, and in a complete folder.
 constexpr std::array<const char*, 3> kBegun{kDocumentsName, kFolderPlanName, "partial"};
 constexpr std::array<const char*, 9> kOwnNames{kDocumentsName, kFolderPlanName, "partial",
                                                kChecksName,    kDataCardName,   "plants",
@@ -61,7 +63,7 @@ MachineError not_repaired(const std::string& folder, const std::string& why) {
       folder, why));
 }
 
-/// Keeps other programs out of a folder while it lives, and goes with its process whatever ends it.
+/// Locks a folder against other programs for the lifetime of this object. The lock also ends with the process.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder) {
@@ -72,7 +74,7 @@ class FolderLock {
     struct flock lock {};
     lock.l_type = F_WRLCK;
     lock.l_whence = SEEK_SET;
-    // Some file systems have no locks; there two programs at once are the user's care.
+    // Some file systems have no locks. There the user must not start two programs at once.
     if (::fcntl(descriptor_, F_SETLK, &lock) != 0 && (errno == EACCES || errno == EAGAIN)) {
       ::close(descriptor_);
       throw MachineError(fmt::format("another program is making the data set in '{}'", folder.string()));
@@ -86,13 +88,13 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// What the files with rows of a table tell.
+/// Facts found in the files with rows of a table.
 struct FoundInTable {
   std::vector<std::string> faults;
-  std::vector<std::uint64_t> plants;  // that are there
+  std::vector<std::uint64_t> plants;  // existing plants
   std::vector<std::string> failures;  // key and error of each plant that failed
-  std::vector<std::string> paths;     // of the files of all rows
-  bool is_whole = false;              // the table is as it was written
+  std::vector<std::string> paths;     // paths of the files of all rows
+  bool is_whole = false;              // whether the table is unchanged
 };
 
 std::string failure_of(const TableRow& row) {
@@ -106,18 +108,18 @@ struct DatasetFolder::State {
 
   const DatasetPlan& plan;
   const std::string folder;
-  DatasetInfo info;   // what dataset.json will say
-  DatasetInfo known;  // what dataset.json said: tables are compared with it
+  DatasetInfo info;   // the next content of dataset.json
+  DatasetInfo known;  // the previous content of dataset.json, with which tables are compared
   std::unique_ptr<FolderLock> lock;
-  std::vector<bool> is_there;                               // of each plant
-  std::vector<std::uint32_t> missing;                       // plants of each table
-  std::map<std::uint64_t, std::vector<std::string>> parts;  // files with rows of each table that is not whole
+  std::vector<bool> is_there;                               // by plant: whether it exists
+  std::vector<std::uint32_t> missing;                       // by table: number of missing plants
+  std::map<std::uint64_t, std::vector<std::string>> parts;  // by table that is not complete: files with its rows
   std::vector<std::uint64_t> pending;                       // tables whose hashes are not yet in dataset.json
   std::uint64_t there = 0;
   std::uint64_t found = 0;
-  std::uint64_t given = 0;    // all before it were given or are there
-  double seconds = 0;         // that a plant takes, of late
-  std::uint64_t largest = 0;  // range that was made
+  std::uint64_t given = 0;    // all plants before this number exist or were given
+  double seconds = 0;         // recent mean time per plant
+  std::uint64_t largest = 0;  // largest range made so far
   std::vector<std::string> faults;
   std::uint64_t fault_count = 0;
   std::uint64_t failed = 0;
@@ -128,7 +130,7 @@ struct DatasetFolder::State {
 
   void check_same(const DatasetInfo& before, bool repairs) const;
   void check_hashes_are_of_this(bool is_known_otherwise) const;
-  /// Whether a document was read from the folder itself.
+  /// Returns true if a document was read from the folder itself.
   bool is_own(const PlannedDocument& document) const {
     const fs::path relative = fs::weakly_canonical(document.file).lexically_relative(fs::weakly_canonical(folder));
     return !relative.empty() && *relative.begin() != "..";
@@ -188,7 +190,7 @@ void DatasetFolder::State::check_same(const DatasetInfo& before, bool repairs) c
   }
 }
 
-/// Compares plan and documents with the hashes in checks/, because dataset.json has changed.
+/// Compares plan and documents with the hashes in checks/. Needed if dataset.json has changed.
 void DatasetFolder::State::check_hashes_are_of_this(bool is_known_otherwise) const {
   bool is_known = is_known_otherwise;
   for (std::uint64_t table = 0; table < info.table_count(); ++table) {
@@ -211,17 +213,17 @@ void DatasetFolder::State::check_hashes_are_of_this(bool is_known_otherwise) con
 }
 
 void DatasetFolder::State::begin() {
-  // What it is comes last: a folder without it is not yet a data set.
+  // dataset.json is written last: a folder without it is not yet a data set.
   unpack_documents(plan, documents_path(folder));
   known = info;
   write_plan(false);
   write_whole_file(dataset_info_path(folder), dataset_info_text(info));
 }
 
-/// Takes what is known from a data set that was begun.
+/// Loads the state of a data set that was begun.
 void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool repairs) {
   known = info;
-  known.is_as_written = false;  // so that the hashes of tables count alone
+  known.is_as_written = false;  // then only the hashes of tables count
   if (before) {
     info.version = before->version;
     if (before->is_as_written && before->format == kDatasetFormat) {
@@ -230,7 +232,7 @@ void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool 
     }
   }
   if (before && before->is_as_written && before->format < kDatasetFormat) {
-    // The format is written first, so that files in checks/ always mean the later format.
+    // The format is written first, so that a folder with checks/ always has the later format.
     info.files[kFolderPlanName] = text_hash(folder_plan_text(plan));
     save();
   }
@@ -242,7 +244,8 @@ void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool 
   if (repairs) check_files();
 }
 
-/// Writes a file that the program knows, unless it is there. A repair tells when the file had changed.
+/// Writes a file whose content the program knows, unless the file already has it. A repair reports that the file had
+/// changed.
 void DatasetFolder::State::write_own(const std::string& name, const std::string& text, bool tells) {
   const auto content = whole_file(path(name));
   if (content == text) return;
@@ -269,14 +272,14 @@ void DatasetFolder::State::save() {
   pending.clear();
 }
 
-/// Saves once enough tables are new, so that a set of many tables does not write dataset.json for each of them.
+/// Saves dataset.json once enough tables are new, so that a set of many tables does not write it for each table.
 void DatasetFolder::State::save_some() {
   const auto hashes = static_cast<std::uint64_t>(
       std::count_if(info.tables.begin(), info.tables.end(), [](const std::string& hash) { return !hash.empty(); }));
   if (pending.size() * kTablesPerSave >= hashes) save();
 }
 
-/// The documents as they were, and nothing besides.
+/// Restores the original documents and removes everything else in their folder.
 void DatasetFolder::State::restore_documents() {
   const fs::path documents(documents_path(folder));
   std::set<std::string> own_files;
@@ -298,7 +301,7 @@ void DatasetFolder::State::restore_documents() {
   unpack_documents(plan, documents.string());
 }
 
-/// Finds changed files of dataset.json beside the plan. The data card is written anew at the end.
+/// Reports files of dataset.json other than the plan that have changed. The data card is rewritten at the end.
 void DatasetFolder::State::check_files() {
   for (auto file = info.files.begin(); file != info.files.end();) {
     const auto content = whole_file(path(file->first));
@@ -319,7 +322,7 @@ void DatasetFolder::State::check_files() {
   }
 }
 
-/// Removes what Python has made of the tables, because a table has changed.
+/// Removes the arrays that Python has made from the tables, because a table has changed.
 void DatasetFolder::State::drop_arrays() {
   for (auto file = info.files.begin(); file != info.files.end();) {
     if (file->first == kFolderPlanName || file->first == kDataCardName) {
@@ -332,7 +335,7 @@ void DatasetFolder::State::drop_arrays() {
   }
 }
 
-/// Removes the files below plants/ that no row knows.
+/// Removes the files below plants/ that are in no row.
 void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string>& known_paths) {
   const fs::path root(folder);
   std::vector<std::string> strangers;
@@ -344,7 +347,7 @@ void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string
   for (const std::string& stranger : strangers) fs::remove(stranger);
 }
 
-/// What the rows of a file tell of plants of a table.
+/// Adds the facts of the rows of a file to the facts of its table.
 void DatasetFolder::State::take_rows(const TableRows& rows, bool reads_all, FoundInTable& found_there,
                                      Progress& progress) const {
   found_there.faults.insert(found_there.faults.end(), rows.faults.begin(), rows.faults.end());
@@ -363,7 +366,7 @@ void DatasetFolder::State::take_rows(const TableRows& rows, bool reads_all, Foun
   }
 }
 
-/// The table itself, and parts of it.
+/// Examines the file of a table and the parts with its rows.
 void DatasetFolder::State::look_at(std::uint64_t table, bool reads_all, FoundInTable& found_there,
                                    Progress& progress) const {
   std::error_code error;
@@ -383,7 +386,7 @@ void DatasetFolder::State::look_at(std::uint64_t table, bool reads_all, FoundInT
 
 void DatasetFolder::State::look(bool reads_all, Progress& progress) {
   const fs::path root(folder);
-  // Files of plants that were not finished. Another program may still make some that this one had asked for.
+  // Removes files of unfinished plants. Another program may still be making plants that this one had requested.
   std::error_code ignored;
   for (const fs::directory_entry& left : fs::directory_iterator(root / "partial" / "plants", ignored)) {
     remove_left_over(left.path().string(), WithoutLocks::remove);
@@ -421,7 +424,7 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
       --left;
     }
     missing.push_back(left);
-    // All rows of a table were there, but the table was not written yet; or it has rows that are no rows.
+    // Either all rows of a table exist but the table was not written yet, or the table has lines that are no rows.
     if (left == 0 && in_tables[table].is_whole) {
       for (std::string& failure : in_tables[table].failures) tell_failure(std::move(failure));
       whole.push_back(table);
@@ -430,7 +433,7 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
     }
   }
   for (const std::uint64_t table : whole) adopt(table, reads_all);
-  // A table without its hash is known to be under way, whatever is cut off from here on.
+  // From here on a table without its hash is known to be incomplete, whatever is interrupted later.
   if (whole.size() < tables) info.files.erase(kDataCardName);
   save();
   for (const std::uint64_t table : unmerged) merge(table);
@@ -438,7 +441,7 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
   found = there;
 }
 
-/// Takes the hash of a table that is whole, and writes its hashes if they are not there.
+/// Accepts the hash of a complete table, and writes its hashes if they are missing.
 void DatasetFolder::State::adopt(std::uint64_t table, bool tells) {
   const std::string known_hash = known_table_hash(known, folder, table);
   const auto hashes = read_table_hashes(folder, table);
@@ -461,7 +464,7 @@ void DatasetFolder::State::merge(std::uint64_t table) {
       if (!row.is_right) continue;
       const auto [known_row, is_new] = rows.try_emplace(row.entry.number, row);
       if (is_new || known_row->second.line == row.line) continue;
-      // A plant that was made again has a row of before as well, which does not tell what its files hold now.
+      // A plant that was made again also has an older row, which does not describe its present files.
       if (fault_of_files(known_row->second.entry, folder, true, progress)) known_row->second = std::move(row);
     }
   };
@@ -527,7 +530,7 @@ DatasetFolder::DatasetFolder(const DatasetPlan& plan, std::string folder, Datase
     state.check_hashes_are_of_this(is_same);
   } else if (fs::exists(root, error)) {
     if (!fs::is_directory(root, error)) throw refused("this is a file", "a folder", state.folder);
-    // A start that was cut off has left nothing but these. A repair also puts back a dataset.json that is missing.
+    // An interrupted start has left only these files. A repair also restores a missing dataset.json.
     bool has_tables = false;
     for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
       const std::string name = entry.path().filename().string();
@@ -574,9 +577,9 @@ std::optional<PlantRange> DatasetFolder::next(double seconds) {
   State& state = *state_;
   while (state.given < state.info.plants && state.is_there[state.given]) ++state.given;
   if (state.given >= state.info.plants) return std::nullopt;
-  // Until the first one is done, nobody knows how long a plant takes.
+  // Until the first range is done, the time per plant is unknown.
   const double wanted = state.seconds > 0 ? seconds / state.seconds : 1;
-  // Twice the largest one at most, as the first plants may have been quick by chance.
+  // At most twice the largest range so far, because the first plants may have been fast by chance.
   const std::uint64_t limit = std::clamp<std::uint64_t>(2 * state.largest, 1, kMostInRange);
   const auto most = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(limit)));
   const std::uint64_t last = std::min(state.end_of(state.given / state.info.rows), state.given + most);

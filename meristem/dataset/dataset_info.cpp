@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads and writes dataset.json. Its last member is a hash of everything before it, which shows whether somebody has
+// edited the file. Paths in the file must stay below the folder of the data set.
 #include "meristem/dataset/dataset_info.h"
 
 #include <algorithm>
@@ -46,21 +48,21 @@ std::vector<std::pair<std::string, std::string>> texts_in(const Value* object) {
   return texts;
 }
 
-/// Nothing outside the folder of the data set is ever read or removed.
+/// Returns true if a path stays below the folder of the data set. Files outside the folder are never read or removed.
 bool stays_below(const fs::path& path) {
   const fs::path own = path.lexically_normal();
   return !own.empty() && own.is_relative() && *own.begin() != "..";
 }
 
-/// Whether a document and all of its files lie below documents/.
+/// Returns true if a document and all of its files lie below documents/.
 bool stays_below(const DatasetDocument& document) {
   const fs::path name(document.name);
   return stays_below(name) && std::all_of(document.files.begin(), document.files.end(),
                                           [&name](const auto& file) { return stays_below(name / file.first); });
 }
 
-/// Returns a part of the folder that data sets of format 1 do not have: somebody has edited the number. Returns an
-/// empty text if the folder has no such part.
+/// Returns a part of the folder that data sets of format 1 do not have, which means that somebody has edited the format
+/// number. Returns an empty text if the folder has no such part.
 std::string part_of_later_format(const Value& value, const std::string& folder) {
   for (const char* const name : {"hash", "tables", "files"}) {
     if (value.find(name) != nullptr) return fmt::format("'{}'", name);
@@ -80,7 +82,7 @@ std::string part_of_later_format(const Value& value, const std::string& folder) 
   return first;
 }
 
-/// dataset.json without its last member, which is the hash of this text.
+/// Returns dataset.json without its last member, which is the hash of this text.
 Value::Object told_by(const DatasetInfo& info) {
   Value::List documents;
   for (const DatasetDocument& document : info.documents) {
@@ -203,7 +205,7 @@ std::string begun_plan_text(const std::string& folder) {
     const auto known = info ? info->files.find(kFolderPlanName) : std::map<std::string, std::string>::const_iterator();
     if (info && known != info->files.end() && copy && text_hash(*copy) == known->second) return *copy;
   } catch (const InputError&) {
-    // dataset.json cannot be read: the copy is as good as the plan.
+    // If dataset.json cannot be read, nothing shows which one is right.
   }
   return text ? *text : copy.value_or("");
 }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 void require_links_within(const std::string& folder, const std::string& root) {
   if (root.empty()) return;
   std::error_code error;
-  std::optional<std::string> outside;  // the first by name, whatever the order of the file system
+  std::optional<std::string> outside;  // first link by name, whatever the order of the file system
   for (const fs::directory_entry& entry :
        fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
     if (!entry.is_symlink(error)) continue;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plant's number runs over documents, in each over sets of values, and with each over seeds: the seeds change
-// fastest, and in a grid the last path, as in batches of Python. What is drawn for a plant is keyed by the document's
-// name, the set of values and the seed; so further documents and seeds leave all earlier plants as they were.
+// Numbers count over documents, in each document over sets of values, and for each set over seeds. Seeds therefore
+// change fastest; in a grid, the last path changes fastest, as in batches of Python. Random values of a plant depend on
+// the document's name, the set of values and the seed. Further documents and seeds therefore leave all earlier plants
+// unchanged.
 #include "meristem/dataset/dataset_plan.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kFewestDigits = 6;  // of keys
+constexpr std::size_t kFewestDigits = 6;  // minimum number of digits of keys
 
 }  // namespace
 
@@ -59,7 +60,7 @@ PlannedPlant DatasetPlan::plant(std::uint64_t number) const {
 }
 
 std::string hash_of_plan(const Value& tree) {
-  // Names and words of the plan may change, plants and files may not.
+  // Names and descriptions of the plan may change, but plants and files must not.
   Value decisive = tree;
   if (Value::Object* object = decisive.object()) {
     std::erase_if(*object, [](const Value::Member& member) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the rows of the manifest as CSV, and reads them back. A row begins with the values of the plan and ends with
+// the measures; names of columns that are already taken get a prefix.
 #include "meristem/dataset/manifest.h"
 
 #include <algorithm>
@@ -18,14 +20,14 @@ namespace {
 
 constexpr std::array<const char*, 5> kPlantColumns{"files", "bytes", "hashes", "version", "error"};
 
-/// A text that holds no line end and no other control character.
+/// Returns a text without line ends and other control characters.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   return text;
 }
 
-/// A value of a plan: texts as they are, all else as JSON.
+/// Returns a value of a plan as text. Texts stay as they are; other values become JSON.
 std::string value_text(const Value& value) {
   return one_line(value.text() != nullptr ? *value.text() : write_json_line(value));
 }
@@ -178,7 +180,7 @@ std::optional<ManifestEntry> ManifestLayout::entry(const std::vector<std::string
   if (sizes.size() != paths.size() || all_hashes.size() != paths.size()) return std::nullopt;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const auto size = count_of(sizes[k]);
-    // Nothing outside the folder of the data set is ever looked at.
+    // Files outside the folder of the data set are never examined.
     if (!size || paths[k].starts_with('/') || paths[k].find("..") != std::string_view::npos) return std::nullopt;
     found.files.push_back({std::string(paths[k]), *size, std::string(all_hashes[k])});
   }

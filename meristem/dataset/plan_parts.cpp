@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads the seeds and the views of a plan. Seeds are a count, a list, or a first seed with a count. Views are fixed
+// angles, or a number of random views.
 #include "meristem/dataset/plan_parts.h"
 
 #include <algorithm>

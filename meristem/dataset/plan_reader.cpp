@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading a plan: its tables, what has no table, its documents, and whether values suit the documents. A value is tried
-// on each document with the first value of everything else, so that a fault names what brought it.
+// Reads a plan: its tables, the parts without a table, and its documents. Checks whether values suit the documents.
+// Each value is tried on each document with the first value of everything else, so that a fault names the value that
+// caused it.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -31,10 +32,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPlanDocuments = 1000;
-constexpr std::size_t kMostTries = 200;  // values that are tried on a document
-constexpr char kFromPlan = '\x1f';       // begins the name of a value that the plan sets: its path follows
+constexpr std::size_t kMostTries = 200;  // number of values that are tried on a document
+constexpr char kFromPlan = '\x1f';       // begins the name of a value that the plan sets; the value's path follows
 
-/// Values of a plan, as the overrides of a document. Each is called by its place in the plan.
+/// Adds values of a plan as overrides of a document. The name of each override is its position in the plan.
 void add_overrides(const PathValues& values, const std::string& place, std::vector<Override>& overrides) {
   for (const auto& [path, value] : values) overrides.push_back({path, value, kFromPlan + place + "." + path});
 }
@@ -85,7 +86,7 @@ class PlanReader {
     }
   }
 
-  /// An object of paths and values; nothing with a fault for anything else.
+  /// Reads an object of paths and values. Reports a fault for any other value and returns nothing.
   std::optional<PathValues> paths_and_values(const Value& given, const DocumentPath& path, std::string_view what) {
     if (given.object() == nullptr) {
       reader_.fault(path, fmt::format("{} {}", what, given.description()),
@@ -205,7 +206,7 @@ class PlanReader {
     }
   }
 
-  /// What an element of `files` says beside its ending.
+  /// Returns the settings of an element of `files` beside its ending.
   Value settings_of(const PlantOutput& output, const Value& element, const DocumentPath& path) {
     if (element.object() == nullptr) return {};
     Value settings = element;
@@ -239,7 +240,7 @@ class PlanReader {
     std::vector<std::string> names;
     for (const MeasureRow& row : measure_rows()) names.emplace_back(row.name);
     if (given->text() != nullptr && *given->text() == "all") {
-      // The light on leaves takes longer than all else, so it is named where it is wanted.
+      // The light on leaves takes longer than all other measures, so it must be requested by name.
       for (const MeasureRow& row : measure_rows()) {
         if (!row.needs_light) plan_.measures.emplace_back(row.name);
       }
@@ -267,12 +268,12 @@ class PlanReader {
   // Documents.
 
   struct Named {
-    std::string file;  // as it is found
-    std::string root;  // of the files that it names
+    std::string file;  // path of the file that was found
+    std::string root;  // folder that limits the files that it may name
     std::string text;
     std::string name;
     PathValues set;
-    std::string place;  // in the plan
+    std::string place;  // position in the plan
   };
 
   DocumentFile path_of(const std::string& file) const {
@@ -364,7 +365,7 @@ class PlanReader {
     plan_.documents.push_back(std::move(planned));
   }
 
-  /// A distribution without bounds of its own keeps to the range of the document's variable.
+  /// Limits a distribution without bounds of its own to the range of the document's variable.
   void bound(const std::string& path, Variation& variation, const Document& document) {
     const bool is_bounded = variation.low || variation.kind == Variation::Kind::choice;
     for (const Variable& variable : document.variables) {
@@ -382,7 +383,7 @@ class PlanReader {
                   "a distribution within the range of the variable, or bounds in \"within\"");
   }
 
-  /// The first value of everything, each by its place in the plan.
+  /// Returns the first value of everything. Each override is named by its position in the plan.
   std::vector<Override> first_values() const {
     std::vector<Override> overrides;
     add_overrides(plan_.set, "set", overrides);
@@ -393,11 +394,11 @@ class PlanReader {
     return overrides;
   }
 
-  /// The document with these values; nothing with its faults.
+  /// Returns the document with these values. Reports faults and returns nothing if there are any.
   std::optional<Document> tried(const Named& named, const PlannedDocument& planned, std::vector<Override> values) {
     std::vector<Override> overrides;
     add_overrides(planned.set, named.place + ".set", overrides);
-    // A later value replaces an earlier one of its path.
+    // A later value replaces an earlier value of an equal path.
     for (Override& value : values) {
       std::erase_if(overrides, [&](const Override& earlier) { return earlier.path == value.path; });
       overrides.push_back(std::move(value));
@@ -415,7 +416,7 @@ class PlanReader {
     }
   }
 
-  /// A fault of a document; one of a value that the plan sets stands there.
+  /// Adds a fault of a document. If the plan has set the faulty value, the fault is placed there.
   void add_fault(Diagnostic fault, const Named& named) {
     if (fault.severity != Severity::error) return;
     if (!fault.file.starts_with(kFromPlan)) {
@@ -457,7 +458,7 @@ class PlanReader {
     }
   }
 
-  /// Values of one path come from one place.
+  /// Checks that the values of one path come from one part of the plan.
   void check_columns() {
     for (const auto& [path, value] : plan_.set) {
       if (std::find(plan_.columns.begin(), plan_.columns.end(), path) == plan_.columns.end()) continue;
@@ -467,7 +468,7 @@ class PlanReader {
     }
   }
 
-  /// Two plans are compared by what they say, wherever their documents lie.
+  /// Puts the names of the documents into the plan's tree. Plans are compared without the positions of their documents.
   void tell_documents(const std::vector<Named>& named) {
     Value::List list;
     for (const Named& one : named) {
@@ -516,9 +517,9 @@ class PlanReader {
   const DocumentPath top_;
   DatasetPlan plan_;
   PlanHead head_;
-  std::vector<std::pair<std::string, Variation>> vary_;  // as the plan says them
-  std::vector<Diagnostic> own_;                          // faults of values, by their places in the plan
-  std::vector<Diagnostic> others_;                       // faults that lie in documents
+  std::vector<std::pair<std::string, Variation>> vary_;  // as in the plan
+  std::vector<Diagnostic> own_;                          // faults of values, by their positions in the plan
+  std::vector<Diagnostic> others_;                       // faults in documents
 };
 
 }  // namespace

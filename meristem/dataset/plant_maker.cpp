@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes one plant of a plan at a time: reads its document with the plant's values, grows it, measures it and writes its
+// files. Results that plants of one document share are cached. A fault of the values becomes the error in the plant's
+// row.
 #include "meristem/dataset/plant_maker.h"
 
 #include <algorithm>
@@ -31,7 +34,7 @@ bool has_any(const std::vector<std::string>& measures, bool MeasureRow::*flag) {
   });
 }
 
-/// What a plan needs of each plant before its files are written.
+/// Returns the stage up to which a plant must grow before its files are written.
 GrownPart part_for(const DatasetPlan& plan) {
   GrownPart part = has_any(plan.measures, &MeasureRow::needs_light) ? GrownPart::meshes : GrownPart::plant;
   for (const PlannedFile& file : plan.files) part = std::max(part, file.output->needs);
@@ -49,7 +52,7 @@ std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& docu
                                    const GrowthOptions& options, Progress& progress) {
   if (plan.measures.empty()) return {};
   const bool has_meshes = grown.up_to >= GrownPart::meshes;
-  // Holes of textures are no leaf, and light falls through them.
+  // Holes of textures are no part of a leaf, and light passes through them.
   if (has_holes(grown.plant)) {
     if (has_meshes) complete_growth(document, grown, progress, options);
     if (!has_meshes) paint_plant(document, grown.plant, progress, options.cache);
@@ -77,7 +80,7 @@ PlantFile file_in(const fs::path& path, const std::string& name) {
   return {name, bytes->size(), hash128_hex(std::as_bytes(std::span(bytes->data(), bytes->size())))};
 }
 
-/// All faults in one line.
+/// Returns all faults in one line.
 std::string line_of(const InputError& error) {
   std::string line;
   for (const Diagnostic& diagnostic : error.diagnostics()) {
@@ -103,11 +106,12 @@ std::string plant_folder(const PlannedPlant& plant) {
   return fmt::format("plants/{:04}", plant.number / kPlantsPerFolder);
 }
 
-/// What makers keep from plant to plant: of one document, as all of its plants stand side by side in a plan.
+/// Results that a maker keeps from plant to plant. They are of one document, because all of its plants are adjacent in
+/// a plan.
 struct PlantMaker::Kept {
   ReadStore files;
   GrowthCache cache;
-  std::size_t document = 0;  // whose plants the cache knows
+  std::size_t document = 0;  // document whose plants are in the cache
 
   GrowthCache* cache_of(std::size_t of_document) {
     if (of_document != document) cache.clear();
@@ -136,7 +140,7 @@ Document PlantMaker::document_of(const PlannedPlant& plant) const {
   return read_document(text->second, unpacked_document(planned, folders_.documents), registry_, options);
 }
 
-/// Messages name documents as the data set does, wherever they were unpacked.
+/// Replaces paths of unpacked documents in messages by their paths in the data set.
 std::string PlantMaker::relative(std::string text) const {
   const std::string folder = (fs::path(folders_.documents) / "").string();
   for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {

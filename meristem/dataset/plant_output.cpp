@@ -12,10 +12,10 @@ namespace meristem {
 
 namespace {
 
-/// What the settings ask for, with the noise of the plant's own seed.
+/// Returns the scan of the settings, with noise from the plant's own seed.
 ScanPlan scan_plan_of(const PlantInHand& plant) { return plan_scan(plant.settings, plant.document.graph.seed); }
 
-/// Scans, each format under an ending of its own: ".scan.las".
+/// Returns the output of scans in a format. Its ending is for example ".scan.las".
 PlantOutput scan_output(const ScanFormat& format) {
   return {.ending = ".scan" + std::string(format.ending),
           .doc = "a scan of the plant with the truth of each point: " + std::string(format.doc),

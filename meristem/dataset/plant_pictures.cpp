@@ -17,7 +17,7 @@ namespace meristem {
 
 namespace {
 
-/// The view of a number among those of a plant.
+/// Returns the view with this number, among the views of a plant.
 View view_of(const PicturePlan& pictures, const PlannedPlant& plant, const Document& document, int number) {
   View view = camera_view(document.graph);
   if (pictures.fixed_views.empty() && pictures.drawn_views == 0) return view;
@@ -33,7 +33,7 @@ View view_of(const PicturePlan& pictures, const PlannedPlant& plant, const Docum
   return seen_from(view, std::clamp(azimuth, -360.0, 360.0), std::clamp(altitude, -89.0, 89.0)).value_or(view);
 }
 
-/// The files of the truth that a plan asks for, of a picture at `base`.
+/// Returns the files of truth that a plan requests for a picture at `base`.
 std::vector<TruthFile> truth_files(const PicturePlan& pictures, const std::string& base) {
   std::vector<TruthFile> files;
   const auto add = [&](std::string_view name, bool is_wanted, bool is_second = false) {

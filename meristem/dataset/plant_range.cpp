@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes ranges of plants. A plant is made in a scratch folder, and its files are moved once all of them are complete.
+// The rows of a range are one file that appears last and ends with a hash, so an interrupted range leaves no rows.
 #include "meristem/dataset/plant_range.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input: a table, the hash that it should have, the hashes of its rows and columns, and the plan. A table with the
-// right hash needs no hashes of rows. In any other table, a row with the right hash is right wherever it stands; the
-// columns whose hashes differ tell what has changed in the other rows.
+// The table is compared with its known hash, with the hashes of its rows and columns, and with the plan. A table with
+// the right hash needs no hashes of rows. In any other table, a row with the right hash is right at any position.
+// Columns with wrong hashes show what has changed in the other rows.
 #include "meristem/dataset/table_check.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class TableReader {
 
   TableRows part() {
     const std::optional<std::string> content = whole_file(path_);
-    if (!content) return std::move(out_);  // it has become part of a table
+    if (!content) return std::move(out_);  // the file has become part of a table
     std::string_view text = *content;
     bool is_right = true;
     take_end_line(text, is_right);
@@ -78,7 +78,7 @@ class TableReader {
     bool are_right = planned.empty() || labels == without_line_end(planned);
     layout_ = ManifestLayout::of_header(are_right || planned.empty() ? labels : without_line_end(planned));
     if (!are_right) tell_labels(labels, without_line_end(planned));
-    // Without hashes of rows, nothing tells whether these are rows of this data set.
+    // Without hashes of rows, it is unknown whether these are rows of this data set.
     if (!layout_ || (!are_right && !hashes_ && !is_confirmed_)) {
       if (are_right) tell("{}:1: these are not the labels of a manifest", path_);
       return;
@@ -101,7 +101,7 @@ class TableReader {
     tell("{}:1: the label of column {} is {}; expected {}", path_, column + 1, is, was);
   }
 
-  /// Finds the columns behind the drawn ones whose fields have changed somewhere.
+  /// Finds the columns after the drawn ones that have changed in some row.
   void find_changed_columns(std::string_view labels, std::string_view text) {
     if (!hashes_) return;
     std::vector<std::string_view> lines;
@@ -123,7 +123,7 @@ class TableReader {
       return tell("{}:{}: the row of the plant {} belongs to another table", path_, number, fields->front());
     }
     if (is_there_[plant - begin_]) return tell("{}:{}: the row {} stands twice", path_, number, fields->front());
-    // The first row of a part may be any.
+    // The first row of a part may have any number.
     if (!out_.rows.empty() && plant != out_.rows.back().entry.number + 1) {
       tell("{}:{}: the row {} follows the row of the plant {}", path_, number, fields->front(),
            out_.rows.back().entry.number);
@@ -133,7 +133,7 @@ class TableReader {
     out_.rows.push_back({std::move(*entry), std::string(line), is_drawn && check_hash(plant, *fields, line, number)});
   }
 
-  /// Draws the values of the plant again.
+  /// Draws the values of the plant again and compares them with its row.
   bool check_drawn(std::uint64_t number, const std::vector<std::string>& fields, std::size_t line) {
     if (knowledge_.plan == nullptr) return true;
     const DatasetPlan& plan = *knowledge_.plan;
@@ -186,7 +186,7 @@ class TableReader {
   std::uint64_t end_ = 0;
   std::string known_;
   bool is_confirmed_ = false;
-  std::optional<TableHashes> hashes_;  // only if the table is not as it was
+  std::optional<TableHashes> hashes_;  // read only if the table has changed
   std::optional<ManifestLayout> layout_;
   std::vector<std::string> changed_columns_;
   std::vector<bool> is_there_;

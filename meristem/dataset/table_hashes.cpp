@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes and reads the hashes of a table's rows and columns. The last line has the hash of all other lines, so an
+// edited file is recognised and ignored.
 #include "meristem/dataset/table_hashes.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Draws values from distributions by keys, so that a value does not depend on the order of draws. Bounds are kept by
+// repeated draws. Uniform and triangular distributions use the inverse of the distribution function.
 #include "meristem/dataset/variation.h"
 
 #include <algorithm>
@@ -14,10 +16,10 @@ namespace meristem {
 
 namespace {
 
-/// A kind, and what its list of numbers holds.
+/// A kind, and the form of its list of numbers.
 struct VariationForm {
   std::string_view name;
-  std::size_t count;  // of numbers; 0: any number of choices
+  std::size_t count;  // number of numbers; 0: any number of choices
   std::string_view numbers;
 };
 
@@ -31,8 +33,8 @@ constexpr std::array<VariationForm, 7> kVariationForms{{
     {"choice", 0, "a list of values"},
 }};
 
-/// After that number of draws beside the bounds, next to impossible where a hundredth lies within them, the nearer
-/// bound is taken.
+/// Number of draws outside the bounds after which the nearer bound is used. This hardly ever happens if a hundredth of
+/// the values lies within the bounds.
 constexpr std::uint64_t kMostDraws = 10'000;
 
 double normal_share_below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
@@ -92,7 +94,7 @@ double draw_number(const Variation& variation, RandomKey key, std::uint64_t draw
   return 0;
 }
 
-/// A list of `count` finite numbers.
+/// Returns a list of `count` finite numbers, or nothing.
 std::optional<std::vector<double>> finite_numbers(const Value& value, std::size_t count) {
   const Value::List* const list = value.list();
   if (list == nullptr || list->size() != count) return std::nullopt;
@@ -104,7 +106,7 @@ std::optional<std::vector<double>> finite_numbers(const Value& value, std::size_
   return numbers;
 }
 
-/// Whether the numbers of a kind make sense.
+/// Returns true if the numbers are valid for the kind.
 bool are_right(Variation::Kind kind, const std::vector<double>& n) {
   switch (kind) {
     case Variation::Kind::uniform:
@@ -158,7 +160,7 @@ Value Variation::draw(RandomKey key) const {
     double sum = 0;
     for (const double weight : weights) sum += weight;
     rest *= sum;
-    std::size_t last = 0;  // of those with a weight
+    std::size_t last = 0;  // last choice with a weight
     for (std::size_t k = 0; k < weights.size(); ++k) {
       if (weights[k] > 0) last = k;
       if (rest < weights[k]) return choices[k];
@@ -176,7 +178,7 @@ Value Variation::draw(RandomKey key) const {
 
 double Variation::share_within() const {
   if (kind == Kind::choice) return 1;
-  // A distribution without width lies within or beside the bounds.
+  // A distribution without width lies entirely within or outside the bounds.
   const bool is_point =
       kind == Kind::normal ? numbers[1] == 0 : kind != Kind::lognormal && numbers.front() == numbers.back();
   if (is_point) return (!low || numbers[0] >= *low) && (!high || numbers[0] <= *high) ? 1 : 0;

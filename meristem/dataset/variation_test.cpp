@@ -31,7 +31,7 @@ double mean(const std::vector<double>& numbers) {
   return sum / static_cast<double>(numbers.size());
 }
 
-// The mean of 2000 draws lies within 4 standard errors of that of the distribution.
+// The mean of 2000 draws lies within 4 standard errors of the mean of the distribution.
 TEST(Variation, HasTheMeanOfItsDistribution) {
   const double root = std::sqrt(2000.0);
   EXPECT_NEAR(mean(drawn(R"({"uniform": [2, 6]})")), 4, 4 * 4 / std::sqrt(12.0) / root);
@@ -82,7 +82,7 @@ TEST(Variation, DrawsWholeNumbersWithBothEnds) {
   EXPECT_GT(counts[1], 50);
 }
 
-// What a key gives is part of the format of data sets: it does not change.
+// The value of a key is part of the format of data sets and must not change.
 TEST(Variation, GivesTheValuesOfItsKeys) {
   const RandomKey key = RandomKey(7).child("values").child("age");
   const double share = key.uniform(0);

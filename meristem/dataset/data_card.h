@@ -8,9 +8,9 @@
 
 namespace meristem {
 
-/// The data card of a data set whose manifest is whole, in Markdown: what it is, how it was made, licence, counts, what
-/// failed, files by their endings, and the distribution of each value and measure. The tables are read twice, row by
-/// row, so that memory does not rise with the plants.
+/// Returns the data card of a data set whose manifest is complete, in Markdown. The card describes how the set was
+/// made, its licence, its counts and failures, its files by ending, and the distribution of each value and measure. The
+/// tables are read twice, row by row, so that memory does not depend on the number of plants.
 std::string data_card(const DatasetPlan& plan, const std::string& folder, Progress& progress);
 
 }  // namespace meristem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder in which a data set comes about: what is there, what is missing, and the tables of its manifest. It makes
-// no plants itself: a program takes ranges of missing plants, has them made wherever it likes, and tells when they are.
+// The folder of a data set that is being made: existing plants, missing plants, and the tables of its manifest. This
+// class makes no plants. A program takes ranges of missing plants, makes them on any thread or machine, and reports
+// them back.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +16,20 @@
 
 namespace meristem {
 
-/// What a folder is opened for.
+/// The purpose for which a folder is opened.
 enum class DatasetOpening {
-  resume,  ///< go on with what is there, if its files are there with their sizes
-  repair,  ///< go on with what is there, if all of it has its hashes; put back what belongs to the folder
-  fresh,   ///< begin; a folder that holds anything is refused
+  resume,  ///< continue with the existing plants if their files exist with the right sizes
+  repair,  ///< continue with the existing plants if all their hashes are right; restore missing parts of the folder
+  fresh,   ///< begin a new data set; the folder must be empty
 };
 
-/// One data set while it is made. One program at a time.
+/// A data set while it is made. Only one program at a time may use it.
 class DatasetFolder {
  public:
-  /// Begins the data set in `folder`, which is made, or goes on with it. Throws InputError where the folder holds
-  /// something else, a data set of another plan, or one of a document that has been edited since; MachineError where
-  /// the disk refuses, another program is at work in it, or a repair lacks what it needs. Nothing that is there is
-  /// changed then. `plan` outlives it.
+  /// Begins a data set in `folder`, or continues with an existing one. The folder is created if necessary. Throws
+  /// InputError if the folder holds something else, a data set of another plan, or a data set of a document that has
+  /// been edited since. Throws MachineError if writing fails, if another program is using the folder, or if a repair
+  /// lacks what it needs. After an exception, existing files are unchanged. `plan` must outlive this object.
   DatasetFolder(const DatasetPlan& plan, std::string folder, DatasetOpening opening, Progress& progress);
   ~DatasetFolder();
   DatasetFolder(const DatasetFolder&) = delete;
@@ -36,28 +37,30 @@ class DatasetFolder {
 
   const std::string& path() const;  ///< path of the folder, as it was given
   std::uint64_t total() const;      ///< plants of the plan
-  std::uint64_t done() const;       ///< plants that are there
-  std::uint64_t found() const;      ///< plants that were there when it was opened
-  /// Faults of the folder's content, which is made again: one line each, the first hundred.
+  std::uint64_t done() const;       ///< number of existing plants
+  std::uint64_t found() const;      ///< number of plants that existed when the folder was opened
+  /// Faults of existing plants, which will be made again: one line each, at most the first hundred.
   const std::vector<std::string>& faults() const;
   std::uint64_t fault_count() const;  ///< number of all faults
 
-  /// Plants that are there with an error and without files.
+  /// Number of plants that have failed: their row has an error, and they have no files.
   std::uint64_t failed() const;
-  /// Key and error of the first of them, one line each, at most ten.
+  /// Key and error of the first failed plants, one line each, at most ten.
   const std::vector<std::string>& failures() const;
-  /// "7 of 12 plants written, 5 failed: 000002: ..."; empty if none has failed.
+  /// Returns a summary such as "7 of 12 plants written, 5 failed: 000002: ...". Returns an empty text if no plant has
+  /// failed.
   std::string failed_text() const;
 
-  /// The next missing plants, about as many as are made in `seconds`; nothing once all were given.
+  /// Returns the next missing plants, about as many as are made in `seconds`. Returns nothing once all were given.
   std::optional<PlantRange> next(double seconds = 0.5);
-  /// Tells that a range was made, which make_range or put_range has written, and how many seconds that took. Its table
-  /// of the manifest appears once it was the last one of it. Throws MachineError.
+  /// Reports that make_range or put_range has written a range, and the seconds that this took. A table of the manifest
+  /// appears with the last range in it. Throws MachineError.
   void add(PlantRange range, double seconds);
 
-  /// Writes the data card and removes what was partial. All plants must be there.
+  /// Writes the data card and removes partial files. All plants must exist.
   void finish(Progress& progress);
-  /// Adds the hash of a file of the folder to dataset.json, such as manifest.npz. The file goes when a table changes.
+  /// Adds the hash of a file of the folder, such as manifest.npz, to dataset.json. The file is removed when a table
+  /// changes.
   void add_file(const std::string& name);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small data set for tests: rods that grow in no time.
+// A small data set for tests, with rods that grow quickly.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace meristem {
 
-/// A rod of wood whose length is a variable; a length of 0 is refused by its component.
+/// A wooden rod whose length is a variable. Its component refuses a length of 0.
 inline constexpr const char* kRod = R"({"meristem": 1, "name": "Rod", "licence": "CC0-1.0",
   "variables": {"tall": {"value": 1, "min": 0.5, "max": 2}},
   "components": {"rod": {"type": "simple", "shape": "box", "size": [0.1, "tall", 0.1]}}})";
@@ -38,7 +38,7 @@ inline void write_content(const std::filesystem::path& path, const std::string& 
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// All files below a folder but what is partial, by their paths.
+/// Returns all files below a folder except partial ones, by their paths.
 inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -48,7 +48,8 @@ inline std::map<std::string, std::string> files_below(const std::filesystem::pat
   return files;
 }
 
-/// Makes up to `most` missing plants, as a program does; the data card once all are there. Returns how many.
+/// Makes up to `most` missing plants, as a program does, and writes the data card once all exist. Returns the number of
+/// plants made.
 inline std::uint64_t make_plants(const DatasetPlan& plan, const std::string& path, std::uint64_t most = kMostPlants,
                                  DatasetOpening opening = DatasetOpening::resume) {
   Progress progress;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manifest of a data set: tables in CSV with a row for each plant.
+// The manifest of a data set: tables in CSV with a row for each plant. The columns are:
 //
 // key, document, seed, a column for each value that differs, files, bytes, hashes (of each file, with spaces between),
-// version (of the program that grew it), error (empty, or why there is no plant), a column for each measure.
+// version (of the program that grew it), error (empty, or why the plant is missing), a column for each measure.
 #pragma once
 
 #include <cstdint>
@@ -25,34 +25,35 @@ struct PlantFile {
   bool operator==(const PlantFile&) const = default;
 };
 
-/// What became of a plant.
+/// The result of making a plant.
 struct MadePlant {
   PlannedPlant plant;                  ///< the plant, as the plan draws it
   std::vector<PlantFile> files;        ///< files that were written
-  std::vector<MeasureValue> measures;  ///< in the order of the plan; none after an error
-  std::string error;                   ///< why there is no plant, in one line
+  std::vector<MeasureValue> measures;  ///< in the order of the plan; empty after an error
+  std::string error;                   ///< reason why the plant is missing, in one line
 };
 
-/// The names of the columns.
+/// Returns the names of the columns.
 std::vector<std::string> manifest_columns(const DatasetPlan& plan);
-/// The names of the columns as the first line of a table, with its line end.
+/// Returns the first line of a table, with the names of the columns and a line end.
 std::string manifest_header(const DatasetPlan& plan);
-/// The first fields of the row of a plant, as the plan draws them: key, document, seed and the values that differ.
+/// Returns the first fields of a plant's row, which the plan determines: key, document, seed and the values that
+/// differ.
 std::vector<std::string> planned_fields(const DatasetPlan& plan, const PlannedPlant& plant);
-/// The row of a plant, with its line end; it holds no other one.
+/// Returns the row of a plant, with a line end. The row contains no other line end.
 std::string manifest_row(const DatasetPlan& plan, const MadePlant& made);
 
-/// The fields of a line of CSV without its line end; nothing where quotes do not close.
+/// Returns the fields of a line of CSV without its line end. Returns nothing if a quote is not closed.
 std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
-/// What of a row tells whether its plant is there.
+/// The fields of a row that show whether its plant exists.
 struct ManifestEntry {
   std::uint64_t number = 0;      ///< number of the plant in the plan
   std::vector<PlantFile> files;  ///< files of the plant
-  std::string error;             ///< why there is no plant; empty if there is one
+  std::string error;             ///< reason why the plant is missing; empty if it exists
 };
 
-/// Where the columns of a manifest stand.
+/// The positions of the columns in a manifest.
 struct ManifestLayout {
   std::size_t count = 0;   ///< number of columns
   std::size_t files = 0;   ///< column of the files
@@ -60,9 +61,9 @@ struct ManifestLayout {
   std::size_t hashes = 0;  ///< column of their hashes
   std::size_t error = 0;   ///< column of the error
 
-  /// Nothing where the line is not the first one of a manifest.
+  /// Reads the first line of a manifest. Returns nothing for any other line.
   static std::optional<ManifestLayout> of_header(std::string_view line);
-  /// Nothing where the line is no row.
+  /// Reads a row. Returns nothing if the line is not a row.
   std::optional<ManifestEntry> entry(std::string_view line) const;
   std::optional<ManifestEntry> entry(const std::vector<std::string>& fields) const;
 };

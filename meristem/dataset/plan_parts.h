@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a plan has no table, and is the same for all documents: seeds, and where pictures are taken from.
+// Parts of a plan that have no table and are equal for all documents: seeds, and the views of pictures.
 #pragma once
 
 #include "meristem/dataset/dataset_plan.h"
@@ -8,16 +8,16 @@
 
 namespace meristem {
 
-/// A distribution has at least this share of its values within its bounds, so that drawing ends.
+/// Minimum share of a distribution's values within its bounds. A smaller share would need too many draws.
 inline constexpr double kLeastShareWithin = 0.01;
 
-/// Hash of what a plan says, names and words aside.
+/// Returns a hash of a plan, without names and descriptions.
 std::string hash_of_plan(const Value& tree);
 
-/// Reads the seeds of a plan into it, with faults at their places.
+/// Reads the seeds of a plan and reports faults at their positions.
 void read_plan_seeds(const Value& given, const DocumentPath& path, ParameterReader& reader, DatasetPlan& plan);
 
-/// Reads the views of `pictures`, whose table has been read, with faults at their places.
+/// Reads the views of `pictures`, whose table has been read, and reports faults at their positions.
 void read_plan_views(const Value& given, const DocumentPath& path, ParameterReader& reader, PicturePlan& pictures);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structs that the tables of a plan fill. What has no table, plan_parts.h and plan_reader.cpp read.
+// The structs that the tables of a plan fill. Parts without a table are read in plan_parts.h and plan_reader.cpp.
 #pragma once
 
 #include <optional>

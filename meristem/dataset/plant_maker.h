@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the plants of a plan, one after another: grows each, writes its files, measures it.
+// Makes the plants of a plan one after another: grows each plant, writes its files and measures it.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-/// Where makers find the documents of a plan.
+/// The folders in which makers find the documents of a plan.
 struct DocumentFolders {
   std::string documents;  ///< folder in which unpack_documents has unpacked them
   std::string models{};   ///< folder of shipped models, which documents may name
@@ -22,24 +22,25 @@ struct DocumentFolders {
 /// Writes the documents of a plan, with the files that they name, below a folder. Throws MachineError.
 void unpack_documents(const DatasetPlan& plan, const std::string& folder);
 
-/// The file of a document where unpack_documents has put it.
+/// Returns the path of a document's file after unpack_documents.
 std::string unpacked_document(const PlannedDocument& document, const std::string& folder);
 
-/// One at a time; what documents have in common (files that they name, textures) is made once. The plants are the same
-/// whatever was made before.
+/// Makes plants, one at a time. Things that documents share, such as files and textures, are made once. A plant does
+/// not depend on the plants made before it.
 class PlantMaker {
  public:
-  /// `plan` and `registry` outlive it.
+  /// `plan` and `registry` must outlive this object.
   PlantMaker(const DatasetPlan& plan, const Registry& registry, DocumentFolders folders);
   ~PlantMaker();
   PlantMaker(const PlantMaker&) = delete;
   PlantMaker& operator=(const PlantMaker&) = delete;
 
-  /// The document with the values and the seed of a plant. Throws InputError.
+  /// Returns the document with the values and the seed of a plant. Throws InputError.
   Document document_of(const PlannedPlant& plant) const;
 
-  /// Makes the plant of a number. Its files appear in `folder`, which exists and is empty, with paths that the data set
-  /// will have. A plant that its values do not allow is told by MadePlant::error. Throws MachineError, Cancelled.
+  /// Makes the plant with this number. Its files are written to `folder`, which must exist and be empty, with their
+  /// paths in the data set. If the plant's values are not allowed, MadePlant::error has the reason. Throws
+  /// MachineError, Cancelled.
   MadePlant make(std::uint64_t number, const std::string& folder, Progress& progress);
 
  private:
@@ -55,7 +56,7 @@ class PlantMaker {
   std::unique_ptr<Kept> kept_;
 };
 
-/// The folder below a data set in which the files of a plant lie: "plants/0000".
+/// Returns the folder of a plant's files, below the data set: "plants/0000".
 std::string plant_folder(const PlannedPlant& plant);
 
 }  // namespace meristem

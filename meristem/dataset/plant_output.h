@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinds of files that a plan can ask for of each plant, by their endings: an open list.
+// The kinds of files that a plan can request for each plant, selected by their endings. The list can be extended.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,12 @@
 
 namespace meristem {
 
-/// A plant in hand, of which files are written.
+/// A grown plant whose files are being written.
 struct PlantInHand {
   const Document& document;    ///< the document with the plant's values
-  const GrownDocument& grown;  ///< up to what the output needs
-  const Value& settings;       ///< what the plan says beside the ending, as the output's table has it; null: nothing
+  const GrownDocument& grown;  ///< grown up to the stage that the output needs
+  const Value& settings;       ///< settings beside the ending in the plan, completed by the output's table; null: no
+                               ///< settings
 };
 
 /// A kind of file.
@@ -26,19 +27,19 @@ struct PlantOutput {
   std::string ending;                  ///< with its dot
   std::string doc;                     ///< one sentence
   GrownPart needs = GrownPart::plant;  ///< the stage up to which the plant must have grown
-  TraceWish wish{};                    ///< what must be recorded of growth for it
-  /// Writes the file at `path`, and what belongs to it beside it.
+  TraceWish wish{};                    ///< records of growth that the file needs
+  /// Writes the file at `path`, and further files that belong to it beside it.
   std::function<void(const PlantInHand& plant, const std::string& path, Progress& progress)> write;
-  /// What the plan may say beside the ending; null: nothing.
+  /// Returns the table of the settings beside the ending. Null: no settings are allowed.
   const ParameterTable& (*settings)() = nullptr;
-  /// Checks the settings beyond their table; null: there is no more to check. Throws InputError.
+  /// Checks the settings beyond their table. Null: the table is sufficient. Throws InputError.
   std::function<void(const Value& settings)> check = {};
 };
 
-/// All kinds: the formats that grown documents are written in, and what else makes files of plants.
+/// Returns all kinds: the formats of grown documents, and all other kinds of files of plants.
 std::span<const PlantOutput> plant_outputs();
 
-/// The kind of that ending, or null.
+/// Returns the kind with this ending, or null.
 const PlantOutput* find_plant_output(const std::string& ending);
 
 }  // namespace meristem

@@ -9,8 +9,9 @@
 
 namespace meristem {
 
-/// Writes the pictures that a plan asks for of a plant, which has grown up to textures, and the truth behind them:
-/// `base` is the path of the files without their endings. Pictures of several views are called `base_0`, `base_1`, ...
+/// Writes the pictures that a plan requests of a plant, with their true depth, normals and masks. The plant must have
+/// grown up to textures. `base` is the path of the files without their endings. Pictures of several views are named
+/// `base_0`, `base_1`, ...
 void write_plant_pictures(const DatasetPlan& plan, const PlannedPlant& plant, const Document& document,
                           const GrownDocument& grown, const std::string& base, Progress& progress);
 

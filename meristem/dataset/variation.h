@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a value differs from plant to plant: a distribution that each plant draws from by its own key.
+// The variation of a value from plant to plant: a distribution from which each plant draws with its own key.
 #pragma once
 
 #include <optional>
@@ -14,37 +14,37 @@
 
 namespace meristem {
 
-/// A distribution. Numbers are drawn until one lies from `low` to `high`.
+/// A distribution. Numbers are drawn until one lies between `low` and `high`.
 struct Variation {
-  /// The kind of distribution, and what its `numbers` are.
+  /// The kind of distribution, and the meaning of its `numbers`.
   enum class Kind {
-    uniform,      ///< numbers: the two ends
-    log_uniform,  ///< the two ends, above 0; the logarithm is uniform
+    uniform,      ///< lower and upper end
+    log_uniform,  ///< lower and upper end, above 0; the logarithm is uniform
     normal,       ///< mean and standard deviation
     lognormal,    ///< median, and standard deviation of the natural logarithm
     triangular,   ///< lower end, most frequent value, upper end
-    integer,      ///< the two ends, both included; whole numbers
+    integer,      ///< lower and upper end, both included; whole numbers
     choice,       ///< one of `choices`
   };
   Kind kind = Kind::uniform;    ///< kind of distribution
-  std::vector<double> numbers;  ///< parameters, as the kind says
+  std::vector<double> numbers;  ///< parameters of the distribution, by its kind
   std::vector<Value> choices;   ///< values to choose from, for Kind::choice
-  std::vector<double> weights;  ///< one per choice, above 0 in all; empty: all alike
-  std::optional<double> low;    ///< unset: not bounded
-  std::optional<double> high;   ///< unset: not bounded
+  std::vector<double> weights;  ///< one per choice, with a sum above 0; empty: equal weights
+  std::optional<double> low;    ///< lower bound; unset: no bound
+  std::optional<double> high;   ///< upper bound; unset: no bound
 
-  /// The value of this key: the same one on every machine.
+  /// Returns the value for this key, equal on every machine.
   Value draw(RandomKey key) const;
-  /// The share of the distribution that lies from `low` to `high`, about; 1 for choices.
+  /// Returns the approximate share of the distribution between `low` and `high`. Returns 1 for choices.
   double share_within() const;
-  /// The values at both ends, as far as there are any, and all choices.
+  /// Returns the values at both ends, if the distribution has ends, and all choices.
   std::vector<Value> ends() const;
-  /// Whether all values are numbers.
+  /// Returns true if all values are numbers.
   bool is_number() const;
 };
 
-/// Reads {"normal": [0.1, 0.02], "within": [0.05, 0.2]}, or {"choice": [1, 2, 4], "weights": [3, 2, 1]}. Nothing with
-/// faults at their places.
+/// Reads {"normal": [0.1, 0.02], "within": [0.05, 0.2]}, or {"choice": [1, 2, 4], "weights": [3, 2, 1]}. Reports faults
+/// at their positions, and then returns nothing.
 std::optional<Variation> read_variation(const Value& value, const DocumentPath& path, ParameterReader& reader);
 
 }  // namespace meristem

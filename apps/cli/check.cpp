@@ -20,7 +20,7 @@ struct CheckOptions {
   bool expands = false;
 };
 
-/// What growing would find: the plant alone tells it, without meshes.
+/// Returns the warnings that growing the document would give. The plant alone is sufficient; no meshes are made.
 std::vector<Diagnostic> growth_warnings(const Document& document, bool quiet) {
   TerminalProgress terminal(quiet);
   return grow_document(document, terminal.progress(), {.up_to = GrownPart::plant}).warnings;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `components`: prints the tables of component types and of other parts of documents as text, or all tables
+// as JSON. Nested tables are indented below their rows.
 #include <algorithm>
 #include <vector>
 
@@ -29,14 +31,14 @@ void print_table(const ParameterTable& table, int indent, std::vector<const Para
     if (!nested && !row.required && !defaults[k].is_null()) facts += "; default " + write_json_line(defaults[k]);
     fmt::print("{:{}}{}{}\n", "", indent, row.name, facts.empty() ? "" : " - " + facts);
     fmt::print("{:{}}{}\n", "", indent + 4, row.doc);
-    // A table that contains itself was printed above.
+    // The rows of a table that contains itself were printed above.
     if (nested && std::find(above.begin(), above.end(), &row.nested()) == above.end()) {
       print_table(row.nested(), indent + 4, above);
     }
   }
 }
 
-/// A part of documents that is no component, with its tables.
+/// A part of documents other than components, with its tables.
 struct Part {
   std::string name;
   std::string doc;

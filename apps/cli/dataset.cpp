@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data sets of many plants: made, gone on with, checked. All threads take ranges of plants from the folder, as the
-// workers of Python do, so the bytes are the same.
+// The command `dataset`: makes, resumes, checks and repairs data sets of many plants. All threads take ranges of plants
+// from the folder, as the workers of Python do, so the bytes are equal.
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFaultsPrinted = 100;
 
 struct DatasetCommand {
-  std::string plan;    // a file, or the folder of a data set
+  std::string plan;    // a plan's file, or the folder of a data set
   std::string output;  // the folder
   bool fresh = false;
   bool repair = false;
@@ -79,7 +79,7 @@ void verify(const DatasetCommand& command) {
   }
 }
 
-/// The plan of a file, or of a data set that was begun.
+/// Returns the plan of a file, or of a data set that was begun.
 DatasetPlan plan_of(const DatasetCommand& command) {
   if (command.plan != "-") require_within(command.root, command.plan);
   const bool is_begun = is_dataset(command.plan);
@@ -100,11 +100,12 @@ DatasetPlan plan_of(const DatasetCommand& command) {
                       command.plan));
     }
   }
-  if (file != "-" && !fs::exists(file, error)) read_file(file, Limits().file_bytes);  // tells the nearest name
+  // Throws with the nearest existing name
+  if (file != "-" && !fs::exists(file, error)) read_file(file, Limits().file_bytes);
   return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder(), .root = command.root});
 }
 
-/// Takes ranges until there are none, on as many threads as there may be.
+/// Makes all missing plants of a data set, on as many threads as allowed.
 void make_all(DatasetFolder& folder, const DatasetPlan& plan, TerminalProgress& terminal) {
   Progress& progress = terminal.progress();
   const DocumentFolders folders{.documents = documents_path(folder.path()), .models = models_folder()};
@@ -148,8 +149,8 @@ void tell_made(const std::string& path, std::uint64_t plants, std::uint64_t foun
                            found > 0 ? fmt::format(", {} of them were there", found) : ""));
 }
 
-/// No link in a folder that is there leads out of the root, neither to files that are read nor to files that are
-/// written.
+/// Throws InputError if a link in an existing folder leads out of the root. Covers files that are read and files that
+/// are written.
 void require_links_within_root(const DatasetCommand& command) {
   if (is_dataset(command.plan)) require_links_within(command.plan, command.root);
   if (!command.output.empty()) require_links_within(command.output, command.root);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `derive`: reads a grammar from a file or from a component of a document, derives its word, and prints or
+// interprets it. A file with the key "meristem" is a document, any other file a grammar.
 #include "meristem/grow/lsystem/derive.h"
 
 #include <cmath>
@@ -38,7 +40,7 @@ struct DeriveOptions {
   std::string file() const { return path == "-" ? "<standard input>" : path; }
 };
 
-/// "NAME=VALUE"; the value is an expression without names.
+/// Parses "NAME=VALUE". The value is an expression without names.
 ExpressionNames::Constant parse_define(const std::string& text) {
   const std::size_t equals = text.find('=');
   const auto fail = [&](const std::string& message) {
@@ -51,13 +53,13 @@ ExpressionNames::Constant parse_define(const std::string& text) {
     if (expression.is_constant() && std::isfinite(expression.evaluate())) {
       return {text.substr(0, equals), expression.evaluate()};
     }
-  } catch (const ExpressionError&) {  // the message is the same
+  } catch (const ExpressionError&) {  // the message is equal in both cases
   }
   fail(fmt::format("--define {}: {} is not a number", in_quotes(text.substr(0, equals)), in_quotes(value)));
   return {};
 }
 
-/// Documents say "meristem": 1.
+/// Returns true if the text has the key "meristem", as all documents do.
 bool is_document(std::string_view text) {
   constexpr std::string_view kKey = "\"meristem\"";
   const std::size_t key = text.find(kKey);
@@ -91,7 +93,7 @@ Grammar read(const DeriveOptions& command, std::vector<std::string>& inputs) {
   return grammar;
 }
 
-/// How many steps, or the time of a grammar whose rules have lives.
+/// Returns the number of steps. For a grammar whose rules have lifetimes, returns the time.
 double steps_of(const DeriveOptions& command, const Grammar& grammar) {
   const auto fail = [&](std::string message, std::string expected) {
     throw InputError(

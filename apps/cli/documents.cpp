@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Options and documents that the commands share. A document comes from standard input, from a file, or from the folder
+// of shipped models. Registries of component types are never destroyed, because documents point into them.
 #include "documents.h"
 
 #include <deque>
@@ -23,7 +25,7 @@ namespace {
 
 constexpr const char* kSun = "--sun";
 
-/// All registries. The last is in use; documents point into the one that they were read with.
+/// Returns all registries. The last one is in use. A document points into the registry that it was read with.
 std::deque<Registry>& registries() {
   static std::deque<Registry> all;
   return all;
@@ -35,10 +37,10 @@ std::vector<Override> overrides_of(const DocumentOptions& options) {
   return overrides;
 }
 
-/// The folder that holds the files that an opened document may name.
+/// Returns the folder that limits which files an opened document may name.
 std::string root_of(const Document& document, const DocumentOptions& options) {
   const bool is_file = !options.root.empty() && options.path != "-" && options.path != document.source.file;
-  return is_file ? models_folder() : options.root;  // a shipped model, which was named without its path
+  return is_file ? models_folder() : options.root;  // a shipped model, named without its path
 }
 
 }  // namespace
@@ -113,7 +115,7 @@ Document open_document(const DocumentOptions& options, double time) {
   const DocumentFile found =
       from_input ? DocumentFile{"-", options.root} : find_document_within(options.path, models_folder(), options.root);
   std::string text = read_text_file(found.file);
-  // From here on Ctrl-C stops the reading; while standard input is awaited it ends the program.
+  // From here on Ctrl-C stops the reading. While the program waits for standard input, Ctrl-C ends it.
   TerminalProgress terminal(options.quiet);
   Document document = read_document(std::move(text), from_input ? "<standard input>" : found.file, components(),
                                     {.overrides = overrides_of(options),
@@ -159,7 +161,8 @@ std::string models_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return "";
-  // The build folder has a link to the folder of the source tree: resolve it, so that messages name files to edit.
+  // The build folder has a link to the folder of the source tree. The link is resolved, so that messages name files
+  // that the user can edit.
   return fs::weakly_canonical(program.parent_path().parent_path() / "share" / "meristem" / "models", error).string();
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `grow`: grows a document and writes files in the formats of their endings. All options are checked before
+// any work. Coarser levels of detail get numbered files, and the options that would change no file are refused.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -29,14 +31,14 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
-  std::optional<int> step;   // of growth
-  std::optional<int> lod;    // coarser levels
-  std::optional<int> cards;  // upright ones of a last level
-  bool instanced = false;    // leaves are rows of arrays
+  std::optional<int> step;   // step of growth that is shown
+  std::optional<int> lod;    // number of coarser levels of detail
+  std::optional<int> cards;  // number of upright cards of a last level
+  bool instanced = false;    // true: leaves are written as rows of arrays
   bool nodes = false;        // never, but nodes where there are many
-  bool obstacles = false;    // stand in files with meshes as well
-  bool animated = false;     // the whole animation
-  std::optional<int> keys;   // of it
+  bool obstacles = false;    // true: files with meshes contain the obstacles
+  bool animated = false;     // true: the whole animation is written
+  std::optional<int> keys;   // number of times of the animation
 
   GltfInstances instances() const {
     if (instanced) return GltfInstances::rows;
@@ -54,7 +56,7 @@ InputError wrong_lod(std::string message, std::string expected) {
   return InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected)});
 }
 
-/// An option that would change none of the files is a mistake.
+/// Throws InputError for an option that would change none of the files.
 void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
   const auto has_meshes = [](const Format* format) { return format->has_meshes(); };
   if (options.lod && (*options.lod < 0 || *options.lod > kCoarsestDetail)) {
@@ -97,7 +99,7 @@ InputError cannot_animate(std::string what) {
                                .expected = "meristem grow DOCUMENT --animated [--keys N] -o FILE.glb"});
 }
 
-/// What does not go together with --animated, or needs it.
+/// Throws InputError for options that contradict --animated, or that need it.
 void check_animated(const GrowOptions& options, bool has_time) {
   if (!options.animated) {
     if (!options.keys) return;
@@ -140,7 +142,7 @@ void grow_animated(const GrowOptions& options) {
   if (!options.document.quiet) print_status(summary);
 }
 
-/// The files of each level of detail: the first are those that were asked for.
+/// Returns the files of each level of detail. The first level has the requested files.
 std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
                                                     const std::vector<const Format*>& formats, int lod) {
   std::vector<std::vector<PlannedFile>> levels(static_cast<std::size_t>(lod) + 1);
@@ -159,7 +161,7 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
   return levels;
 }
 
-/// The files of a last level of crossed cards.
+/// Returns the files of a last level of crossed cards.
 std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::vector<const Format*>& formats) {
   std::vector<PlannedFile> files;
   for (std::size_t k = 0; k < formats.size(); ++k) {
@@ -178,19 +180,19 @@ std::string listed(const std::vector<PlannedFile>& files) {
   return fmt::format("{}", fmt::join(paths, ", "));
 }
 
-/// Writes the files of one level and says what they hold.
+/// Writes the files of one level. Returns a description of their content.
 std::string write_level(const Document& document, const GrownDocument& grown, const std::vector<PlannedFile>& files,
                         const FormatOptions& options, Progress& progress) {
   for (const PlannedFile& file : files) file.format->write(document, grown, file.path, options, progress);
   return listed(files);
 }
 
-/// Writes the coarser levels of what has grown, as far as they are worth a file, and says what they hold.
+/// Writes the coarser levels of a grown document, while they get smaller enough. Returns a description of each.
 std::vector<std::string> write_coarser(const Document& document, GrownDocument& grown,
                                        const std::vector<std::vector<PlannedFile>>& levels,
                                        const FormatOptions& options, Progress& progress) {
   std::vector<std::string> summary;
-  // The files of all levels are those of the first.
+  // All levels have files of the kinds of the first level.
   const int count = levels.size() > 1 && !levels[1].empty() ? static_cast<int>(levels.size()) - 1 : 0;
   MeshScene whole = std::exchange(grown.meshes, {});
   const auto write = [&](int level, MeshScene meshes) {
@@ -219,7 +221,7 @@ std::string sizes_of(const GrownDocument& grown) {
 }
 
 void grow(const GrowOptions& options, bool has_time) {
-  // Everything that can be wrong with the command line and the document comes before any work.
+  // All faults of the command line and of the document are reported before any work.
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = film::checked_time(options.time);

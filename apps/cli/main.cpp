@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line. Exit codes: 0 done, 1 could not do it, 2 the command line or the document is wrong, 3 some plants
-// of a data set have failed. A signal ends the program as signals do, after what was begun is undone.
+// The command line. Exit codes: 0 success, 1 failure, 2 the command line or the document is wrong, 3 some plants of a
+// data set have failed. A signal ends the program as usual, after unfinished files have been removed.
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -39,7 +39,7 @@ std::string version_line() {
   return facts.empty() ? fmt::format("meristem {}", version()) : fmt::format("meristem {} ({})", version(), facts);
 }
 
-/// The valid word nearest to one that the command line did not expect.
+/// Returns the valid word nearest to an unexpected word of the command line.
 std::string nearest_word(const CLI::App& app, const std::string& word) {
   std::vector<std::string> words;
   const auto chosen = app.get_subcommands();
@@ -66,7 +66,7 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   return kWrongInput;
 }
 
-/// Ends as the signal would have ended the program, so that shells and makefiles see it.
+/// Ends the program as the signal would have ended it, so that shells and makefiles notice.
 int end_by_signal() {
   cli::print_status("meristem: stopped; no file was left half-written");
   std::signal(cli::received_signal(), SIG_DFL);
@@ -89,7 +89,7 @@ int run_and_report(const cli::Run& run) {
     cli::print_status(error.what());
     return kPartlyDone;
   } catch (const std::system_error& error) {
-    // Whoever read the output has seen enough, as `head` has; no word about that.
+    // The reader of the output has closed the pipe, as `head` does. This needs no message.
     if (error.code() != std::errc::broken_pipe) cli::print_status(fmt::format("meristem: {}", error.what()));
   } catch (const std::bad_alloc&) {
     cli::print_status("meristem: out of memory; lower the document's limits or its counts");
@@ -99,7 +99,8 @@ int run_and_report(const cli::Run& run) {
   return kFailed;
 }
 
-/// Where the system refuses a thread that a library needs, no exception can be caught.
+/// Ends the program with a message. The system may refuse a thread that a library needs, and such an exception cannot
+/// be caught.
 [[noreturn]] void end_with_a_word() {
   std::string reason = "an unexpected error";
   try {
@@ -135,16 +136,16 @@ int main(int argc, char** argv) {
   cli::add_models(app, run);
   cli::add_studio(app, run);
   cli::add_completion(app, run);
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write like any other
+  std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe fails like any other write
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wish) {
-    std::ostringstream text;  // of --help or --version
+    std::ostringstream text;  // text of --help or --version
     app.exit(wish, text, text);
     return run_and_report([&text] { fmt::print("{}", text.str()); });
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);
-  } catch (const InputError& error) {  // of a plug-in
+  } catch (const InputError& error) {  // thrown by a plug-in
     cli::print_diagnostics(error.diagnostics());
     return kWrongInput;
   }

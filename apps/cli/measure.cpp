@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `measure`: measures documents, files of skeletons, and tables of measured trees. The kind of the file
+// decides which options are allowed. A document is grown only to the stage that the measures need.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -30,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTallestTree = 150;  // metres: a file that says more has other units
+constexpr double kTallestTree = 150;  // metres: a larger value means that the file uses other units
 
 const std::map<std::string, double>& units() {
   static const std::map<std::string, double> units{{"m", 1}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}};
@@ -41,21 +43,22 @@ struct MeasureCommand {
   DocumentOptions document;
   MeasureOptions measures;
   std::string output = "-";
-  std::string organs;  // a file for them; empty: none
-  std::string sun;     // JSON; empty: the document's
+  std::string organs;  // a file for organs; empty: not written
+  std::string sun;     // JSON of a sun; empty: the document's sun
   double time = 0;
   bool json = false;
   MeasureReport report;
   bool list = false;
   bool markdown = false;
-  // Options for files of skeletons.
+  // Options that apply only to files of skeletons.
   std::string coordinates;
   std::string diameter;
   std::string unit;
   std::string diameter_unit;
 
   bool needs_light() const { return measures.organ_light || !organs.empty() || names_any(&MeasureRow::needs_light); }
-  /// Without --only, a table for each tree is one of skeletons and leaves.
+  /// Returns true if the measures need geometry. Without --only, a table per tree has only measures of skeletons and
+  /// leaves.
   bool needs_geometry() const {
     if (report.only.empty()) return !report.each || needs_light();
     return names_any(&MeasureRow::is_geometry);
@@ -74,7 +77,7 @@ struct MeasureCommand {
   bool has_ending(std::string_view ending) const { return lower_case(document.path).ends_with(ending); }
 };
 
-/// Options that say nothing about the kind of file that is given are mistakes.
+/// Throws InputError for options that do not apply to the kind of the given file.
 void check_kind(const MeasureCommand& command) {
   const auto require = [&](bool holds, const char* option, const char* kind) {
     if (holds) return;
@@ -123,7 +126,7 @@ void check_organs(const MeasureCommand& command, std::span<const std::string> in
 StandMeasures measure_document(const MeasureCommand& command) {
   const double time = film::checked_time(command.time);
   const Document document = open_document(command.document, time);
-  // The light that is measured need not be that of growth.
+  // The light of the measurement may differ from the light of the growth.
   const Scene scene = command.sun.empty() ? document.scene : scene_under(document, command.document, command.sun);
   const std::vector<std::string> inputs = input_files(document);
   check_output(command.output, inputs);
@@ -138,7 +141,7 @@ StandMeasures measure_document(const MeasureCommand& command) {
     options.organ_list = !command.organs.empty();
     Progress& progress = terminal.progress();
     GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::plant});
-    // Holes of textures are no leaf, and light falls through them.
+    // Holes of textures are no part of a leaf, and light passes through them.
     if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress);
     warnings = grown.warnings;
     const Limits& limits = document.graph.limits;
@@ -155,7 +158,7 @@ StandMeasures measure_document(const MeasureCommand& command) {
   return stand;
 }
 
-/// What commas part.
+/// Splits a text at commas into three names.
 std::array<std::string, 3> three_names(const std::string& text) {
   const std::size_t first = text.find(',');
   const std::size_t second = text.find(',', first + 1);
@@ -177,7 +180,7 @@ MtgSkeleton read_mtg_skeleton(const MeasureCommand& command, const Limits& limit
   return skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
 }
 
-/// The first root comes to stand at the origin, since coordinates of maps are too large for floats.
+/// Moves the first root to the origin, because map coordinates are too large for floats.
 MtgSkeleton read_table_skeleton(const MeasureCommand& command, const Limits& limits) {
   const double unit = command.unit.empty() ? 1 : units().at(command.unit);
   const double diameter_unit = command.diameter_unit.empty() ? unit : units().at(command.diameter_unit);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Makes completion scripts and the man page from the options of all commands. The facts of each option are collected
+// once, and each shell has its own quoting and its own form of script.
 #include "option_tables.h"
 
 #include <string_view>
@@ -12,12 +14,12 @@ namespace meristem::cli {
 
 namespace {
 
-/// What a shell offers for a value.
+/// The kinds of values that a shell can complete.
 enum class Values { none, files, documents, shells };
 
 struct OptionFacts {
-  std::vector<std::string> names;  // with their dashes, short ones first; empty for a positional
-  std::string type;                // of its value; empty for a flag
+  std::vector<std::string> names;  // with their dashes, short names first; empty for a positional
+  std::string type;                // type of its value; empty for a flag
   std::string doc;
   Values values = Values::none;
 };
@@ -42,7 +44,7 @@ OptionFacts facts_of(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) facts.names.push_back("--" + name);
   const bool takes_value = option.get_items_expected_max() > 0;
   if (takes_value) facts.type = option.get_type_name();
-  // Bounds that checks add to the name of a type: "N:INT in [1 - 1024]".
+  // Checks add bounds to the name of a type: "N:INT in [1 - 1024]".
   facts.type = facts.type.substr(0, facts.type.find(':'));
   if (facts.names.empty() && facts.type.empty()) facts.type = option.get_name();
   facts.doc = option.get_description();
@@ -128,7 +130,7 @@ _meristem() {{
 
 // --- zsh
 
-/// For a specification of _arguments in single quotes.
+/// Escapes a text for a specification of _arguments in single quotes.
 std::string zsh_text(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -200,7 +202,7 @@ _meristem() {
 
 // --- fish
 
-/// In single quotes.
+/// Escapes a text for single quotes.
 std::string fish_text(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -249,7 +251,8 @@ std::string fish_script(const std::vector<CommandFacts>& commands) {
 
 // --- man
 
-/// A line may not begin with a macro's dot or quote, and backslashes and hyphens are written out.
+/// Escapes a text for man. A line must not begin with a dot or a quote, which would be a macro. Backslashes and hyphens
+/// are escaped.
 std::string man_text(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people would do to the trees of a document now: the operations of their last iteration, found and not done.
+// The command `plan`: lists the operations that would be carried out on the trees of a document at their last
+// iteration.
 #include "meristem/document/plan.h"
 
 #include <algorithm>
@@ -30,13 +31,13 @@ namespace {
 
 struct PlanOptions {
   DocumentOptions document;
-  std::string output;  // a table; empty: told in words
+  std::string output;  // file of a table; empty: printed as text
   std::string before;
   std::string after;
   std::vector<std::string> rules;
 };
 
-constexpr const char* kRule = "--rule";  // what messages call it
+constexpr const char* kRule = "--rule";  // name of the rules in messages
 
 std::string told(const OperationRecord& record) {
   std::string text = fmt::format("{}: {} {}", record.operation, record.act, record.shoot);
@@ -70,7 +71,7 @@ void plan(const PlanOptions& options) {
     Progress& progress = terminal.progress();
     FileSet files;
     GrowthCache cache;
-    // One growth is shown before and after what it plans, and records what either file tells of it.
+    // One growth is shown before and after its plan. Both files' records are made in it.
     TraceWish wish = after != nullptr ? TraceWish{TracePart::outcome} : TraceWish{};
     for (const Format* format : {before, after}) wish = wish | (format != nullptr ? format->wish : TraceWish{});
     const auto grow = [&](const Format* const& format, bool outcome) {

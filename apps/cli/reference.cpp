@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes the manual's page of parameters from the tables: a Markdown table for each component and part of documents.
+// Nested tables follow their row with full names.
 #include "reference.h"
 
 #include <algorithm>
@@ -30,10 +32,10 @@ expression of numbers and the document's variables. A number, a vector, a colour
 
 )page";
 
-/// Whether a table's numbers may differ between instances.
+/// Whether a table's page has a column on numbers that differ between instances.
 enum class Variation { none, as_stated };
 
-/// What the column of a row says.
+/// Returns the text in the column "varies" of a row.
 std::string variation_of(const Parameter& row) {
   if (!row.may_vary()) return "";
   return row.form.per_child ? "per child" : "yes";
@@ -46,7 +48,7 @@ class Page {
     fmt::format_to(std::back_inserter(out_), "## {}\n\n{}\n\n", name, doc);
   }
 
-  /// `without` holds rows that stand elsewhere.
+  /// Writes a table. Rows that `without` also has are described elsewhere and left out.
   void table(const ParameterTable& table, Variation variation, const ParameterTable* without = nullptr) {
     has_column_ = variation == Variation::as_stated;
     text(has_column_ ? "| parameter | value | default | varies | meaning |\n| --- | --- | --- | --- | --- |\n"
@@ -58,7 +60,7 @@ class Page {
   std::string take() { return std::move(out_); }
 
  private:
-  /// A nested table's rows follow its own, under their full names.
+  /// Writes the rows of a table. The rows of a nested table follow their row, under their full names.
   void rows(const ParameterTable& table, const std::string& above, Variation variation, const ParameterTable* without) {
     const std::vector<Value> defaults = table.defaults();
     for (std::size_t k = 0; k < table.parameters.size(); ++k) {
@@ -75,7 +77,7 @@ class Page {
       if (has_column_) write_cell(variation == Variation::as_stated ? variation_of(row) : "");
       fmt::format_to(std::back_inserter(out_), "{} |\n", markdown_cell(row.doc));
       if (!is_nested) continue;
-      // The rows of a table that contains itself stand above.
+      // The rows of a table that contains itself were written above.
       if (std::find(open_.begin(), open_.end(), &row.nested()) != open_.end()) continue;
       open_.push_back(&row.nested());
       rows(row.nested(), fmt::format("{}{}{}.", above, row.name, element(row.kind)), variation, nullptr);
@@ -83,7 +85,7 @@ class Page {
     }
   }
 
-  /// What stands between a list's or map's name and that of a parameter in it.
+  /// Returns the text between the name of a list or map and the name of a parameter in it.
   static std::string_view element(ParameterKind kind) {
     return kind == ParameterKind::list ? "[]" : kind == ParameterKind::map ? ".*" : "";
   }
@@ -105,7 +107,7 @@ class Page {
   void write_cell(const std::string& text) { fmt::format_to(std::back_inserter(out_), "{} | ", markdown_cell(text)); }
 
   std::string out_;
-  bool has_column_ = false;                  // that says what varies
+  bool has_column_ = false;                  // whether the table has the column "varies"
   std::vector<const ParameterTable*> open_;  // nested tables whose rows are being written
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `render`: draws pictures of a document, turntables and films, with the true depth, normals and masks. All
+// pictures are planned and checked before any work. Pictures that differ only in the camera share one growth.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -44,18 +46,19 @@ struct RenderOptions {
   std::string view;
   std::optional<std::string> time;
   std::optional<int> samples;
-  std::optional<int> turntable;  // pictures all around
-  std::optional<int> step;       // of growth
+  std::optional<int> turntable;  // number of pictures around the plant
+  std::optional<int> step;       // step of growth that is shown
   std::string show;              // names of overlays
-  bool no_plant = false;         // nothing but overlays and obstacles
+  bool no_plant = false;         // true: only overlays and obstacles are drawn
   bool transparent = false;
   bool hull = false;
-  bool fingerprint = false;  // tells what would be drawn instead of drawing it
+  bool fingerprint = false;  // true: prints a fingerprint of the picture instead of drawing it
   std::optional<int> quality;
   std::optional<double> max_kilobytes;
   Detail detail;
   std::optional<int> cards;  // number of copies that the plant is shown as
-  std::vector<std::string> truths = std::vector<std::string>(truth_formats().size());  // files, by kind; or empty
+  // File of each kind of truth; may be empty
+  std::vector<std::string> truths = std::vector<std::string>(truth_formats().size());
 
   bool wants_truth() const {
     return std::any_of(truths.begin(), truths.end(), [](const std::string& path) { return !path.empty(); });
@@ -81,7 +84,7 @@ void check_turntable(const RenderOptions& options, const std::vector<double>& ti
   }
 }
 
-/// The pictures of a film, of which only the numbers are known yet.
+/// Returns the pictures of a film. They have only numbers so far, and no paths.
 std::vector<Picture> pictures_of_film(const RenderOptions& options, const std::vector<double>& times) {
   check_turntable(options, times);
   const int count = options.turntable.value_or(static_cast<int>(times.size()));
@@ -93,7 +96,7 @@ std::vector<Picture> pictures_of_film(const RenderOptions& options, const std::v
   return pictures;
 }
 
-/// The times of a film: those that are asked for, or all of the document's animation.
+/// Returns the times of a film: the requested times, or the whole animation of the document.
 std::vector<double> film_times(const RenderOptions& options, const Document& document) {
   if (options.time) return film::frame_times(*options.time);
   if (!document.graph.animation) {
@@ -104,7 +107,7 @@ std::vector<double> film_times(const RenderOptions& options, const Document& doc
   return film::frame_times(animation.length, animation.fps).all();
 }
 
-/// One picture, or one for each time or each side. Those of a film are numbered in its folder.
+/// Returns one picture, or one for each time or each side. Pictures of a film get numbered paths in its folder.
 std::vector<Picture> planned_pictures(const RenderOptions& options, const Document& document) {
   const std::vector<double> times = film::is_film(options.output) && !options.turntable
                                         ? film_times(options, document)
@@ -122,7 +125,7 @@ std::vector<Picture> planned_pictures(const RenderOptions& options, const Docume
   return pictures;
 }
 
-/// Two numbers around `separator`. Throws InputError with the option's name.
+/// Parses two numbers around `separator`. Throws InputError with the option's name.
 template <class Number>
 std::pair<Number, Number> number_pair(const std::string& text, char separator, const char* option,
                                       const char* expected) {
@@ -177,7 +180,7 @@ std::vector<OverlayPart> chosen_overlays(const RenderOptions& options) {
   return options.show.empty() ? std::vector<OverlayPart>() : overlay_parts_named(options.show, "--show");
 }
 
-/// What the document and the options say of the pictures.
+/// Returns the options of the pictures, from the document and the command line.
 PictureOptions chosen_picture(const RenderOptions& options, const Document& document) {
   return {.still = chosen_still(options, document.output),
           .view = chosen_view(options, document),
@@ -186,15 +189,15 @@ PictureOptions chosen_picture(const RenderOptions& options, const Document& docu
           .plants = !options.no_plant};
 }
 
-/// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
-/// growth: it stands where it shows the last picture's plant as a whole. Returns what is odd about that plant.
+/// Grows the document for each of the times and draws the pictures. The camera does not follow the plant's growth: its
+/// position shows the whole plant of the last picture. Returns the warnings about that plant.
 class PictureTaker {
  public:
   PictureTaker(const Document& document, PictureOptions options, const RenderOptions& chosen,
                TerminalProgress& terminal)
       : document_(document), options_(std::move(options)), chosen_(chosen), terminal_(terminal) {}
 
-  /// Those of a film that are there already are left as they are.
+  /// Draws the pictures. If `keeps_earlier`, existing pictures of a film are kept.
   std::vector<Diagnostic> take(const std::vector<Picture>& pictures, bool keeps_earlier) {
     const PictureFileOptions file = keeps_earlier ? PictureFileOptions() : chosen_file(chosen_);
     is_still_ = std::ranges::all_of(pictures, [&](const Picture& one) { return one.time == pictures[0].time; });
@@ -241,16 +244,16 @@ class PictureTaker {
     return take_picture(grown_, limits, now().scene, options_, progress);
   }
 
-  /// Returns true if more than meshes is needed of what has grown, or if it grows again.
+  /// Returns true if the pictures need more than meshes, or if the document grows again.
   bool keeps_plant() const { return !is_still_ || !shows_meshes_alone(options_) || chosen_.wants_truth(); }
 
-  /// One side for all pictures, also while the camera turns.
+  /// Returns the view from a side without obstacles. All pictures use this side, even if the camera turns.
   View from_free_side(const MeshScene& plants, const View& view) {
     if (options_.still.transparent) return view;
     return view_past_obstacles(plants, now().scene.obstacles, view, aspect(), terminal_.progress());
   }
 
-  /// What the picture shows, as files.
+  /// Writes the truth of a picture as files: depth, normals and masks.
   void write_truth(const Picture& picture) {
     const StillOptions& still = options_.still;
     const TruthOptions options{.width = still.width, .height = still.height, .transparent = still.transparent};
@@ -279,14 +282,14 @@ class PictureTaker {
   PictureOptions options_;
   const RenderOptions& chosen_;
   TerminalProgress& terminal_;
-  GrowthCache cache_;     // what does not change with time is made once
+  GrowthCache cache_;     // keeps results that do not change with time
   bool is_still_ = true;  // all pictures show one time
   double grown_time_ = 0;
   std::optional<Document> other_;
   GrownDocument grown_;
 };
 
-/// Hash of all that the pictures of a film show.
+/// Returns a hash of everything that the pictures of a film show.
 std::uint64_t hash_of_film(const Document& document, const std::vector<Picture>& pictures,
                            const PictureOptions& picture, const RenderOptions& options) {
   Fingerprint all;
@@ -304,14 +307,14 @@ std::uint64_t hash_of_film(const Document& document, const std::vector<Picture>&
   return all.hash();
 }
 
-/// Pictures per second of a film that shows the document's seconds as seconds.
+/// Returns the pictures per second with which a film runs at the speed of the document.
 double film_rate(const std::vector<Picture>& pictures, const Document& document) {
   const double step = pictures.size() > 1 ? pictures[1].time - pictures[0].time : 0;
   if (step > 0) return 1 / step;
   return document.graph.animation ? document.graph.animation->fps : Animation().fps;
 }
 
-/// The option that has the pictures show something else than the plants as they are, or empty.
+/// Returns the option that makes the pictures show something other than the plain plants, or an empty text.
 std::string other_picture(const RenderOptions& options) {
   if (film::is_film(options.output)) return "film";
   if (options.cards) return "--cards";
@@ -321,7 +324,7 @@ std::string other_picture(const RenderOptions& options) {
   return options.no_plant ? "--no-plant" : "";
 }
 
-/// Throws InputError where two of the files of a run would be one.
+/// Throws InputError if two files of a run have one path.
 void check_different(const std::vector<Picture>& pictures) {
   std::set<std::filesystem::path> places;
   const auto add = [&places](const std::string& path) {
@@ -336,7 +339,7 @@ void check_different(const std::vector<Picture>& pictures) {
   }
 }
 
-/// Gives the pictures the files of their truth, numbered as they are.
+/// Sets the files for the truth of each picture. They are numbered like the pictures.
 void plan_truths(const RenderOptions& options, std::vector<Picture>& pictures) {
   if (!options.wants_truth()) return;
   if (options.output.empty()) {
@@ -361,7 +364,7 @@ void plan_truths(const RenderOptions& options, std::vector<Picture>& pictures) {
 }
 
 void render(const RenderOptions& options) {
-  // Everything that can be wrong with the command line and the document comes before any work.
+  // All faults of the command line and of the document are reported before any work.
   if (options.output.empty() && !options.wants_truth()) {
     throw InputError(Diagnostic{.message = "no file to write is given", .expected = "-o FILE, or --fingerprint"});
   }
@@ -424,7 +427,7 @@ void render(const RenderOptions& options) {
   }
 }
 
-/// A sentence as a part of another: without its capital and its full stop.
+/// Returns a sentence as part of another one: without its capital letter and its full stop.
 std::string lower_first(std::string_view sentence) {
   std::string text(sentence.substr(0, sentence.size() - 1));
   text[0] = static_cast<char>(text[0] - 'A' + 'a');
@@ -510,7 +513,7 @@ void add_render(CLI::App& app, Run& run) {
   command->footer("--show takes:\n" + parts +
                   "Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] {
-    if (options->fingerprint) options->output = "picture.png";  // names numbered frames; nothing is written to it
+    if (options->fingerprint) options->output = "picture.png";  // gives numbered frames their names; nothing is written
     run = [options] { render(*options); };
   });
 }

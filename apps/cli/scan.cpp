@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `scan`: grows a document and simulates a laser scan of it. The options are translated into the JSON of a
+// scan plan, so that its tables check them. The points carry the truth of the plant.
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,19 +44,19 @@ struct ScanCommand {
   std::vector<std::string> outputs;
 };
 
-/// "x,y,z" as a list of numbers, or the text where it is none, which the table then reports.
+/// Returns "x,y,z" as a list of numbers. Returns other texts unchanged, and the table reports them.
 Value position_of(const std::string& text) {
   const Value list = parse_override("x=[" + text + "]").value;
   return list.list() != nullptr ? list : Value(text);
 }
 
-/// The file of an instrument, where one is named.
+/// The file of an instrument, if one is given.
 struct InstrumentFile {
   std::string path;
   std::string text;
 };
 
-/// A class by its name, JSON, or what a file of JSON holds.
+/// Returns an instrument: a class by its name, JSON, or the content of a JSON file.
 Value instrument_value(const std::string& given, const std::string& root, std::optional<InstrumentFile>& file) {
   if (!lower_case(given).ends_with(".json")) return parse_override("x=" + given).value;
   require_within(root, given);
@@ -70,7 +72,8 @@ void set_member(Value& object, const std::string& name, Value value) {
   }
 }
 
-/// What the options ask for. Values set for the instrument are taken out of those for the document.
+/// Returns the request that the options make. Values set for the instrument are removed from the values for the
+/// document.
 Value request_of(ScanCommand& command, std::optional<InstrumentFile>& file) {
   Value instrument = command.instrument.empty() ? Value("terrestrial")
                                                 : instrument_value(command.instrument, command.document.root, file);
@@ -98,7 +101,7 @@ Value request_of(ScanCommand& command, std::optional<InstrumentFile>& file) {
   return request;
 }
 
-/// A plan, or faults with their places in the instrument's file.
+/// Returns a plan. Faults are placed in the instrument's file.
 ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<InstrumentFile>& file) {
   try {
     return plan_scan(request, seed);
@@ -118,7 +121,7 @@ ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<I
 }
 
 void scan(ScanCommand command) {
-  // Everything that can be wrong with the command line and the document comes before any work.
+  // All faults of the command line and of the document are reported before any work.
   for (const std::string& path : command.outputs) scan_format_of(path);
   const double time = film::checked_time(command.time);
   std::optional<InstrumentFile> file;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The command `shade`: measures how much of a facade, of panels or of the ground lies in the shade of a document's
+// plants, and when. All options are checked before the plants are grown. The results are written as tables or pictures.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -49,7 +51,7 @@ void check_ending(const std::string& path) {
                               .expected = "a file that ends in .csv, .json, .png, .jpg or .jpeg"});
 }
 
-/// JSON where it reads as such, else text, as with --set.
+/// Returns the text as JSON if it is valid JSON, else as text, like --set.
 Value value_of(const std::string& text) { return text.empty() ? Value() : parse_override("x=" + text).value; }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -70,7 +72,7 @@ void write_output(const ShadeCommand& command, const std::string& path, const Sh
 }
 
 void shade(ShadeCommand command) {
-  // Everything that can be wrong with the command line and the document comes before any work.
+  // All faults of the command line and of the document are reported before any work.
   if (command.outputs.empty()) command.outputs.emplace_back("-");
   for (const std::string& path : command.outputs) check_ending(path);
   const double time = film::checked_time(command.time);
@@ -90,7 +92,7 @@ void shade(ShadeCommand command) {
     TerminalProgress terminal(command.document.quiet);
     Progress& progress = terminal.progress();
     GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::meshes});
-    // Light falls through the holes of textures.
+    // Light passes through the holes of textures.
     if (has_holes(grown.plant)) complete_growth(document, grown, progress, {.time = time});
     warnings = grown.warnings;
     result = measure_shade(plan.surface, plan.sun, grown.meshes, document.scene.obstacles, progress);

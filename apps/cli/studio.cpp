@@ -42,13 +42,13 @@ bool has_desktop() { return std::getenv("DISPLAY") != nullptr || std::getenv("WA
 void open_browser(const studio::RedirectPage& page) {
   const pid_t child = ::fork();
   if (child != 0) {
-    // The child ends at once. The program that opens the browser is a grandchild, which nobody needs to wait for.
+    // The child ends at once. The browser is opened by a grandchild, which needs no waiting.
     while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
     }
     return;
   }
-  // A session of its own: Ctrl-C in the terminal must not end the browser, and its output must not mix with the
-  // studio's.
+  // Makes a new session, so that Ctrl-C in the terminal does not end the browser, and the browser's output does not mix
+  // with the studio's.
   ::setsid();
   if (::fork() != 0) _exit(0);
   const int nowhere = ::open("/dev/null", O_RDWR);
@@ -59,7 +59,7 @@ void open_browser(const studio::RedirectPage& page) {
   _exit(1);
 }
 
-/// The folder that is served: as asked for, else that of the document, else the present one.
+/// Returns the folder to serve: the requested one, else the document's folder, else the present folder.
 std::string served_folder(const StudioOptions& options, const std::string& file) {
   if (!options.root.empty()) return options.root;
   if (file.empty()) return ".";
@@ -94,11 +94,11 @@ void run_studio(const StudioOptions& options) {
       throw InputError(Diagnostic{.message = fmt::format("'{}' is not in the folder '{}'", file, options.root),
                                   .expected = "a document below --root"});
     }
-    host.root.read(*host.document);  // tells now what is wrong with it
+    host.root.read(*host.document);  // reports faults of the document now
   }
   studio::ServeOptions serving;
   if (options.port >= 0) serving.port = static_cast<std::uint16_t>(options.port);
-  std::optional<studio::RedirectPage> redirect;  // exists until the studio ends, since browsers may start slowly
+  std::optional<studio::RedirectPage> redirect;  // lives until the studio ends, because browsers may start slowly
   serving.on_end = [&redirect] { redirect.reset(); };
   studio::serve(host, serving, [&](const std::string& address) {
     if (!studio::has_page())

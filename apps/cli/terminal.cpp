@@ -23,21 +23,21 @@ extern "C" void cancel_on_signal(int signal) {
   if (Progress* progress = active_progress.load()) progress->cancel();
 }
 
-/// A signal that is ignored, as under nohup, stays so.
+/// Handles a signal. A signal that is ignored, for example under nohup, stays ignored.
 void handle(int signal) {
   struct sigaction action = {};
   if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) return;
   action = {};
   action.sa_handler = cancel_on_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal does what signals do
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal has its default effect
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
 
-/// What is written to standard error is lost if nobody can take it: no failure worth another.
+/// Writes a text to standard error. A failure is ignored, because no other channel could report it.
 void write_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
-/// Returns a text that is not longer than a screen.
+/// Returns a text that is cut to the length of a screen.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kMost = 2000;
   std::string out = text.substr(0, kMost);
@@ -48,7 +48,7 @@ std::string shortened(const std::string& text) {
   return out;
 }
 
-/// "3 min 20 s", "45 s".
+/// Returns a duration as text: "3 min 20 s", "45 s".
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(seconds + 0.5);
   if (whole < 60) return fmt::format("{} s", whole);
@@ -79,7 +79,7 @@ TerminalProgress::TerminalProgress(bool quiet)
   active_progress.store(&progress_);
   handle(SIGINT);
   handle(SIGTERM);
-  // A signal that came between two long calls stops the second one.
+  // A signal between two long calls stops the second one.
   if (last_signal.load() != 0) progress_.cancel();
 }
 
@@ -96,7 +96,7 @@ void TerminalProgress::tell_parts(const char* what, std::size_t done, std::size_
 }
 
 void TerminalProgress::show(std::string_view stage, double fraction) {
-  constexpr auto kFirst = std::chrono::milliseconds(300);  // quick work shows nothing
+  constexpr auto kFirst = std::chrono::milliseconds(300);  // quick work shows no progress
   constexpr auto kBarEvery = std::chrono::milliseconds(50);
   constexpr auto kLineEvery = std::chrono::seconds(3);
   const Clock::time_point now = Clock::now();

@@ -8,10 +8,10 @@
 
 namespace meristem::cli {
 
-// Each adds its subcommand to `app`; when the subcommand was chosen, `run` holds what is to be done.
+// Each function adds its subcommand to `app`. If the user chose the subcommand, `run` then holds its work.
 using Run = std::function<void()>;
 
-/// Says that a command has done its work, but not for all parts: exit code 3. The message is the last line.
+/// Thrown by a command that has done its work, but not for all parts: exit code 3. The message is the last line.
 class PartlyDone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

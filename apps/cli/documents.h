@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the commands share: the options that every growing command takes, documents from files, models and standard
-// input.
+// Shared by the commands: options of all growing commands, and documents from files, models and standard input.
 #pragma once
 
 #include <filesystem>
@@ -17,24 +16,24 @@
 
 namespace meristem::cli {
 
-/// The options of every command that works: how many threads, and whether it is to be quiet.
+/// Adds the options of every working command: the number of threads, and quiet output.
 void add_run_options(CLI::App& command, int& threads, bool& quiet);
 
-/// Adds the option --root: a folder outside of which no file is read.
+/// Adds the option --root. No file outside this folder is read.
 void add_root_option(CLI::App& command, std::string& root);
-/// Throws an InputError if a file that the command line names lies outside `root`; the message does not say whether it
-/// exists.
+/// Throws an InputError if a file that the command line names lies outside `root`. The message does not disclose
+/// whether it exists.
 void require_within(const std::string& root, const std::string& file);
 
-/// Refuses what is no seed.
+/// Returns a validator that refuses texts that are no seeds.
 CLI::Validator is_seed();
 
-/// Bounds the threads of a command, 0 for all cores; says where there are more than cores unless quiet.
+/// Limits the threads of a command; 0 uses all cores. Prints a note if there are more threads than cores, unless quiet.
 ThreadLimit limited_threads(int threads, bool quiet);
 
-/// The component types that documents may name: those of the library and of the plug-ins that were loaded.
+/// Returns the component types that documents may name: the types of the library and of loaded plug-ins.
 const Registry& components();
-/// The option --plugin, which loads one while the command line is read.
+/// Adds the option --plugin, which loads a plug-in while the command line is read.
 void add_plugin_option(CLI::App& command);
 
 /// Options of commands that read a document.
@@ -42,29 +41,29 @@ struct DocumentOptions {
   std::string path;
   std::vector<std::string> sets;
   std::optional<std::uint64_t> seed;
-  std::string root;  ///< nothing outside this folder is read; empty: any file may be read
+  std::string root;  ///< no file outside this folder is read; empty: any file may be read
   int threads = 0;
   bool quiet = false;
 
   void add_to(CLI::App& command);
 };
 
-/// Reads the document that the options name: a file, "-" for standard input, or a shipped model by its name. Prints
-/// warnings unless quiet. It stands as its animation says at `time`, in seconds.
+/// Reads the document that the options name: a file, "-" for standard input, or a shipped model by its name. Keys of
+/// the document are evaluated at `time`, seconds. Prints warnings unless quiet.
 Document open_document(const DocumentOptions& options, double time = 0);
 
-/// A document that was opened with these options, with other values besides, which replace those of the same paths.
+/// Reads a document again that was opened with these options. Values in `more` replace the values of equal paths.
 /// Prints nothing.
 Document read_again(const Document& document, const DocumentOptions& options, std::vector<Override> more);
 
-/// The scene of a document that was opened with these options, with another sun: `sun` is the JSON of a "scene.sun".
-/// Prints what is odd about it unless quiet.
+/// Returns the scene of a document that was opened with these options, with another sun. `sun` is the JSON of a
+/// "scene.sun". Prints warnings about the scene unless quiet.
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun);
 
-/// Adds `-o FILE`, the files of a command that writes formats by their endings: one at least.
+/// Adds `-o FILE` for the output files of a command, at least one. Each ending selects a format.
 void add_output_option(CLI::App& command, std::vector<std::string>& outputs);
 
-/// What the help says of formats, each with its ending and its words.
+/// Returns the help on formats: the ending and the description of each.
 template <class Formats>
 std::string endings_of(const Formats& formats) {
   std::string text = "Files end in:\n";
@@ -75,16 +74,16 @@ std::string endings_of(const Formats& formats) {
 /// Adds `--time T`, the time at which the document grows.
 CLI::Option* add_time_option(CLI::App& command, double& time);
 
-/// Adds `--step K`, the step of growth that is shown.
+/// Adds `--step K`, the growth step at which plants are shown.
 void add_step_option(CLI::App& command, std::optional<int>& step);
-/// The step, as it was given. Throws InputError below 0.
+/// Returns the step. Throws InputError if it is below 0.
 std::optional<int> checked_step(std::optional<int> step);
 
-/// Where a path leads, whether or not there is a file: equal for two paths of one file.
+/// Returns the absolute path without links and dots, whether or not the file exists. Equal for two paths of one file.
 std::filesystem::path place_of(const std::string& path);
 
 /// Returns the folder of shipped models, `../share/meristem/models` from the program's folder. The build folder has a
-/// link there. Empty if the system does not tell where the program is.
+/// link there. Returns an empty path if the system does not report where the program is.
 std::string models_folder();
 
 }  // namespace meristem::cli

@@ -7,7 +7,7 @@
 
 namespace meristem::cli {
 
-/// The manual's page of all parameters of documents and components, in Markdown, made from their tables.
+/// Returns the manual's page of all parameters of documents and components, in Markdown, made from their tables.
 std::string reference_page(const Registry& registry);
 
 }  // namespace meristem::cli

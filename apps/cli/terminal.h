@@ -13,18 +13,20 @@
 
 namespace meristem::cli {
 
-/// Warnings and errors, one per line, on standard error.
+/// Prints warnings and errors on standard error, one per line.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
-/// A line for the user on standard error, past any progress bar. Names in it are escaped as by visible_text().
+/// Prints a line for the user on standard error, clear of any progress bar. Names in it are escaped as by
+/// visible_text().
 void print_status(const std::string& line);
 
-/// A line that the user asked for on standard output, escaped as by visible_text(). Data, such as JSON, is not printed
-/// by it.
+/// Prints a line that the user requested on standard output, escaped as by visible_text(). Data, such as JSON, must not
+/// be printed with this function.
 void print_line(const std::string& line);
 
-/// Progress on standard error while it lives: a bar on a terminal, elsewhere a plain line every few seconds; nothing if
-/// quiet. Ctrl-C and SIGTERM cancel it; a second Ctrl-C ends the program at once. One at a time.
+/// Shows progress on standard error during its lifetime: a bar on a terminal, elsewhere a plain line every few seconds,
+/// and nothing if quiet. Ctrl-C and SIGTERM cancel the progress; a second Ctrl-C ends the program at once. Only one
+/// object may exist at a time.
 class TerminalProgress {
  public:
   explicit TerminalProgress(bool quiet);
@@ -33,9 +35,9 @@ class TerminalProgress {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   Progress& progress() { return progress_; }
-  /// Says that the work is that many parts, such as frames, of which `done` are made: from then on the bar is over all
-  /// of them and tells the time left. Parts that were there before, `found` of them, took no time. `what` is a literal
-  /// and calls one of them: "frame".
+  /// Splits the work into `all` parts, such as frames, of which `done` are made. From then on the bar covers all parts
+  /// and shows the remaining time. `found` of the parts existed before and took no time. `what` is a string literal
+  /// that names one part: "frame".
   void tell_parts(const char* what, std::size_t done, std::size_t found, std::size_t all);
 
  private:
@@ -53,7 +55,7 @@ class TerminalProgress {
   Progress progress_;
 };
 
-/// The signal that cancelled, or 0.
+/// Returns the signal that cancelled the progress, or 0.
 int received_signal();
 
 }  // namespace meristem::cli

@@ -148,7 +148,7 @@ class Solver {
     solved_.circles.push_back(std::move(members));
   }
 
-  NameTable names_;  // by position: the index of the variable in expressions
+  NameTable names_;  // names of all variables; each can be used in every expression
   std::vector<Node> nodes_;
   std::vector<double> values_;
   VariableValues solved_;

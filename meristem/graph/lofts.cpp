@@ -30,8 +30,8 @@ constexpr std::size_t kGrain = 16;  // chains that one thread meshes at a time
 /// The sections of one surface from base to tip.
 struct Chain {
   std::vector<std::uint32_t> sections;
-  bool is_side = false;  ///< rigid frame of the first section
-  Frame frame;           ///< of the first section, rigid
+  bool is_side = false;  ///< true: its first section belongs to another surface
+  Frame frame;           ///< rigid frame of the first section
   float size = 0;        ///< metres
 };
 

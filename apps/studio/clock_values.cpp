@@ -10,9 +10,9 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kMostBlocks = 400;  // that are told of one component; more would be drawn over each other
+constexpr std::size_t kMostBlocks = 400;  // maximum number of clocks per component; more would overlap when drawn
 
-/// Some of many, from first to last.
+/// Returns evenly chosen clocks, including the first and the last.
 Value::List blocks_of(std::span<const BegunClock> clocks) {
   Value::List blocks;
   const std::size_t told = std::min(clocks.size(), kMostBlocks);

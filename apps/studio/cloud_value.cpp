@@ -9,9 +9,9 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kMostToldPoints = 4000;  // more could not be told apart behind an outline
+constexpr std::size_t kMostToldPoints = 4000;  // more points would look the same behind an outline
 
-/// Evenly some of the points, so that each share of them keeps its part: always the same ones.
+/// Returns an even choice of the points, equal for equal points, in which each part of the crown keeps its share.
 std::vector<Vec3> some_of(const std::vector<Vec3>& points) {
   if (points.size() <= kMostToldPoints) return points;
   std::vector<Vec3> some;

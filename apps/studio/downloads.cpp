@@ -25,7 +25,7 @@ Downloads::Downloads() {
   if (!error) remove_left_over_folders_once(temporary.string(), kFolderPrefix);
 }
 
-/// The folder of all exports, made for the first of them.
+/// Returns the folder of all exports. Makes it for the first export.
 const std::string& Downloads::folder() {
   if (!folder_) {
     std::error_code error;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Exports a document in any format. A grown plant of the document is reused if it has all records that the format
+// needs; otherwise the document is grown again. Several files become one archive.
 #include "export_job.h"
 
 #include <algorithm>
@@ -41,7 +43,7 @@ GltfInstances instances_of(const ExportOptions& options) {
   return GltfInstances::automatic;
 }
 
-/// What there is already, or it grows: also where growth is told of that was not recorded.
+/// Returns the grown document. Grows it again if there is no grown plant, or if the format needs records that it lacks.
 GrownDocument grown_for(const ExportSource& source, const ExportOptions& options, GrownPart part, const TraceWish& wish,
                         Progress& progress) {
   const bool is_there =
@@ -88,7 +90,7 @@ void write_still(const ExportSource& source, const ExportOptions& options, const
                 {});
 }
 
-/// The one file that the page fetches: where an export has made several, an archive of them in their place; its name.
+/// Returns the name of the file for the page: the only file, or an archive of several files.
 std::string packed(const fs::path& folder, const std::vector<std::string>& names, const std::string& name,
                    const Progress& progress) {
   if (names.size() == 1) return names[0];
@@ -99,7 +101,7 @@ std::string packed(const fs::path& folder, const std::vector<std::string>& names
   return name + ".zip";
 }
 
-/// In single quotes for a shell, where it needs them.
+/// Returns a word for a shell, in single quotes if necessary.
 std::string quoted(const std::string& word) {
   const auto is_plain = [](char letter) {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
@@ -231,7 +233,7 @@ std::string export_command(const std::string& program, const std::string& file, 
     if (options.samples) command += fmt::format(" --samples {}", *options.samples);
     if (options.transparent) command += " --transparent";
     if (options.camera) {
-      // The side from which it is seen; how near, the command chooses so that all is in the picture.
+      // The option gives the side of the camera. The command chooses a distance at which everything is in the picture.
       const DVec3 away = DVec3(options.camera->position) - DVec3(options.camera->target);
       const double azimuth = degrees(std::atan2(away.x, -away.z));
       const double altitude = degrees(std::atan2(away.y, std::hypot(away.x, away.z)));

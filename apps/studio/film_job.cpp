@@ -28,7 +28,7 @@ film::FrameTimes times_of(const ExportOptions& options, const Document& document
   return film::frame_times(animation.length, animation.fps);
 }
 
-/// Takes pictures of a document at times. What does not change with time is made once.
+/// Draws pictures of a document at several times. Results that do not depend on time are made once.
 class FrameTaker {
  public:
   FrameTaker(const ExportSource& source, const ExportOptions& options, Progress& progress)
@@ -36,7 +36,7 @@ class FrameTaker {
 
   const StillOptions& still() const { return still_; }
 
-  /// Stands the camera where it shows all of the plant at that time.
+  /// Moves the camera until it shows the whole plant at that time.
   void place_camera(double time) {
     grow_at(time);
     last_ = std::move(grown_.meshes);
@@ -66,7 +66,7 @@ class FrameTaker {
   Progress& progress_;
   StillOptions still_;
   View view_;
-  MeshScene last_;  // what the camera shows as a whole
+  MeshScene last_;  // the plant that the camera shows as a whole
   GrowthCache cache_;
   std::optional<Document> other_;
   GrownDocument grown_;

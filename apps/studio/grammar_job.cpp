@@ -12,7 +12,7 @@ namespace meristem::studio {
 
 namespace {
 
-/// A word's modules from `first` up to `end`, each as a text.
+/// Returns the modules of a word from `first` up to `end`, each as a text.
 Value::List module_texts(const Word& word, const Alphabet& alphabet, std::size_t first, std::size_t end) {
   Value::List texts;
   Word one;
@@ -30,7 +30,7 @@ Value::List module_texts(const Word& word, const Alphabet& alphabet, std::size_t
   return texts;
 }
 
-/// Seven numbers for each module that was drawn within the range: its index, and where it begins and ends.
+/// Returns seven numbers for each drawn module in the range: its index, its beginning and its end.
 Value::List places_within(const std::vector<DrawnModule>& places, std::size_t first, std::size_t end) {
   Value::List numbers;
   for (const DrawnModule& place : places) {

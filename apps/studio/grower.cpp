@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Grows and shows one document, in a loop of small jobs. The loop grows the newest state, makes meshes of the permitted
+// detail, sends a packet, and waits until the page has shown it. A mutex guards the requests; caches belong to the
+// worker's thread.
 #include "grower.h"
 
 #include <algorithm>
@@ -21,7 +24,7 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr double kLarge = 20;  // times the triangles of a draft: from here on a document shows a draft first
+constexpr double kLarge = 20;  // a document with this many times the triangles of a draft shows a draft first
 
 Value number_value(std::uint64_t number) { return static_cast<double>(number); }
 
@@ -41,7 +44,7 @@ bool have_same_shape(const Mesh& one, const Mesh& other) {
          (one.positions == other.positions && one.triangles == other.triangles && one.uvs == other.uvs);
 }
 
-/// Whether they differ in looks alone.
+/// Returns true if two plants differ only in their looks.
 bool have_same_shape(const Plant& a, const Plant& b) {
   const auto stems_are_alike = [](const Stem& one, const Stem& other) { return have_same_shape(one, other); };
   const auto prototypes_are_alike = [](const OrganPrototype& one, const OrganPrototype& other) {
@@ -58,7 +61,7 @@ bool have_same_shape(const Plant& a, const Plant& b) {
          std::equal(a.organs.begin(), a.organs.end(), b.organs.begin(), b.organs.end(), organs_are_alike);
 }
 
-/// A document as it stands at a time: the same one where its keys change nothing.
+/// Returns a document at a time. Returns the document itself if its keys change nothing.
 std::shared_ptr<const Document> standing_at(const std::shared_ptr<const Document>& document, double time,
                                             const Progress& progress) {
   std::optional<Document> other;
@@ -91,13 +94,13 @@ Value component_counts(const MeshScene& scene) {
   return object;
 }
 
-/// Returns true if a draft comes first, because the plant has many triangles.
+/// Returns true if a draft must come first, because the plant has many triangles.
 bool is_large(const GrownWish& grown, const ShownParts& parts) {
   if (!parts.surface || parts.drag_triangles >= parts.rest_triangles) return false;
   return static_cast<double>(grown.about_triangles) > kLarge * static_cast<double>(parts.drag_triangles);
 }
 
-/// The share of `all` triangles that a budget is; below 1.
+/// Returns a budget as a share of `all` triangles, below 1.
 double share_of(std::uint64_t budget, std::uint64_t all) {
   return std::min(0.99, static_cast<double>(budget) / static_cast<double>(std::max<std::uint64_t>(all, 1)));
 }
@@ -169,7 +172,7 @@ void Grower::send_all() {
   const std::lock_guard lock(mutex_);
   forgets_ = true;
   shown_ = {};
-  awaited_ = 0;  // who asks has lost what was on its way
+  awaited_ = 0;  // the page that requests everything has lost the packet on its way
   schedule();
 }
 
@@ -230,7 +233,7 @@ void Grower::work() {
   show();
 }
 
-/// Does a part of the work and tells of it; faults and limits become news.
+/// Runs a part of the work and reports its progress. Faults and limits are sent as messages.
 template <class Work>
 void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
   JobNews news(outbox_, "grow");
@@ -238,7 +241,7 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
   const std::uint64_t number = [&] {
     const std::lock_guard lock(mutex_);
     running_ = &news.progress();
-    // Showing what grew before does not end the request to go on growing.
+    // The request to continue growing is kept while older results are shown.
     if (if_stopped == Stopped::growth || stopped_ == Stopped::meshing) stopped_ = Stopped::nothing;
     return wished_;
   }();
@@ -290,7 +293,7 @@ void Grower::grow() {
     time = parts_.time;
     view = parts_.view();
     number = wished_;
-    done_ = number;  // whatever becomes of it
+    done_ = number;  // counts as done even if it fails
     is_first = std::exchange(is_other_, false);
     if (is_first) {
       for (GrowthCache* cache : {&cache_, &mesh_caches_[0], &mesh_caches_[1]}) cache->clear();
@@ -304,7 +307,7 @@ void Grower::grow() {
     GrownDocument grown = grow_document(*document, news.progress(),
                                         {.time = time, .up_to = GrownPart::plant, .cache = &cache_, .view = view});
     if (wish.is_dragged) pictures_.lend(document->graph, grown.plant.materials);
-    grown.up_to = GrownPart::meshes;  // they follow when it is known how coarse they may be
+    grown.up_to = GrownPart::meshes;  // meshes are made later, when their permitted detail is known
     complete_growth(*document, grown, news.progress(), {.time = time, .cache = &cache_});
     auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish,
                                                       .time = time,
@@ -334,11 +337,11 @@ void Grower::show() {
   {
     const std::lock_guard lock(mutex_);
     if (awaited_ != 0 || grown_ == nullptr || is_closed_) return;
-    // What is shown stays while a newer state waits to go on.
+    // While a newer state can still be continued, the view does not change.
     if (stopped_ == Stopped::growth && shown_.grown == grown_ && shown_.parts == parts_) return;
-    // Whoever draws slowly sees a draft late, and goes on from there.
+    // A slow page sees a draft late. The time until full detail then starts when it has shown the draft.
     const Clock::time_point still = std::max(last_input_, last_seen_) + host_.still_after;
-    // An edit that is made at once is shown in full at once, and so is a drag that moves nothing, as of a colour.
+    // A single edit is shown in full at once. So is a drag that moves nothing, for example of a colour.
     const bool moves = grown_->wish.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
                                                     have_same_shape(shown_.grown->plant, grown_->plant));
     sight = {.grown = grown_, .parts = parts_, .is_draft = moves && Clock::now() < still};
@@ -353,7 +356,7 @@ void Grower::show() {
     if (is_shown(sight)) return;
     fits = std::exchange(fits_, false);
     forgets = std::exchange(forgets_, false);
-    shown_ = sight;  // also where it cannot be made, so that it is tried once
+    shown_ = sight;  // set even if the packet fails, so that it is tried once
   }
   if (forgets) {
     packets_.forget();
@@ -424,7 +427,7 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   return counts;
 }
 
-/// Made once for each list of bodies; documents that say the same of them share them.
+/// Returns the meshes of obstacles. They are made once for each list of bodies, which equal documents share.
 const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress) {
   const Obstacles& obstacles = grown.document->scene.obstacles;
   if (&obstacles.bodies() != &obstacles_.bodies()) {
@@ -434,12 +437,12 @@ const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress
   return obstacle_meshes_;
 }
 
-/// The meshes that were made last, if they are all there is of a plant; else null.
+/// Returns the last meshes if they show the whole plant, else null.
 const MeshScene* Grower::whole_meshes(const GrownWish& grown) const {
   return meshes_of_.get() == &grown && meshes_->is_whole ? &meshes_->scene : nullptr;
 }
 
-/// Makes the meshes for a sight, unless the last ones are whole already.
+/// Makes the meshes for a packet, unless the last meshes already show the whole plant.
 void Grower::make_meshes(const Sight& sight, Progress& progress) {
   if (whole_meshes(*sight.grown) != nullptr && meshes_->triangles <= sight.budget()) return;
   GrowthCache& cache = mesh_caches_[sight.is_draft ? 1 : 0];
@@ -449,7 +452,7 @@ void Grower::make_meshes(const Sight& sight, Progress& progress) {
   clothed_reuse_ = reuse_of(cache);
 }
 
-/// The last meshes, with the pictures that the page has where these look alike.
+/// Returns the last meshes. Pictures that the page has replace pictures that look alike.
 std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownWish& grown) {
   std::shared_ptr<const MeshScene> scene(meshes_, &meshes_->scene);
   std::vector<Material> materials = scene->materials;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds the instance of a visible part and lists its facts. An organ is found by the nearest frame, a stem by the
+// nearest segment. Values of expressions are computed at the component's first instance, or with the variables alone.
 #include "instance_value.h"
 
 #include <algorithm>
@@ -29,7 +31,7 @@ float distance_squared(const Frame& a, const Frame& b) {
   return sum;
 }
 
-/// Number of the component's organ whose frame is nearest.
+/// Returns the number of the component's organ whose frame is nearest.
 std::optional<std::uint64_t> nearest_organ(const Plant& plant, const std::string& component, const Frame& frame) {
   std::optional<std::uint64_t> nearest;
   float least = std::numeric_limits<float>::max();
@@ -48,7 +50,7 @@ std::optional<std::uint64_t> nearest_organ(const Plant& plant, const std::string
   return nearest;
 }
 
-/// What is told of the shoot on which a place lies: its name, where it runs, and the metamer at the place.
+/// Returns the facts about the shoot of a position: its name, its course, and the metamer at the position.
 Value::Object shoot_value(const ShootPlace& place) {
   const Skeleton& skeleton = place.stem->skeleton;
   const std::vector<std::uint32_t> numbers = axis_numbers(skeleton);
@@ -82,7 +84,8 @@ Value::Object described(const std::string& component, const FoundInstance& found
           {"values", std::move(values)}};
 }
 
-/// What is told of a part of the plant, with its shoot where it lies on one; null where no instance is known of it.
+/// Returns the facts about a part of the plant, including its shoot if it is on one. Returns null if the instance is
+/// unknown.
 Value told_instance(const GrownWish& grown, const InstanceWish& wish, const ShootPlace& place, Progress& progress,
                     GrowthCache& cache) {
   const Document& document = *grown.document;
@@ -111,7 +114,8 @@ std::optional<FoundInstance> first_instance(const GrownWish& grown, const std::s
   return find_instance(document.graph, document.scene, grown.time, wish, progress, &cache, grown.view);
 }
 
-/// What an expression of the document's variables alone comes to; nothing for others, and for what is no expression.
+/// Returns the value of an expression that uses only the document's variables. Returns nothing for other expressions,
+/// and for texts that are no expression.
 std::optional<double> constant_of(const std::string& text, const ExpressionNames& names, const Limits& limits) {
   try {
     const Expression expression = Expression::compile(text, names, limits.expression_bytes);

@@ -17,8 +17,8 @@ MeasureOptions options_of(const MeasuresRequest& request) {
   return {.organ_light = request.light, .layer_height = request.layer_height};
 }
 
-/// `plant` has painted textures if these have holes, on which the light and the area of leaves depend. Meshes are made
-/// for light alone.
+/// Measures a plant. If textures have holes, they must be painted, because the light and the area of leaves depend on
+/// the holes. Meshes are made only for light.
 Value measured_plant(const Document& document, const Plant& plant, const MeasuresRequest& request, Progress& progress) {
   const MeasureOptions options = options_of(request);
   const Limits& limits = document.graph.limits;
@@ -33,7 +33,7 @@ Value measured_plant(const Document& document, const Plant& plant, const Measure
   return measures_value(stand, {});
 }
 
-/// Grows a plant to be measured.
+/// Grows a plant for a measurement.
 Plant grown_plant(const Document& document, double time, GrowthCache* cache, Progress& progress) {
   GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = GrownPart::plant, .cache = cache});
   if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress, cache);

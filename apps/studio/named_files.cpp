@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the files that must go with the document, by their paths from its folder. Links are not followed, because
-/// the document's text does not name where they lead.
+/// Returns the files that must be copied with the document, by their paths relative to its folder. Links are not
+/// followed, because the document's text does not contain their targets.
 std::map<std::string, std::string> files_by_path(const Document& document) {
   const fs::path folder = fs::absolute(fs::path(document.source.file).parent_path() / ".").lexically_normal();
   std::map<std::string, std::string> files;
@@ -30,8 +30,8 @@ std::map<std::string, std::string> files_by_path(const Document& document) {
   return files;
 }
 
-/// Returns the path below the root of a file that a document in `folder` names `relative`. Throws a Refusal if this is
-/// outside of the root.
+/// Returns the path, below the root, of a file that a document in `folder` names `relative`. Throws a Refusal if this
+/// is outside of the root.
 std::string path_below_root(const RootFolder& root, const std::string& folder, const std::string& relative) {
   const fs::path target = (fs::weakly_canonical(root.absolute(folder)) / relative).lexically_normal();
   const std::optional<std::string> path = root.relative(target.string());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Each open file has a mark: a locked file in a private folder, whose name begins with a hash of the path. Another page
+// counts the marks that are locked and removes the others, which a killed program has left.
 #include "open_files.h"
 
 #include <atomic>
@@ -24,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kMarkInterval{2};
 
-/// Returns the private folder of this user's marks, or an empty text if there can be none.
+/// Returns the private folder of this user's marks, or an empty text if it is impossible.
 std::string folder_of_marks() {
   std::error_code error;
   const char* runtime = std::getenv("XDG_RUNTIME_DIR");
@@ -32,7 +34,7 @@ std::string folder_of_marks() {
   if (error) return {};
   const std::string folder = (above / fmt::format("meristem-open-{}", ::getuid())).string();
   ::mkdir(folder.c_str(), 0700);
-  // A folder that another user has put there is not ours.
+  // A folder that another user has made is not used.
   struct stat status {};
   const bool is_own = ::lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == ::getuid() &&
                       (status.st_mode & 077) == 0;
@@ -45,7 +47,7 @@ OpenFile::OpenFile(const std::string& path) : folder_(folder_of_marks()), prefix
   static std::atomic<unsigned> count{0};
   if (folder_.empty()) return;
   mark_ = fmt::format("{}{}-{}", prefix_, ::getpid(), count++);
-  // It gets its name once it is locked, so that nobody takes it for one that was left.
+  // The mark gets its name after it is locked, so that no other page takes it for an old mark.
   const std::string draft = (fs::path(folder_) / ("." + mark_)).string();
   descriptor_ = ::open(draft.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   const bool is_marked = descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 &&

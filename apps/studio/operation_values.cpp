@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Lists the effects of operations on a component's trees, from the records of its skeletons. The list has counts of all
+// acts, and the positions of the requested operation with the courses of their shoots.
 #include "operation_values.h"
 
 #include <algorithm>
@@ -18,10 +20,11 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kMostPlaces = 2000;   // that are told of an operation
-constexpr std::size_t kMostCourse = 60000;  // positions of their shoots
+constexpr std::size_t kMostPlaces = 2000;   // maximum number of positions per operation
+constexpr std::size_t kMostCourse = 60000;  // maximum number of points of their shoots
 
-/// The positions of each axis of a stem that one of these records names, as it stands now; at most `most` in all.
+/// Returns the points of each axis of a stem that one of these records names, in its present state; at most `most`
+/// points.
 std::map<ShootName, Value::List> courses_of(const Stem& stem, const std::vector<OperationRecord>& records,
                                             std::size_t& most) {
   std::map<ShootName, Value::List> courses;
@@ -67,7 +70,7 @@ Value operations_value(const GrownWish& grown, const OperationsRequest& request,
   Value::List places;
   std::size_t chosen = 0;
   std::size_t most = kMostCourse;
-  // Each stem has trees of its own, which are called as those of the others are.
+  // Each stem has its own trees, and trees of different stems may have equal names.
   for (const Stem& stem : grown.plant.stems) {
     progress.check();
     std::vector<OperationRecord> told;

@@ -14,7 +14,7 @@ namespace meristem::studio {
 
 namespace {
 
-/// Positions as floats, and colours as bytes: red, green, blue, opacity.
+/// Positions as floats, and colours as bytes: red, green, blue and opacity.
 class PackedPlaces {
  public:
   void add(Vec3 position, Vec3 colour) {
@@ -78,7 +78,7 @@ Value overlays_value(const LastGrown& last, const OverlaysRequest& request, cons
 Value overlay_parts_value() {
   Value::List list;
   for (const OverlayPartInfo& part : overlay_parts()) {
-    if (part.part == OverlayPart::compass || part.part == OverlayPart::scale) continue;  // the page has its own
+    if (part.part == OverlayPart::compass || part.part == OverlayPart::scale) continue;  // the page draws these itself
     list.push_back(Value::Object{{"name", std::string(part.name)},
                                  {"title", std::string(part.title)},
                                  {"doc", std::string(part.doc)},

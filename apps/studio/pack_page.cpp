@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs the built page and small pictures of the models into one file, which the program holds.
+// Packs the built page and small pictures of the models into one file, which becomes part of the program.
 //
-// In:  the pack to write; the folder of the built page, or "" for none; the folders of pictures of the models and of
-//      the parts of the palette, which are called part-NAME.
-// Out: for each file a line "NAME BYTES COMPRESSED\n" and its bytes, by name. The same files give the same bytes.
+// In:  the path of the pack; the folder of the built page, or "" for no page; the folders of pictures of the models and
+// of the parts of the palette. Pictures of parts are named part-NAME.
+// Out: for each file a line "NAME BYTES COMPRESSED\n" and its bytes, sorted by name. Equal files give equal bytes.
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -27,7 +27,7 @@ namespace {
 using namespace meristem;
 namespace fs = std::filesystem;
 
-constexpr int kPictureSize = 160;  // pixels of the longer side
+constexpr int kPictureSize = 160;  // length of the longer side, pixels
 constexpr int kPictureQuality = 80;
 constexpr std::uint64_t kMostBytes = 100'000'000;
 
@@ -53,7 +53,7 @@ std::string compressed(const std::string& bytes) {
   return out;
 }
 
-/// A smaller picture, each pixel the mean of those that it covers.
+/// Returns a smaller picture. Each pixel is the mean of the pixels that it covers.
 Image shrunk(const Image& image) {
   const int longer = std::max(image.width, image.height);
   if (longer <= kPictureSize) return image;

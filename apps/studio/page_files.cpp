@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pack is what pack_page writes: for each file a line "NAME BYTES COMPRESSED\n" and its bytes.
+// Reads the pack of pack_page: for each file a line "NAME BYTES COMPRESSED\n" and its bytes.
 #include "page_files.h"
 
 #include <charconv>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Decides by the numbers of the last messages of each kind whether a reading is useless. A new message is classified by
+// a scan of its text up to "do", because parsing a large document would take too long here.
 #include "readings.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace meristem::studio {
 
 namespace {
 
-/// Behind the text that begins at the quote at `at`.
+/// Returns the position after the text that begins at the quote at `at`.
 std::size_t behind_text(std::string_view message, std::size_t at) {
   for (++at; at < message.size() && message[at] != '"'; ++at) {
     if (message[at] == '\\') ++at;
@@ -20,7 +22,8 @@ std::size_t behind_text(std::string_view message, std::size_t at) {
   return std::min(at + 1, message.size());
 }
 
-/// What a request does, by a scan that stops at its "do"; the page writes that first. Empty for what is no request.
+/// Returns the "do" of a request. Scans the message only up to there, since the page writes this member first. Returns
+/// an empty text for messages that are no requests.
 std::string_view what_to_do(std::string_view message) {
   int depth = 0;
   for (std::size_t at = 0; at < message.size();) {
@@ -43,14 +46,14 @@ std::string_view what_to_do(std::string_view message) {
   return {};
 }
 
-/// The request that a `cancel` names; nothing for other messages.
+/// Returns the number of the request that a `cancel` names, or nothing for other messages.
 std::optional<double> cancelled_request(std::string_view message) {
   try {
     const NumberedRequest request = read_request(message);
     const auto* cancel = std::get_if<CancelRequest>(&request.request);
     return cancel != nullptr ? cancel->re : std::nullopt;
   } catch (const std::exception&) {
-    return std::nullopt;  // the session tells what is wrong with it
+    return std::nullopt;  // the session reports the fault of the message
   }
 }
 
@@ -94,7 +97,7 @@ bool Readings::is_closed() const {
   return is_closed_;
 }
 
-/// Whether a reading for the message in hand is not wanted any more.
+/// Returns true if a reading for the present message is no longer needed.
 bool Readings::is_useless(const Reading& reading) const {
   if (is_closed_ || last_open_ > handled_ || cancelled_.contains(reading.request_)) return true;
   const bool is_of_text = reading.kind_ == MessageKind::text || reading.kind_ == MessageKind::drag;

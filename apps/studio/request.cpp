@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads the requests of a page. Each kind of request has a function that reads its members by name, type and range.
+// Everything unknown or out of range is refused with the member's full name.
 #include "request.h"
 
 #include <algorithm>
@@ -20,19 +22,19 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr double kGreatestWhole = 9007199254740992;  // up to which doubles hold all whole numbers
-constexpr std::size_t kMostParts = 100'000;          // splices, edits or values of one request
+constexpr double kGreatestWhole = 9007199254740992;  // doubles hold all whole numbers up to here
+constexpr std::size_t kMostParts = 100'000;          // maximum number of splices, edits or values of one request
 constexpr std::size_t kMostStills = 16;
 constexpr double kWidestStill = 512;     // pixels
-constexpr double kMostModules = 20'000;  // that one answer tells
+constexpr double kMostModules = 20'000;  // maximum number of modules in one answer
 constexpr std::size_t kMostExpressions = 1000;
-constexpr std::size_t kMostSwept = 64;   // values of a sweep
+constexpr std::size_t kMostSwept = 64;   // maximum number of values of a sweep
 constexpr double kGreatestLength = 1e6;  // metres
 
-/// Reads the members of a request, or of an object in it, and refuses what they should not be.
+/// Reads the members of a request, or of an object in it, and refuses invalid values.
 class Members {
  public:
-  /// `owner` is the name of the object in its request; empty: that is the request itself.
+  /// `owner` is the name of the object in its request. Empty: the request itself.
   explicit Members(const Value& object, std::string owner = "") : object_(object), owner_(std::move(owner)) {}
 
   const std::string& owner() const { return owner_; }
@@ -63,7 +65,7 @@ class Members {
     return *number;
   }
 
-  /// From -2^31 to 2^31 - 1.
+  /// Returns a whole number from -2^31 to 2^31 - 1.
   int integer(const char* name, double low, double high) const {
     return static_cast<int>(checked_whole(name, low, high));
   }
@@ -91,7 +93,7 @@ class Members {
     return *object;
   }
 
-  /// The members of an object that is one.
+  /// Returns the members of a nested object.
   Members within(const char* name) const {
     object(name);
     return Members(value(name), full(name));
@@ -242,7 +244,7 @@ CameraOptions camera_of(const Members& members) {
           .field_of_view_deg = members.number("field_of_view", 1, 150)};
 }
 
-/// Three rows of [axes, origin].
+/// The frame has three rows of [axes, origin].
 InstanceRequest instance_request(const Members& members) {
   InstanceRequest request{
       .component = members.text("component"), .frame = {}, .position = vector_of(members, "position")};
@@ -372,7 +374,7 @@ SweepRequest sweep_request(const Members& members) {
   return request;
 }
 
-/// The number that 16 hexadecimal digits say.
+/// Returns the number of 16 hexadecimal digits.
 std::uint64_t key_of(const std::string& text) {
   std::uint64_t key = 0;
   const char* const end = text.data() + text.size();
@@ -439,8 +441,8 @@ Request request_of(const std::string& what, const Members& members) {
   throw Refusal(fmt::format("there is no request '{}'", what.substr(0, 40)));
 }
 
-/// A message may hold a document of the greatest size, with all of its characters escaped, and still be refused for its
-/// own length alone.
+/// Returns limits that accept a document of the maximum size with all of its characters escaped. A longer message is
+/// then refused for its own length only.
 Limits message_limits() {
   Limits limits;
   limits.document_bytes = std::numeric_limits<std::uint64_t>::max();

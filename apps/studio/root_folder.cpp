@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Resolves paths below the root and refuses all others. A file is written to a draft in the same folder, read back, and
+// renamed, so that it is complete or unchanged after any failure.
 #include "root_folder.h"
 
 #include <algorithm>
@@ -27,11 +29,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestPath = 1000;
-constexpr std::size_t kMostEntries = 5000;  // of a folder that are listed
+constexpr std::size_t kMostEntries = 5000;  // maximum number of entries of a folder in a list
 
 [[noreturn]] void refuse_outside() { throw Refusal("this lies outside the folder that may be read"); }
 
-/// Locked while a page looks at a file and replaces it, so that no other page writes in between.
+/// Returns the mutex that is locked while a page compares a file and replaces it. No other page can then write in
+/// between.
 std::mutex& writing_files() {
   static std::mutex mutex;
   return mutex;
@@ -87,7 +90,7 @@ std::vector<FolderEntry> RootFolder::list(const std::string& folder) const {
     const std::string name = entry->path().filename().string();
     if (!is_name(name) || entries.size() == kMostEntries) continue;
     try {
-      FileAccess{.root = path_}.require_within(entry->path().string());  // links out of it are not there
+      FileAccess{.root = path_}.require_within(entry->path().string());  // links that lead out are not listed
     } catch (const InputError&) {
       continue;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One thread for all sockets, which never waits. Messages are handled by other threads: those of one page one after
-// another, those of several pages side by side, so that reading a large document stops no other page. Messages go on
-// arriving meanwhile, and stop readings that they make useless.
-// A request of a page is read only after its Host, its token and, for sockets, its Origin have been checked.
+// One thread serves all sockets and never waits. Other threads handle messages: messages of one page in their order,
+// messages of several pages in parallel, so that reading a large document does not block other pages. Meanwhile further
+// messages arrive and stop readings that they make useless. A request of a page is read only after its Host, its token
+// and, for sockets, its Origin have been checked.
 #include "server.h"
 
 #include <algorithm>
@@ -52,41 +52,41 @@ using Socket = websocket::stream<beast::tcp_stream>;
 using HttpRequest = http::request<http::empty_body>;
 
 constexpr std::uint16_t kPortsTried = 8;
-constexpr std::uint32_t kMostHeadBytes = 16'384;  // of a request
-// Anybody on this machine can connect. Connections that have not shown the secret get few places and little time, so
-// that they never keep a page out.
+constexpr std::uint32_t kMostHeadBytes = 16'384;  // size of a request's head
+// Any user of this machine can connect. Connections without the secret get few places and little time, so that they
+// cannot keep a page out.
 constexpr std::size_t kMaxUnauthenticated = 32;
-constexpr std::chrono::seconds kUnauthenticatedPatience{5};  // for the whole head of the first request
-constexpr std::size_t kMaxAuthenticated = 64;                // HTTP connections; pages keep some of them open
-constexpr std::chrono::seconds kHttpPatience{30};            // for one request or answer of these
+constexpr std::chrono::seconds kUnauthenticatedPatience{5};  // for the complete head of the first request
+constexpr std::size_t kMaxAuthenticated = 64;                // HTTP connections; browsers keep some of them open
+constexpr std::chrono::seconds kHttpPatience{30};            // for one request or answer of an authenticated connection
 constexpr std::chrono::milliseconds kAcceptPause{100};       // after the system has refused a connection
 constexpr std::chrono::milliseconds kFarewell{200};          // for closing sockets
-constexpr std::chrono::milliseconds kMaxEnding{800};         // from a signal until the program ends, whatever it does
-constexpr std::size_t kMostWaiting = 64;                     // messages of a page that are not handled yet
+constexpr std::chrono::milliseconds kMaxEnding{800};         // from a signal until the program certainly ends
+constexpr std::size_t kMostWaiting = 64;                     // messages of a page that wait to be handled
 constexpr std::size_t kMostQueuedBytes = 512'000'000;        // for a page that does not read
 constexpr std::uint64_t kMostBeyond = 1'000'000;
-constexpr std::size_t kMostQueuedNews = 64;  // beyond which progress is not told
+constexpr std::size_t kMostQueuedNews = 64;  // with more messages, progress is not reported
 
 class SocketConnection;
 class HttpConnection;
 
-/// What all connections share.
+/// Data that all connections share.
 struct Serving {
   Host& host;
   std::string token;
   std::uint16_t port = 0;
   std::string tables{};
-  std::set<SocketConnection*> sockets{};  // that are open, or will be
-  // HTTP connections by the time of their last request, oldest first.
+  std::set<SocketConnection*> sockets{};  // open sockets, and sockets that are being opened
+  // HTTP connections, sorted by the time of their last request, oldest first.
   std::list<HttpConnection*> unauthenticated{};
   std::list<HttpConnection*> authenticated{};
-  asio::thread_pool sessions{static_cast<std::size_t>(host.limits.connections) + 1};  // handle messages
-  asio::io_context io{1};  // the last, as what it has to do speaks of the others
+  asio::thread_pool sessions{static_cast<std::size_t>(host.limits.connections) + 1};  // threads that handle messages
+  asio::io_context io{1};  // last member, because its work uses the others
 };
 
 bool is_progress(std::string_view message) { return message.substr(0, 17) == R"({"is": "working",)"; }
 
-/// A page's socket. Its session lives on its strand of the threads for messages alone.
+/// A page's socket. Its session runs only on its strand of the message threads.
 class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
  public:
   SocketConnection(Serving& serving, beast::tcp_stream stream)
@@ -99,7 +99,8 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
   void accept(const HttpRequest& request) {
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    // A little more, so that the session may say which limit a message has passed; larger ones close the socket.
+    // The limit is a little higher, so that the session can report which limit a message has exceeded. Larger messages
+    // close the socket.
     socket_.read_message_max(serving_.host.limits.message_bytes + kMostBeyond);
     socket_.auto_fragment(false);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
@@ -124,9 +125,9 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     end_session();
   }
 
-  /// Stops what the session reads; messages that wait are not handled any more.
+  /// Stops the session's reading. Waiting messages are not handled any more.
   void stop_reading() { readings_->close(); }
-  /// Once the threads for messages have ended.
+  /// Destroys the session. Called after the message threads have ended.
   void drop_session() { session_ = nullptr; }
 
  private:
@@ -139,7 +140,7 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
       auto message = std::make_shared<std::string>(beast::buffers_to_string(self->buffer_.data()));
       self->buffer_.consume(self->buffer_.size());
       self->buffer_.shrink_to_fit();
-      // Bytes are no message; the session says so, as of any other text that is no JSON.
+      // Binary messages are invalid. The session refuses them like any text that is not JSON.
       const bool is_text = self->socket_.got_text();
       self->readings_->arrive(is_text ? std::string_view(*message) : std::string_view());
       ++self->waiting_;
@@ -156,7 +157,7 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     });
   }
 
-  /// Reads the next message, unless too many wait to be handled.
+  /// Reads the next message, unless too many messages wait.
   void read_on() {
     const bool is_full = waiting_ >= kMostWaiting || waiting_bytes_ > serving_.host.limits.message_bytes;
     if (!is_open_ || is_reading_ || is_full) return;
@@ -186,8 +187,8 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     do_with_session([](SocketConnection& here) { here.session_ = nullptr; }, [](SocketConnection&) {});
   }
 
-  /// Calls `act` on a thread for messages, after all earlier calls, and then `then` on this one, which reads on. The
-  /// connection goes on this thread, not on that one.
+  /// Calls `act` on a message thread, after all earlier calls, and then `then` on this thread, which continues to read.
+  /// The connection is destroyed on this thread only.
   template <class Act, class Then>
   void do_with_session(Act act, Then then) {
     asio::post(strand_, [self = shared_from_this(), act = std::move(act), then = std::move(then)]() mutable {
@@ -203,18 +204,18 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
   Serving& serving_;
   Socket socket_;
   beast::flat_buffer buffer_;
-  std::deque<std::pair<bool, std::string>> queue_;  // whether it is text; the first is on its way
+  std::deque<std::pair<bool, std::string>> queue_;  // whether it is text, and content; the first one is being sent
   std::size_t queued_bytes_ = 0;
   bool is_open_ = false;
   bool is_reading_ = false;
-  std::size_t waiting_ = 0;  // messages that are not handled yet, and their bytes
+  std::size_t waiting_ = 0;  // number and bytes of waiting messages
   std::size_t waiting_bytes_ = 0;
   const std::shared_ptr<Readings> readings_ = std::make_shared<Readings>();
   asio::strand<asio::thread_pool::executor_type> strand_;
-  std::unique_ptr<StudioSession> session_;  // of the strand
+  std::unique_ptr<StudioSession> session_;  // used only on the strand
 };
 
-/// Brings messages of any thread to a socket that may have gone.
+/// Passes messages from any thread to a socket that may have closed.
 class SocketOutbox : public Outbox {
  public:
   SocketOutbox(asio::io_context& io, std::weak_ptr<SocketConnection> connection)
@@ -242,7 +243,7 @@ void SocketConnection::begin() {
       [](SocketConnection&) {});
 }
 
-/// One connection that asks for pages, until it becomes a socket.
+/// A connection that requests pages, until it becomes a socket.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(Serving& serving, tcp::socket socket) : serving_(serving), stream_(std::move(socket)) {
@@ -266,7 +267,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     parser_.emplace();
     parser_->header_limit(kMostHeadBytes);
     parser_->body_limit(0);
-    // A fixed end: bytes that drip in do not move it.
+    // The end is fixed, so that a slow trickle of bytes does not extend it.
     stream_.expires_after(patience());
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       self->is_answering_ = true;
@@ -290,7 +291,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void leave() { (is_authenticated_ ? serving_.authenticated : serving_.unauthenticated).remove(this); }
 
-  /// Moves the connection to the list of authenticated ones. Returns false if there is no place for another one.
+  /// Moves the connection to the list of authenticated ones. Returns false if the list is full.
   bool authenticate();
 
   void answer() {
@@ -421,8 +422,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   bool is_answering_ = false;
 };
 
-/// Drops the connection that has waited longest for a request, if the list is full. Returns false if the list is still
-/// full, since all connections are being answered.
+/// Drops the connection that has waited longest for a request if the list is full. Returns false if the list stays full
+/// because all connections are being answered.
 bool make_room(std::list<HttpConnection*>& connections, std::size_t maximum) {
   if (connections.size() < maximum) return true;
   const auto idle = std::find_if(connections.begin(), connections.end(),
@@ -440,12 +441,12 @@ bool HttpConnection::authenticate() {
   return has_room;
 }
 
-/// Keeps a socket from programs that this one starts: a browser that outlives the studio would hold its port.
+/// Closes a socket in programs that this one starts. Otherwise a browser that outlives the studio would keep its port.
 void close_on_exec(int descriptor) { ::fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
 
 void admit(Serving& serving, tcp::socket socket) {
   close_on_exec(socket.native_handle());
-  // All connections in the list are being refused: close the oldest one earlier.
+  // All connections in the list are being refused, so the oldest one is closed early.
   if (!make_room(serving.unauthenticated, kMaxUnauthenticated)) serving.unauthenticated.front()->drop();
   std::make_shared<HttpConnection>(serving, std::move(socket))->read();
 }
@@ -457,7 +458,7 @@ void accept_next(Serving& serving, tcp::acceptor& acceptor) {
       admit(serving, std::move(socket));
       return accept_next(serving, acceptor);
     }
-    // The system may be short of descriptors. Asking again at once would keep a processor busy.
+    // The system may have no descriptors left. A retry without a pause would keep a processor busy.
     auto pause = std::make_shared<asio::steady_timer>(serving.io, kAcceptPause);
     pause->async_wait([&serving, &acceptor, pause](beast::error_code) {
       if (acceptor.is_open()) accept_next(serving, acceptor);
@@ -465,7 +466,7 @@ void accept_next(Serving& serving, tcp::acceptor& acceptor) {
   });
 }
 
-/// Whether it listens on this machine's own address at the port.
+/// Starts to listen at the port on this machine's loopback address. Returns true on success.
 bool listen(tcp::acceptor& acceptor, std::uint16_t port) {
   const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
   beast::error_code error;
@@ -493,8 +494,8 @@ void listen(tcp::acceptor& acceptor, const ServeOptions& options) {
                                  kUsualPort, kUsualPort + kPortsTried - 1));
 }
 
-/// Ends the program after kMaxEnding even if work in hand does not stop by then, or large memory is still being freed.
-/// Files appear whole or not at all, so nothing half-written stays. `folder` has the files of exports, or is empty.
+/// Ends the program after kMaxEnding, even if running work does not stop or large memory is still being freed. Files
+/// are written whole or not at all, so no incomplete file remains. `folder` has the files of exports, or is empty.
 void end_in_time(const std::string& folder) {
   std::thread([folder] {
     std::this_thread::sleep_for(kMaxEnding);
@@ -529,7 +530,7 @@ void serve(Host& host, const ServeOptions& options, const std::function<void(con
   accept_next(serving, acceptor);
   ready(fmt::format("http://127.0.0.1:{}/{}/", serving.port, serving.token));
   serving.io.run();
-  // Nothing may speak to the sockets any more when they go.
+  // Message threads must end before the sockets that they use.
   for (SocketConnection* socket : serving.sockets) socket->stop_reading();
   serving.sessions.join();
   for (SocketConnection* socket : serving.sockets) socket->drop_session();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests with a later answer: from a job, or from the thread that grows.
+// Handles requests with a later answer, which comes from a job or from the thread that grows.
 #include <filesystem>
 #include <new>
 #include <type_traits>
@@ -36,7 +36,7 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
   return write_json_line(refusal);
 }
 
-/// The member of an answer that goes as a packet, with its arrays.
+/// The member of an answer that is sent as a packet, with its arrays.
 struct PackedMember {
   Value::Member member;
   PacketArrays arrays;
@@ -52,8 +52,8 @@ void send_done(Outbox& outbox, Value::Object done, PackedMember packed) {
   outbox.send_packet(packet_bytes("MSA1", done, packed.arrays));
 }
 
-/// Answers a request with what `work` gives, or why it gives nothing. Work of many parts, a film or a sweep, takes the
-/// news; other work takes their progress.
+/// Answers a request with the result of `work`, or with the reason for its failure. Work with many parts, such as a
+/// film or a sweep, gets the JobNews; other work gets its progress.
 template <class Work>
 void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& jobs, const AskedJobs::Job& asked,
                const Job& job, Work& work) {
@@ -85,14 +85,14 @@ void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& job
 
 }  // namespace
 
-/// Has a job answer the request.
+/// Answers the request by a job.
 template <class Work>
 void StudioSession::run_later(double id, const Job& job, Worker& worker, Work work) {
   worker.post([&host = host_, outbox = outbox_, jobs = jobs_, asked = jobs_->ask(id), job,
                work = std::move(work)]() mutable { answer_by(host, outbox, *jobs, asked, job, work); });
 }
 
-/// Has a job answer the request unless a newer one of its kind comes.
+/// Answers the request by a job, unless a newer request of its kind replaces it.
 template <class Work>
 void StudioSession::run_newest(double id, const Job& job, const std::shared_ptr<AskedJobs>& jobs, Worker& worker,
                                Work work) {
@@ -102,7 +102,7 @@ void StudioSession::run_newest(double id, const Job& job, const std::shared_ptr<
   });
 }
 
-/// Calls off the job of a request, or all.
+/// Cancels the job of a request, or all jobs.
 void StudioSession::cancel_jobs(std::optional<double> request) {
   for (const auto& jobs : {jobs_, stills_, derivations_, sweeps_, measures_}) refuse_cancelled(jobs->cancel(request));
 }
@@ -111,7 +111,8 @@ void StudioSession::refuse_cancelled(const std::vector<double>& requests) {
   for (const double request : requests) outbox_->send_text(refused_text(request, "cancelled", {{"cancelled", true}}));
 }
 
-/// The document of the present text at the time and with the seed that the options ask for. Throws the text's faults.
+/// Returns the document of the present text at the requested time and with the requested seed. Throws the text's
+/// faults.
 std::shared_ptr<const Document> StudioSession::document_for(double id, const ExportOptions& options) {
   const Readings::Reading reading(*readings_, id, MessageKind::other);
   const ReadOptions how{.seed = options.seed,
@@ -123,7 +124,7 @@ std::shared_ptr<const Document> StudioSession::document_for(double id, const Exp
   return std::make_shared<const Document>(std::move(document));
 }
 
-/// What has grown, if it is what the options ask for: all of its growth, and not a step of it.
+/// Returns the grown plant if it fits the options and is fully grown, not at an earlier step. Returns null otherwise.
 std::shared_ptr<const GrownWish> StudioSession::grown_for(const ExportOptions& options) const {
   std::shared_ptr<const GrownWish> grown = grower_->grown();
   const bool fits = grown != nullptr && grown->wish.hash == hash_ && !grown->wish.is_dragged && !options.seed &&
@@ -156,7 +157,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
                            .root = root_,
                            .models = host_.models_folder,
                            .time = grower_->parts().time};
-  // Each of its plants has the time that one measurement has.
+  // Each plant of the sweep has the time of one measurement.
   const TimeLimit time{host_.limits.job_seconds * static_cast<double>(request.values.size()), "job_seconds"};
   run_newest(id, {"sweep", time}, sweeps_, host_.exports,
              [source, request, maker = sweep_maker_](Host& host, JobNews& news) -> Value::Member {
@@ -165,7 +166,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
   return std::nullopt;
 }
 
-/// Answers the request later, on the thread that grows, with `question(last growth, progress)`.
+/// Answers the request later, on the thread that grows, with the result of `question(last growth, progress)`.
 template <class Question>
 void StudioSession::ask_grown(double id, Question question) {
   grower_->ask(
@@ -248,7 +249,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Overlay
 std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportRequest& request) {
   check_export(request.options);
   ExportSource source{.document = nullptr, .text = session().text(), .name = name_for(request.options), .grown = {}};
-  if (request.options.format != ".json") {  // a faulty one may be taken home, too
+  if (request.options.format != ".json") {  // a faulty document may be downloaded, too
     source.document = document_for(id, request.options);
     source.grown = grown_for(request.options);
   }
@@ -292,7 +293,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const GrammarRequest& request) {
-  // The text derives, also while a drag shows another step of it.
+  // The text's own grammar is derived, even while a drag shows other values.
   read_now(id);
   const bool is_plain = session().overrides().empty();
   if (is_plain && !session().is_good()) throw Refusal("the document has faults");

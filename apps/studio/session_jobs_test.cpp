@@ -24,7 +24,7 @@ TEST(StudioSession, DrawsStatesOfADocumentAndLeavesItAlone) {
   EXPECT_EQ(Studio::text_of(stills[0], "picture").substr(0, 8), "iVBORw0K");
   EXPECT_EQ(stills[2].find("faults")->list()->size(), 1U);
   EXPECT_EQ(studio.taken(), 1U);
-  // What is the same is drawn the same.
+  // Equal states give equal pictures.
   const Value again = studio.ask("stills", std::string(R"("states": [{}, {"leaf.width": 0.01}], )") + kSideCamera);
   EXPECT_FALSE(is_refused(again));
   EXPECT_FALSE(is_refused(studio.ask("stills", R"("states": [])")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page asks of a plant that has grown.
+// Questions of a page about a grown plant.
 #include <set>
 #include <string>
 
@@ -261,7 +261,7 @@ TEST(StudioSession, TellsWhatOperationsHaveDone) {
   const Value all = studio.ask("operations", R"("component": "pear")");
   const Value& told = *all.find("operations");
   EXPECT_EQ(*told.find("iteration")->number(), 9);
-  // One that is off does nothing.
+  // An operation that is off has no effect.
   const Value::List& acts = *told.find("acts")->list();
   ASSERT_EQ(acts.size(), 1U);
   EXPECT_EQ(acts[0], Value(Value::List{"components.pear.operations[0]", 8, "cut", 2.0}));

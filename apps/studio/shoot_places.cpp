@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds positions on the shoots of a plant. A point is compared with all segments. Names are labels such as
+// "main.4.2b", in which each part counts the metamers of a shoot, so neighbours in the tree follow from the labels.
 #include "shoot_places.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ using Go = ShootRequest::Go;
 
 float squared_length(Vec3 v) { return glm::dot(v, v); }
 
-/// Signed distance from a point to the surface about a segment of a skeleton.
+/// Returns the signed distance from a point to the surface around a segment of a skeleton.
 float distance_to_segment(const Skeleton& skeleton, NodeIndex node, Vec3 point) {
   const Vec3 end = skeleton.position[node];
   if (skeleton.is_root(node)) return glm::length(point - end) - skeleton.radius[node];
@@ -40,13 +42,13 @@ NodeIndex nearer_end(const Skeleton& skeleton, NodeIndex node, Vec3 point) {
   return is_below ? below : node;
 }
 
-/// "main.4" of "main.4.2b"; nothing of "main".
+/// Returns the label of the parent shoot: "main.4" for "main.4.2b". Returns an empty text for "main".
 std::string_view bearing_label(std::string_view label) {
   const std::size_t dot = label.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : label.substr(0, dot);
 }
 
-/// The number of the metamer that bears a shoot: 2 of "main.4.2b".
+/// Returns the number of the metamer from which a shoot branches off: 2 for "main.4.2b".
 std::uint32_t bearing_number(std::string_view label) {
   const std::string_view last = label.substr(label.rfind('.') + 1);
   std::uint32_t number = 0;
@@ -68,7 +70,7 @@ class NamedShoots {
     return static_cast<AxisIndex>(found - names_.begin());
   }
 
-  /// The shoots that this one bears, from its base on.
+  /// Returns the child shoots of a shoot, from its base on.
   std::vector<AxisIndex> borne_by(AxisIndex axis) const {
     const ShootName& bearer = names_[axis];
     std::vector<AxisIndex> borne;
@@ -81,7 +83,8 @@ class NamedShoots {
     return borne;
   }
 
-  /// The last place of a shoot up to a metamer, and at least its first metamer; 0 is where it springs from.
+  /// Returns the last position of a shoot up to a metamer, but at least its first metamer. Metamer 0 is where the shoot
+  /// branches off.
   ShootPlace place_at(AxisIndex axis, std::uint32_t metamer) const {
     const std::vector<NodeIndex> nodes = shoot_nodes(stem_.skeleton, axis);
     ShootPlace place{.stem = &stem_, .axis = axis, .node = nodes.front()};
@@ -93,7 +96,7 @@ class NamedShoots {
     return place;
   }
 
-  /// The shoot that bears this one; nothing for the stem of a tree.
+  /// Returns the parent of a shoot. Returns nothing for the main stem of a tree.
   std::optional<AxisIndex> bearer_of(AxisIndex axis) const {
     const ShootName& name = names_[axis];
     const std::string_view label = bearing_label(name.label);
@@ -102,11 +105,11 @@ class NamedShoots {
 
  private:
   const Stem& stem_;
-  const std::vector<std::uint32_t> numbers_;  // of nodes
-  const std::vector<ShootName> names_;        // of axes
+  const std::vector<std::uint32_t> numbers_;  // by node
+  const std::vector<ShootName> names_;        // by axis
 };
 
-/// The stems of all trees of a component, in their order, of which the named one is at `named`.
+/// The main stems of all trees of a component, in their order. The named tree is at index `named`.
 struct MainShoots {
   std::vector<ShootPlace> places;
   std::optional<std::size_t> named;
@@ -131,7 +134,7 @@ MainShoots main_shoots(const Plant& plant, const ShootRequest& request) {
   return all;
 }
 
-/// The index after or before one of several, round and round; nothing where there is no other.
+/// Returns the next or previous index in a circle. Returns nothing if there is only one.
 std::optional<std::size_t> beside(std::size_t index, std::size_t count, Go go) {
   if (count < 2) return std::nullopt;
   return (index + (go == Go::next ? 1 : count - 1)) % count;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Compares pictures by their tinted light: the root mean square of the differences of many pixels, on a scale that is
+// even to the eye. Pictures below a small difference look alike, and the page keeps its own.
 #include "shown_pictures.h"
 
 #include <algorithm>
@@ -13,15 +15,16 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kSamples = 40'000;  // about the number of pixels that are compared
-constexpr double kAlike = 2;              // how far alike pictures may differ: levels of 255, root of the mean square
+constexpr std::size_t kSamples = 40'000;  // approximate number of pixels that are compared
+// Largest difference between alike pictures: root mean square, in levels of 255
+constexpr double kAlike = 2;
 
 const Prototype* component_of(const Graph& graph, const Material& material) {
   const auto found = std::ranges::find(graph.components, material.name, &Prototype::id);
   return found == graph.components.end() ? nullptr : &*found;
 }
 
-/// Whether the material would wear that picture, if its colour were that for which the picture was painted.
+/// Returns true if the material would have the picture's texture with the colour for which it was painted.
 bool differs_in_colour_alone(const Graph& graph, const Material& material, const Material& painted) {
   const Prototype* const prototype = component_of(graph, material);
   if (prototype == nullptr) return false;
@@ -35,7 +38,7 @@ bool is_painted(const Material& material) {
   return material.texture != nullptr && material.texture->is_painted() && !material.texture->colour.is_empty();
 }
 
-/// The light of each byte, linear.
+/// Returns the linear light of each byte.
 std::array<float, 256> lights() {
   std::array<float, 256> lights{};
   for (std::size_t k = 0; k < lights.size(); ++k) lights[k] = linear_from_srgb(Vec3(static_cast<float>(k) / 255.0F)).r;
@@ -51,7 +54,7 @@ bool look_alike(const Texture& one, const Texture& other, Vec3 colour) {
   if (a.width != b.width || a.height != b.height || one.masked != other.masked) return false;
   const Vec3 tint_a = Material{.colour = colour, .texture = {std::shared_ptr<void>(), &one}}.tint();
   const Vec3 tint_b = Material{.colour = colour, .texture = {std::shared_ptr<void>(), &other}}.tint();
-  // An odd step, so that the samples stand in no column.
+  // The step is odd, so that the samples do not fall into one column.
   const std::size_t pixels = a.rgba.size() / 4;
   const std::size_t step = std::max<std::size_t>(1, pixels / kSamples) | 1U;
   double sum = 0;
@@ -61,7 +64,7 @@ bool look_alike(const Texture& one, const Texture& other, Vec3 colour) {
     const std::uint8_t* const from_b = b.rgba.data() + 4 * k;
     if (one.masked && from_a[3] < 128 && from_b[3] < 128) continue;
     for (int channel = 0; channel < 3; ++channel) {
-      // The root of light is nearly even to the eye.
+      // Differences of the root of light look nearly even to the eye.
       const float way =
           std::sqrt(kLights[from_a[channel]] * tint_a[channel]) - std::sqrt(kLights[from_b[channel]] * tint_b[channel]);
       sum += static_cast<double>(way) * static_cast<double>(way);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packets of what has grown, and what is told beside them.
+// Packets of grown plants, and the messages that accompany them.
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -299,7 +299,7 @@ TEST(StudioSession, ALargePlantShowsADraftFirst) {
 TEST(StudioSession, ShowsNoPlantOfADocumentThatWasLeft) {
   Studio studio;
   studio.ask("view", R"("rest_triangles": 1000, "drag_triangles": 100)");
-  const std::string large = studio.open_large_bush();  // its growth is in hand, or its packets are on their way
+  const std::string large = studio.open_large_bush();  // its growth is running, or its packets are on their way
   const Value opened = studio.ask("open", painted_document());
   const std::size_t before = studio.mailbox().packet_count();
   const std::string hash = Studio::text_of(opened, "hash");

@@ -13,7 +13,7 @@ namespace {
 
 bool is_larger(const Image& image, int size) { return std::max(image.width, image.height) > size; }
 
-/// Whether a material wears a painted texture of more pixels than that.
+/// Returns true if a material has a painted texture with more than `size` pixels along a side.
 bool wears_larger(const Material& material, int size) {
   const Texture* const texture = material.texture.get();
   return texture != nullptr && texture->is_painted() &&
@@ -27,7 +27,7 @@ void SmallTextures::fit(const std::vector<std::vector<Material>*>& lists, int si
   known_.clear();
   size_ = size;
 
-  // What is worn, each texture once: as it was made before, or to be made.
+  // Collects the textures in use, each once: known ones, and new ones that must be made.
   std::vector<Small*> fresh;
   for (const std::vector<Material>* const materials : lists) {
     for (const Material& material : *materials) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Grows the states of a document in a few lanes and draws their pictures in parallel. Each lane has caches of its own;
+// a state returns to its lane, so that it finds its earlier results. Detail is reduced to what few pixels can show.
 #include "still_maker.h"
 
 #include <algorithm>
@@ -26,12 +28,13 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr double kEnoughTriangles = 60'000;  // of one small picture; with half as many an old oak is seen through
-constexpr double kLeastShare = 1e-3;         // of a plant's triangles, that is asked for
+// Triangles of one small picture; with half as many, one can see through an old oak
+constexpr double kEnoughTriangles = 60'000;
+constexpr double kLeastShare = 1e-3;  // minimum share of a plant's triangles that is requested
 constexpr int kSamplesPerPixel = 4;
-constexpr int kTexelsPerPixel = 2;     // along a picture's side, of textures on what is seen as a whole
-constexpr std::size_t kMostLanes = 4;  // of states that grow side by side
-constexpr std::uint64_t kMostStillBytes = 500'000'000;  // bytes of what has grown, that stay between pictures
+constexpr int kTexelsPerPixel = 2;     // along a picture's side, for textures on plants that are seen as a whole
+constexpr std::size_t kMostLanes = 4;  // maximum number of lanes
+constexpr std::uint64_t kMostStillBytes = 500'000'000;  // maximum size of grown plants that are kept between pictures
 
 double triangles_of(const Plant& plant) {
   double triangles = 8 * static_cast<double>(plant.node_count());
@@ -40,7 +43,7 @@ double triangles_of(const Plant& plant) {
   return triangles;
 }
 
-/// How coarse meshes may be. Few different answers, so that a cache is of use.
+/// Returns the detail of the meshes. Only few different details are used, so that caches are useful.
 Detail detail_for(const Plant& plant) {
   const double wanted = kEnoughTriangles / std::max(1.0, triangles_of(plant));
   if (wanted >= 1) return {};
@@ -62,7 +65,7 @@ const Prototype* owner_of(const Graph& graph, const Material& material) {
   return found == graph.components.end() ? nullptr : &*found;
 }
 
-/// Whether both documents ask for one texture, whatever the shape that wears it and its colour.
+/// Returns true if both documents have equal texture recipes, whatever the shape and the colour.
 bool have_one_recipe(const Prototype* one, const Prototype* other) {
   if (one == nullptr || other == nullptr) return false;
   const auto fingerprint_of = [](const Prototype& prototype) {
@@ -72,8 +75,8 @@ bool have_one_recipe(const Prototype* one, const Prototype* other) {
   return fingerprint_of(*one) == fingerprint_of(*other);
 }
 
-/// Has materials that wait for their painting wear what has been painted by the same recipe: on another shape it lies a
-/// little otherwise than it will, which nobody sees in a small picture.
+/// Replaces unpainted textures by pictures that were painted from an equal recipe. On another shape they are slightly
+/// displaced, which is invisible in a small picture.
 void lend_pictures(const GrownWish& painted, const Graph& graph, std::vector<Material>& materials) {
   for (Material& material : materials) {
     if (material.texture == nullptr || material.texture->is_painted()) continue;
@@ -84,13 +87,13 @@ void lend_pictures(const GrownWish& painted, const Graph& graph, std::vector<Mat
   }
 }
 
-/// A power of two, so that pictures of nearly one size share their textures.
+/// Returns the size of textures: a power of two, so that pictures of nearly equal size share their textures.
 int small_texture_size(const StillsRequest& request) {
   const int pixels = kTexelsPerPixel * std::max(request.width, request.height);
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(pixels)));
 }
 
-/// The view from the same side that shows all of a scene.
+/// Returns the view from a side that shows all of a scene.
 View fitted(const View& view, const MeshScene& scene, double aspect) {
   const DVec3 away = DVec3(*view.position) - DVec3(*view.target);
   View fit = view;
@@ -103,7 +106,7 @@ View fitted(const View& view, const MeshScene& scene, double aspect) {
 
 }  // namespace
 
-/// A document with other values, as it has grown; without a scene where it has faults.
+/// A grown document with other values. It has no scene if the document has faults.
 struct StillMaker::State {
   std::optional<Scene> scene{};
   Limits limits{};
@@ -111,7 +114,8 @@ struct StillMaker::State {
   Value faults{};
 };
 
-/// States that grow one after another, beside those of other lanes, and what they leave for the next pictures.
+/// States that grow one after another, in parallel with other lanes, and the results that they leave for the next
+/// pictures.
 struct StillMaker::Lane {
   ReadStore store{};
   GrowthCache plants{};
@@ -152,7 +156,8 @@ std::uint64_t StillMaker::kept_bytes() const {
   return sum;
 }
 
-/// Each state has its lane for as long as their numbers stay, so that it finds what it left there.
+/// Grows all states. A state keeps its lane while the number of states is unchanged, so that it finds its earlier
+/// results.
 std::vector<StillMaker::State> StillMaker::grow(const StillSource& source, const StillsRequest& request,
                                                 const Registry& registry, Progress& progress) {
   std::vector<State> states(request.states.size());
@@ -183,7 +188,7 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
                        Progress& progress) {
   std::vector<State> states = grow(source, request, registry, progress);
 
-  // One camera for all, as far back as shows each of them.
+  // All states share a camera, as far back as necessary to show each of them.
   const double aspect = static_cast<double>(request.width) / request.height;
   View view = view_from(request.camera);
   if (request.fits) {
@@ -193,13 +198,13 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
       all.meshes.insert(all.meshes.end(), meshes.begin(), meshes.end());
     }
     if (all.triangle_count() > 0) view = fitted(view, all, aspect);
-    // No part of a plant that is seen as a whole is larger than the picture; seen from near, parts may be.
+    // If a plant is seen as a whole, no part of it is larger than the picture. Seen from near, parts may be.
     std::vector<std::vector<Material>*> worn;
     for (State& state : states) worn.push_back(&state.grown.meshes.materials);
     textures_.fit(worn, small_texture_size(request), progress);
   }
 
-  // Draw them side by side.
+  // The pictures are drawn in parallel.
   const PictureOptions picture{
       .still = {.width = request.width, .height = request.height, .samples = kSamplesPerPixel, .transparent = true},
       .view = view};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page's document, and the requests with an immediate answer. Requests with a later answer are in session_jobs.cpp.
+// Handles a page's document and the requests with an immediate answer. Requests with a later answer are in
+// session_jobs.cpp.
 #include "studio_session.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ bool is_model(const Host& host, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The tree of a text; null where it is no JSON.
+/// Returns the tree of a text, or null if the text is not JSON.
 Value tree_of(const std::string& text, const Progress* progress = nullptr) {
   try {
     return parse_json(text, {}, progress);
@@ -100,7 +101,7 @@ void StudioSession::receive(std::string_view message) {
     id = request.id;
     std::optional<Answer> done = std::visit([&](const auto& asked) { return act(request.id, asked); }, request.request);
     if (done) answer(request.id, std::move(*done));
-    // Only now, so that no packet of a document comes before the answer that opens it.
+    // Called only now, so that no packet of a document comes before the answer that opens it.
     if (std::exchange(is_opened_, false)) grower_->open({.document = document_, .hash = hash_});
     watch_file();
     return;
@@ -151,8 +152,8 @@ void StudioSession::require_base(const std::string& base) {
   if (base != hash_) throw Refusal("the edit belongs to another text than the server's", {{"stale", true}});
 }
 
-/// Replaces the session by a new one, whose text is not read yet. Takes its arguments by value: they may come from the
-/// session that it destroys.
+/// Replaces the session by a new one, whose text is not read yet. Arguments are passed by value, because they may come
+/// from the session that is destroyed.
 void StudioSession::begin_session(std::string text, std::string file) {
   session_ = std::make_unique<Session>(
       std::move(text), std::move(file), host_.registry,
@@ -161,8 +162,8 @@ void StudioSession::begin_session(std::string text, std::string file) {
   unread_drag_.reset();
 }
 
-/// Reads the text and answers with what it says. If a newer message makes that useless, answers that it was superseded,
-/// and returns false.
+/// Reads the text and adds its facts to the answer. If a newer message makes the reading useless, answers that it was
+/// superseded and returns false.
 bool StudioSession::read_text(double id, MessageKind kind, Answer& answer) {
   const std::size_t members = answer.size();
   try {
@@ -179,20 +180,21 @@ bool StudioSession::read_text(double id, MessageKind kind, Answer& answer) {
   }
 }
 
-/// Reads the text if that was superseded before: the request in hand needs what it says.
+/// Reads the text if an earlier reading was superseded, because the present request needs it.
 void StudioSession::read_now(double id) {
   const Readings::Reading reading(*readings_, id, MessageKind::other);
   session().read(&reading.progress());
 }
 
-/// Has what the text says shown, where it is good.
+/// Shows the document of the text if it has no errors.
 void StudioSession::show(bool at_once) {
   if (!session().is_good()) return;
   document_ = session().shared_document();
   grower_->want({.document = document_, .hash = hash_, .is_dragged = !session().overrides().empty()}, at_once);
 }
 
-/// Tells the page from now on who else has its file open. Called after the answer that tells the page its file.
+/// Watches which other pages have the file open, and reports them to the page. Called after the answer with the file's
+/// path.
 void StudioSession::watch_file() {
   if (watched_ == path_) return;
   watched_ = path_;
@@ -200,7 +202,7 @@ void StudioSession::watch_file() {
   if (watch_) watch_->begin();
 }
 
-/// What answers say of a text that was read; `name` is that of its file in messages.
+/// Adds the facts of a text that was read to an answer. `name` is the name of the file in messages.
 void StudioSession::add_reading(Answer& answer, const Session& read, const std::string& name,
                                 const Progress& progress) const {
   answer.emplace_back("good", read.is_good());
@@ -240,7 +242,7 @@ StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
   return opened;
 }
 
-/// Takes over the values of a drag whose reading was stopped for a request that was then refused.
+/// Applies the values of a drag whose reading was stopped by a request that was then refused.
 void StudioSession::take_unread_drag() {
   if (!unread_drag_) return;
   try {
@@ -249,7 +251,7 @@ void StudioSession::take_unread_drag() {
     unread_drag_.reset();
     show(session().overrides().empty());
   } catch (const std::exception&) {
-    // Stopped again: the newer message brings other values, or takes these over.
+    // Stopped again: the newer message either has other values or applies these.
   }
 }
 
@@ -260,7 +262,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const OpenReq
       SessionOptions{.root = found.root, .models = host_.models_folder, .most_undone = 0, .reads_at_once = false});
   Answer said;
   {
-    // If it is cancelled, the document before stays.
+    // If this is cancelled, the previous document stays.
     const Readings::Reading reading(*readings_, id, MessageKind::open);
     next->read(&reading.progress());
     add_reading(said, *next, found.path.value_or(found.name), reading.progress());
@@ -419,7 +421,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SaveReq
   title_ = fs::path(request.path).filename().string();
   Answer answer{{"path", request.path}, {"name", title_}, {"saved", hash}};
   if (!is_elsewhere) return answer;
-  // The files that it names are sought beside its new place.
+  // Files that the document names are now searched relative to its new folder.
   if (session().document() != nullptr) {
     const std::string folder = fs::path(request.path).parent_path().generic_string();
     const NamedFileCopies copies = copy_named_files(*session().document(), root_, host_.root, folder);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Counts UTF-16 code units in UTF-8 texts. All positions are converted in one pass over the text, in sorted order; a
+// character beyond U+FFFF counts as two units.
 #include "text_units.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ namespace {
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
-/// Bytes of the character at `at`; bytes that begin none count as one.
+/// Returns the number of bytes of the character at `at`. A byte that begins no character counts as one.
 std::size_t character_size(std::string_view text, std::size_t at) {
   std::size_t size = 1;
   while (size < 4 && at + size < text.size() && continues(text[at + size])) ++size;
@@ -29,7 +31,7 @@ std::uint32_t code_point(std::string_view character) {
   return code;
 }
 
-/// Walks over a text and knows where it is in bytes and in units.
+/// Walks over a text and counts bytes and units.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}
@@ -91,7 +93,7 @@ std::vector<std::size_t> units_of(std::string_view text, const std::vector<LineC
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
-  constexpr std::string_view kMark = "\xef\xbb\xbf";  // a byte order mark is in no column
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // a byte order mark belongs to no column
   Walk walk(text);
   if (text.substr(0, kMark.size()) == kMark) walk.step();
   std::vector<std::size_t> units(places.size());

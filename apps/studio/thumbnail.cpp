@@ -16,7 +16,7 @@ namespace meristem::studio {
 
 namespace {
 
-/// What each byte of a picture stands for, 0 to 1.
+/// Returns the value of each byte of a picture, 0 to 1.
 std::array<float, 256> meanings(PixelKind kind) {
   std::array<float, 256> meanings{};
   for (std::size_t k = 0; k < meanings.size(); ++k) {
@@ -26,7 +26,7 @@ std::array<float, 256> meanings(PixelKind kind) {
   return meanings;
 }
 
-/// The sums of a block of pixels: red, green and blue as far as alpha says, and alpha.
+/// Returns the sums of a block of pixels: red, green and blue, weighted by alpha, and alpha.
 Vec4 sum_of(const Image& image, const std::array<float, 256>& meaning, int left, int top, int right, int bottom) {
   Vec4 sum(0);
   for (int y = top; y < bottom; ++y) {
@@ -55,7 +55,7 @@ Image shrunk(const Image& image, int size, PixelKind kind) {
     for (int x = 0; x < small.width; ++x) {
       const int left = edge(x, image.width, small.width);
       const int right = std::max(left + 1, edge(x + 1, image.width, small.width));
-      // Colours count as far as their alpha says, so that what is masked does not show at the edges.
+      // Colours are weighted by alpha, so that masked pixels do not show at the edges.
       const Vec4 sum = sum_of(image, meaning, left, top, right, bottom);
       const Vec3 mean = sum.w > 0 ? Vec3(sum) / sum.w : Vec3(0);
       const Vec3 shown = kind == PixelKind::srgb ? srgb_from_linear(mean) : mean;

@@ -38,7 +38,7 @@ void Worker::run() {
     jobs_.erase(jobs_.begin());
     lock.unlock();
     job();
-    job = nullptr;  // what it holds goes before the next is looked at
+    job = nullptr;  // the job's data is destroyed before the next job is examined
     lock.lock();
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 Value count_or_null(int number) { return number > 0 ? Value(number) : Value(); }
 
-/// `unit` is the place of the fault in the text; unset: not known.
+/// `unit` is the position of the fault in the text. Unset: unknown.
 Value fault_value(const Diagnostic& found, std::optional<std::size_t> unit, const std::string& file) {
   Diagnostic fault = visible(found);
   if (!file.empty() && fault.line > 0) fault.file = file;

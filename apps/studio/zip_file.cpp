@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Based on: PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7 (local header), 4.3.12 (directory), 4.3.16 (its end); method 0,
-// stored. What is left out: sizes of 64 bits, folders, times (all files are of 1980-01-01).
+// stored. Not supported: sizes of 64 bits, folders, and times (all files are dated 1980-01-01).
 #include "zip_file.h"
 
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::uint16_t kVersion = 10;      // 1.0, the least that reads stored files
-constexpr std::uint16_t kUtf8 = 1U << 11U;  // of names
+constexpr std::uint16_t kVersion = 10;      // 1.0, the lowest version that reads stored files
+constexpr std::uint16_t kUtf8 = 1U << 11U;  // encoding of names
 constexpr std::uint16_t kFirstDay = 0x21;   // 1980-01-01
 constexpr std::size_t kBlock = 1U << 18U;   // bytes read at a time
 constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -30,7 +30,7 @@ struct Entry {
   std::string name;
   std::uint32_t checksum = 0;
   std::uint32_t size = 0;
-  std::uint32_t at = 0;  // of its local header
+  std::uint32_t at = 0;  // position of its local header
 };
 
 std::uint32_t small_size(std::uint64_t size) {
@@ -38,7 +38,7 @@ std::uint32_t small_size(std::uint64_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-/// Calls `take` with the file's bytes, block by block; the sum of their sizes.
+/// Calls `take` with the file's bytes, block by block. Returns the sum of their sizes.
 template <class Take>
 std::uint64_t read_blocks(const std::string& path, const Progress& progress, Take take) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
@@ -54,7 +54,7 @@ std::uint64_t read_blocks(const std::string& path, const Progress& progress, Tak
   return size;
 }
 
-/// Numbers, little-endian.
+/// A sequence of little-endian numbers.
 class Record {
  public:
   Record& two(std::uint16_t number) { return add(number, 2); }
@@ -73,7 +73,7 @@ class Record {
   std::string bytes_;
 };
 
-/// What the local header and the directory say alike.
+/// Adds the facts that the local header and the directory have in common.
 void add_facts(const Entry& entry, Record& record) {
   record.two(kVersion).two(kUtf8).two(0).two(0).two(kFirstDay);
   record.four(entry.checksum).four(entry.size).four(entry.size);

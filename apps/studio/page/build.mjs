@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the page into a folder that the program embeds: node build.mjs OUT [--check]. Says how large it is compressed,
-// and fails where that is past what the page may weigh. node build.mjs --tests OUT builds the tests of its units.
+// Builds the page into a folder that the program embeds: node build.mjs OUT [--check]. Prints its compressed size, and
+// fails if this exceeds the limit of the page. node build.mjs --tests OUT builds the unit tests.
 import { build } from 'esbuild';
 import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -14,8 +14,8 @@ const kMostBytes = 500_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const common = { bundle: true, target: 'es2022', logLevel: 'warning', absWorkingDir: here, jsx: 'automatic' };
 
-/// What new components begin with that would have faults without anything, by type: the components of the palette's
-/// documents that say so.
+/// First values of new components that would otherwise have faults, by type: the components of those documents of the
+/// palette that contain such values.
 async function starters() {
   const folder = path.join(here, '../parts');
   const made = {};

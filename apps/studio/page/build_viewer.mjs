@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the view by itself: node build_viewer.mjs FILE writes a page's template, whose {{title}}, {{look}} and {{packet}}
-// whoever writes a page puts in: text, "AZIMUTH ALTITUDE" in degrees or nothing, and a scene packet (gzip, base64).
+// Builds the page of the view alone. `node build_viewer.mjs FILE` writes a template with {{title}}, {{look}} and
+// {{packet}}. Programs that write pages replace these: by a text, by "AZIMUTH ALTITUDE" in degrees or nothing, and by a
+// scene packet (gzip, base64).
 import { build } from 'esbuild';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';

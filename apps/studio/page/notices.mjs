@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has to be said of the packages that stand in a bundle.
+// The licence notices of the packages in a bundle.
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 
-/// The packages that stand in a bundle, by the paths of what went into it.
+/// Returns the packages in a bundle, found by the paths of its inputs.
 function packages_in(inputs) {
   const found = Object.keys(inputs).map((file) => /.*node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
   return [...new Set(found.filter(Boolean))].sort();

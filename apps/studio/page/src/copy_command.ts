@@ -8,7 +8,7 @@ export interface ExportWish {
   options: ExportOptions;
 }
 
-/// Copies the line that does the same in a terminal.
+/// Copies the command line that exports the same files in a terminal.
 export async function copy_command(studio: Studio, wish: ExportWish): Promise<void> {
   try {
     const { command } = await studio.connection.request<{ command: string }>('command', wish);

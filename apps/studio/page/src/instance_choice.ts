@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which instance of the chosen component was clicked at, and instances that are clicked one after another.
+// The clicked instance of the chosen component, and instances that are selected by clicks.
 import { Newest } from './base/newest.ts';
 import { Store } from './base/store.ts';
 import { path_below } from './document/path.ts';
@@ -10,7 +10,7 @@ import type { Studio } from './studio.ts';
 import { scene_path } from './view/seen_name.ts';
 import type { SeenInstance } from './view/view.ts';
 
-/// Instances that are to be left out, or to be the only ones.
+/// Instances that are selected to be left out, or to be the only ones.
 export interface Selecting {
   component: string;
   row: 'omit' | 'only';
@@ -18,8 +18,8 @@ export interface Selecting {
 }
 
 export class InstanceChoice {
-  readonly seen = new Store<SeenInstance | null>(null); // where it is seen
-  readonly found = new Store<FoundInstance | null>(null); // once it is known
+  readonly seen = new Store<SeenInstance | null>(null); // the visible part that was clicked
+  readonly found = new Store<FoundInstance | null>(null); // its instance, once the server has found it
   readonly selecting = new Store<Selecting | null>(null);
 
   private readonly again_ = new LatestSender(() => this.ask_again());
@@ -30,12 +30,12 @@ export class InstanceChoice {
     studio_.growth.subscribe(() => this.hear(studio_.growth.get().grown));
   }
 
-  /// The shoot that was clicked at, where operations could act on it.
+  /// Returns the clicked shoot if operations could act on it.
   static shoot_of(found: FoundInstance | null): FoundShoot | null {
     return found && found.shoot !== null && found.iteration !== null && found.course ? (found as FoundShoot) : null;
   }
 
-  /// Something else has been chosen; answers that are awaited count no more.
+  /// Forgets the instance because something else was chosen. Open answers are ignored.
   forget(): void {
     this.newest_.drop();
     this.again_.drop();
@@ -43,7 +43,7 @@ export class InstanceChoice {
     this.found.set(null);
   }
 
-  /// Chooses the component of an instance that was clicked at, and asks which one it is.
+  /// Chooses the component of a clicked instance, and asks the server for the instance.
   choose(seen: SeenInstance | null): void {
     if (seen === null || this.selecting.get()?.component !== seen.component) {
       this.selecting.set(null);
@@ -61,8 +61,8 @@ export class InstanceChoice {
       .catch(() => undefined);
   }
 
-  /// Takes hold of a shoot by its name, of the one beside it, or of the first of the component. Gives whether there is
-  /// one; null where something else has been chosen meanwhile.
+  /// Chooses a shoot by its name, a neighbour of it, or the first shoot of the component. Returns true if there is such
+  /// a shoot, and null if something else has been chosen meanwhile.
   async hold(component: string, of: ShootName | null, way: ShootWay | null = null): Promise<boolean | null> {
     const counts = this.newest_.begin();
     const shoot = await this.ask_shoot(component, of, way);
@@ -87,28 +87,28 @@ export class InstanceChoice {
     return instance;
   }
 
-  /// A shoot of an earlier growth is asked for again, since its course and its year may be others; drags pass.
+  /// Requests the shoot again after a growth, since its course and its year may have changed. Drags are ignored.
   private hear(grown: Grown | null): void {
     if (grown === this.heard_) return;
     this.heard_ = grown;
     if (grown && !grown.dragged && InstanceChoice.shoot_of(this.found.get())) this.again_.ask();
   }
 
-  /// The shoot is let go where none is called so any more.
+  /// Forgets the shoot if its name no longer exists.
   private async ask_again(): Promise<void> {
     const shoot = InstanceChoice.shoot_of(this.found.get());
     if (!shoot) return;
     const counts = this.newest_.begin();
     const now = await this.ask_shoot(shoot.component, shoot);
     if (!counts()) return;
-    if (this.found.get() !== shoot) this.again_.ask(); // the place on it has moved meanwhile
+    if (this.found.get() !== shoot) this.again_.ask(); // the position on the shoot has moved meanwhile
     else if (now && now.key === shoot.key) this.found.set(now);
     else this.forget();
   }
 
   private take(instance: FoundInstance | null): void {
     this.found.set(instance);
-    // The tool draws over the shoot, and not over all that is one with it.
+    // The tool draws over the shoot only, and not over the whole instance.
     if (InstanceChoice.shoot_of(instance)) this.studio_.view?.unmark();
     const now = this.selecting.get();
     if (now && now.component === instance?.component) this.selecting.set({ ...now, numbers: toggled(now.numbers, instance.i) });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps unsaved work 300 ms after each edit, and offers it again after a reload, a crash or the loss of the server. Each
-// tab keeps its own; the work of a tab that is closed or has lost its server is offered to other tabs.
+// Keeps unsaved work 300 ms after each edit, and offers it again after a reload, a crash or the loss of the server.
+// Each tab keeps its own work. The work of a tab that was closed or has lost its server is offered to other tabs.
 import { of_this_page, remember_for_this_page } from './base/preferences.ts';
 import { living_tabs } from './base/tab.ts';
 import type { KeptWork } from './recovery.ts';
@@ -28,7 +28,8 @@ export class Keeper {
     window.addEventListener('pagehide', () => void this.flush());
   }
 
-  /// What a page may begin with, the best first: after a reload what it had open, else what the server was started with.
+  /// Returns the documents that a page may begin with, the best first: the open document of before a reload, else the
+  /// document with which the server was started.
   async first_documents(hello: Hello): Promise<OpenWish[]> {
     const last = of_this_page();
     const wishes: OpenWish[] = [];
@@ -42,8 +43,8 @@ export class Keeper {
     return [...wishes, { model: hello.model ?? 'oak' }, { model: 'oak' }];
   }
 
-  /// Offers kept work of the document that was opened, where it says something else; on the page's first document also
-  /// what was left of another one.
+  /// Offers kept work on the opened document if its text differs. On the page's first document, also offers work on
+  /// other documents.
   async offer(opened: Opened): Promise<void> {
     const key = this.key_of(opened.path, opened.model);
     this.remember();
@@ -64,17 +65,17 @@ export class Keeper {
     await forget(work.slot);
   }
 
-  /// Moves work that is offered out of the slot that the next edit overwrites, to a slot of its own.
+  /// Moves offered work from the slot that the next edit overwrites to a slot of its own.
   private async moved(work: KeptWork, own: string): Promise<KeptWork> {
     if (work.slot !== own) return work;
     const moved = { ...work, slot: `${own} ${work.at}` };
     await keep(moved);
     await forget(own);
-    this.note_link(); // keeps what was typed meanwhile
+    this.note_link(); // keeps text that was typed meanwhile
     return moved;
   }
 
-  /// Opens the document of kept work, which is then offered with what differs.
+  /// Opens the document of kept work, which is then offered if its text differs.
   async open_other(work: KeptWork): Promise<void> {
     this.studio_.shell.merge({ kept: null });
     if (work.model !== null) await this.studio_.open({ model: work.model });
@@ -82,7 +83,7 @@ export class Keeper {
     else if (await this.studio_.open({ text: work.text, path: null })) await this.restore(work);
   }
 
-  /// What it was kept as goes only once this tab keeps it.
+  /// Restores kept work. The old record is removed only when this tab has kept the work.
   async restore(work: KeptWork): Promise<void> {
     this.studio_.shell.merge({ kept: null });
     await this.studio_.document.idle();
@@ -97,20 +98,21 @@ export class Keeper {
     await forget(work.slot);
   }
 
-  /// Keeps now what waits for its pause, as before another document is opened or the page goes.
+  /// Keeps waiting work now, for example before another document is opened or the page closes.
   async flush(): Promise<void> {
     if (this.timer_ === 0) return;
     await this.store();
   }
 
-  /// Saved, perhaps under a new name: what was kept before it is done with. What was typed meanwhile is kept.
+  /// Called after saving, possibly under a new name. Removes the work kept before, and keeps text that was typed
+  /// meanwhile.
   async take_saved(slot_before: string): Promise<void> {
     this.remember();
     await forget(slot_before);
     await this.store();
   }
 
-  /// The server is gone: another tab may take the work over. Called again for each attempt to connect that fails.
+  /// The server is lost, so another tab may take the work over. Called again after each failed attempt to connect.
   note_lost(): void {
     const { server, shell } = this.studio_;
     if (server.get().link === 'lost') return;
@@ -119,7 +121,7 @@ export class Keeper {
     this.note_link();
   }
 
-  /// Keeps whether the server is there, with the work.
+  /// Keeps with the work whether the server is there.
   note_link(): void {
     const { hash, base, waiting } = this.studio_.document.state.get();
     if (hash !== base || waiting.length > 0) void this.store();
@@ -134,7 +136,7 @@ export class Keeper {
     return work_key(path, model, this.studio_.server.get().hello?.root_key ?? '');
   }
 
-  /// What a reload opens.
+  /// Remembers the document that a reload must open.
   private remember(): void {
     const { path, model } = this.studio_.document.state.get();
     remember_for_this_page(path !== null ? kFile + path : model !== null ? kModel + model : kNew);

@@ -13,7 +13,7 @@ import type { Tables } from './tables/tables.ts';
 
 declare global {
   interface Window {
-    studio?: Studio; // for tests and the curious
+    studio?: Studio; // for tests and for experiments in the console
   }
 }
 

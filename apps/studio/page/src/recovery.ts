@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unsaved work, kept in the browser: text, the hash it was opened with, the undo list, and edits that no server has made
-// yet. One record for each document of each tab.
+// Unsaved work in the browser: text, the hash with which it was opened, the undo list, and edits that no server has
+// made yet. Each document of each tab has one record.
 import type { WaitingEdits } from './document/document_state.ts';
 import type { UndoState } from './document/undo_list.ts';
 
 export interface KeptWork {
   slot: string;
   tab: string;
-  key: string; // of the document
+  key: string; // key of the document
   name: string;
   path: string | null;
   model: string | null;
@@ -15,7 +15,7 @@ export interface KeptWork {
   base: string;
   undo: UndoState;
   waiting: WaitingEdits[];
-  is_lost: boolean; // its tab has no server, so that another tab may take the work over
+  is_lost: boolean; // true: its tab has no server, so another tab may take the work over
   at: number; // ms since 1970
 }
 
@@ -52,7 +52,7 @@ async function run<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => 
   }
 }
 
-/// The name of a document in the browser; `root` tells one served folder from another.
+/// Returns the key of a document in the browser. `root` distinguishes served folders.
 export function work_key(path: string | null, model: string | null, root: string): string {
   return path !== null ? `file:${root}:${path}` : model !== null ? `model:${model}` : 'new';
 }
@@ -61,7 +61,7 @@ export function slot_of(tab: string, key: string): string {
   return `${tab} ${key}`;
 }
 
-/// A browser that keeps nothing, as in a private window, is no fault: work goes on without.
+/// A browser that stores nothing, for example in a private window, causes no fault: work continues without.
 export async function keep(work: KeptWork): Promise<void> {
   await run('readwrite', (store) => store.put(work)).catch(() => undefined);
 }
@@ -70,7 +70,7 @@ export async function forget(slot: string): Promise<void> {
   await run('readwrite', (store) => store.delete(slot)).catch(() => undefined);
 }
 
-/// The newest first.
+/// Returns the kept work, the newest first.
 export async function kept_work(): Promise<KeptWork[]> {
   const all = await run('readonly', (store) => store.getAll() as IDBRequest<KeptWork[]>).catch(() => []);
   return all.sort((a, b) => b.at - a.at);

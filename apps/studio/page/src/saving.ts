@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saves the open document into a file of the server's folder.
+// Saves the open document to a file of the server's folder.
 import type { Saved } from './server/file_protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { Studio } from './studio.ts';
 
-/// Returns whether it was saved; says why not, or asks whether the file of somebody else may go.
+/// Returns true if the document was saved. Otherwise reports the reason, or asks whether to replace somebody else's
+/// changes.
 export async function save_document(studio: Studio, path: string, over: boolean): Promise<boolean> {
   await studio.document.idle();
   const slot = studio.keeper.slot();
@@ -21,7 +22,7 @@ export async function save_document(studio: Studio, path: string, over: boolean)
   }
 }
 
-/// Saves the page's text and no other: a server that holds another one is told it first.
+/// Saves exactly the page's text. A server with another text first gets the page's.
 async function ask_save({ document, connection }: Studio, path: string, over: boolean): Promise<Saved> {
   for (let tries = 0; ; tries += 1) {
     const { path: known, saved, hash } = document.state.get();
@@ -41,7 +42,7 @@ function tell_saved(studio: Studio, { path, copied = [], omitted = [] }: Saved):
   if (omitted.length > 0) studio.tell(`Not copied to the new place: ${listed(omitted.map(({ file, reason }) => `${file} (${reason})`))}`, true);
 }
 
-/// The first of some names.
+/// Returns the first of some names as text.
 export function listed(names: readonly string[]): string {
   const more = names.length - kMostNamed;
   return `${names.slice(0, kMostNamed).join(', ')}${more > 0 ? `, and ${more} more` : ''}`;

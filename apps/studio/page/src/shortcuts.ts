@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys that act wherever the keyboard is, and the list of all keys.
+// Keys that act on the whole page, and the list of all keys.
 import { prefer } from './base/preferences.ts';
 import type { Studio } from './studio.ts';
 
@@ -162,7 +162,7 @@ function is_typed_into(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && (target.isContentEditable || target.matches('input:not([type=range]):not([type=color]), textarea, select'));
 }
 
-/// Undo and redo are the field's own while something is typed that is not taken over yet.
+/// Undo and redo belong to the field while its typed text is not applied yet.
 function belongs_to_field(event: KeyboardEvent): boolean {
   return /^[zy]$/i.test(event.key) && event.target instanceof HTMLElement && event.target.matches('[data-typed]');
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's one model: the connection, the open document, growth and view, and what panels do with them.
+// The page's central model: the connection, the open document, growth and view, and the actions of panels on them.
 import { prefer } from './base/preferences.ts';
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
@@ -26,15 +26,16 @@ export class Studio {
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
   readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null });
-  readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
-  readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
+  readonly view_facts = new Store<ViewFacts | null>(null); // facts about the last picture
+  // The part under the resting pointer
+  readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null);
   readonly instance = new InstanceChoice(this);
   readonly board = new Board(this);
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
   readonly locks = new Store<ReadonlySet<string>>(new Set());
-  /// Values of the variables as the document was opened, to which handles are reset.
+  /// Values of the variables when the document was opened, to which handles are reset.
   readonly first_values = new Store<Record<string, Json>>({});
   readonly bench = new Workbench(this);
   readonly document: DocumentModel;
@@ -42,12 +43,12 @@ export class Studio {
   readonly keeper: Keeper;
   view: View | null = null;
   private readonly drags_ = new LatestSender(() => this.connection.request('drag', { values: this.dragged.get() }));
-  private keeps_camera_ = false; // the next packet is the first of a connection, and not of a document
+  private keeps_camera_ = false; // true: the next packet is the first of a connection, but not of a document
 
   constructor(
     readonly tables: Tables,
-    readonly address: string, // of the server's socket
-    tab: string, // this one's name
+    readonly address: string, // address of the server's socket
+    tab: string, // name of this tab
   ) {
     this.shell = new Store(first_shell());
     this.connection = new Connection(address, {
@@ -97,9 +98,9 @@ export class Studio {
 
   /// Changes the document as one step of the undo list.
   async edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
-    // Until the text says them, fields show the values that are meant.
+    // Fields show the new values until the text has them.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
-    this.drags_.drop(); // the edit ends the drag at the server, too
+    this.drags_.drop(); // the edit also ends the drag on the server
     this.dragged.set(meant);
     const faults = await this.document.edit(edits, label, wish);
     if (this.dragged.get() === meant) this.dragged.set({});
@@ -111,13 +112,13 @@ export class Studio {
     void this.edit([{ set: path, value }], label);
   }
 
-  /// Grows with other values for a while; the text stays. While an answer is awaited, only the newest values are kept.
+  /// Grows with other values temporarily. The text stays. While an answer is open, only the newest values are kept.
   drag(values: Record<string, Json>): void {
     this.dragged.set(values);
     this.drags_.ask();
   }
 
-  /// The document's values again.
+  /// Restores the document's values.
   stop_drag(): void {
     if (Object.keys(this.dragged.get()).length > 0) this.drag({});
   }
@@ -130,14 +131,14 @@ export class Studio {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  /// Whether it could be opened; says why not.
+  /// Opens a document. Returns false and reports the reason if this fails.
   async open(wish: OpenWish): Promise<boolean> {
     const fault = await this.try_open(wish);
     if (fault !== null) this.tell(fault, true);
     return fault === null;
   }
 
-  /// Returns why it could not be opened, or null.
+  /// Opens a document. Returns the reason if this fails, else null.
   async try_open(wish: OpenWish): Promise<string | null> {
     await this.document.idle();
     await this.keeper.flush();
@@ -146,7 +147,7 @@ export class Studio {
     const time = this.bench.time.leave();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
-      void this.keeper.flush(); // keeps what was typed while it was opened; no await, because packets follow
+      void this.keeper.flush(); // keeps text that was typed meanwhile; not awaited, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
       if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
@@ -160,7 +161,7 @@ export class Studio {
     }
   }
 
-  /// Whether it was saved.
+  /// Saves the document. Returns true on success.
   save(path: string, over = false): Promise<boolean> {
     return save_document(this, path, over);
   }
@@ -170,7 +171,7 @@ export class Studio {
     this.shell.merge({ theme });
   }
 
-  /// Goes on with the growth that reached its time limit.
+  /// Continues the growth that reached its time limit.
   continue_growth(): void {
     this.growth.merge({ failed: null });
     this.connection.tell('continue');
@@ -182,7 +183,7 @@ export class Studio {
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    // The server knows no variables of a text with faults: their values are those of the text.
+    // The server computes no variables of a text with faults. Their values are then read from the text.
     this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();
@@ -205,7 +206,7 @@ export class Studio {
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
   }
 
-  /// There, or there again: then the server is told what the page has.
+  /// Called when the server is connected, first or again. Sends the page's state to the server.
   private async greet(hello: Hello): Promise<void> {
     const is_first = this.server.get().hello === null;
     this.server.set({ link: 'open', hello });
@@ -239,7 +240,7 @@ export class Studio {
     this.view?.apply(packet);
     this.growth.merge({ shown: { draft: draft ?? false, share: share ?? 1, triangles, instances, of, hash } });
     this.refresh_view();
-    // The next packet comes when this one can be seen.
+    // The next packet comes when this one is visible.
     const seen = this.view ? this.view.drawn() : new Promise(requestAnimationFrame);
     void seen.then(() => this.connection.tell('shown', { packet: packet.head.packet }));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows besides the document.
+// The state of the page, except the document.
 import { preference } from './base/preferences.ts';
 import type { Fault, Grown, Hello, Working } from './server/protocol.ts';
 import type { PacketHead } from './server/packet.ts';
@@ -16,7 +16,7 @@ export interface GrowthState {
 
 export const kNoGrowth: GrowthState = { grown: null, shown: null, working: null, failed: null, is_paused: false };
 
-/// What is not known until full detail is made, or of a drag, stays what it was.
+/// Facts that are unknown before full detail is made, or during a drag, keep their previous values.
 export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
   const before = growth.grown;
   const counts = {
@@ -26,10 +26,10 @@ export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
   };
   return { ...growth, grown: { ...grown, ...counts }, failed: null };
 }
-/// Jobs that panels wait for themselves.
+/// Jobs whose progress panels show themselves.
 const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture', 'question']);
 
-/// Work of another kind may go on while this one is over.
+/// Other work may continue when this work ends.
 export function with_work(growth: GrowthState, news: Working): GrowthState {
   if (kBeside.has(news.job)) return growth;
   if (news.stage !== null) return { ...growth, working: news };
@@ -43,11 +43,11 @@ export interface ServerState {
 
 export interface ViewState {
   drawing: Drawing;
-  hidden: ReadonlySet<string>; // components that are not drawn
+  hidden: ReadonlySet<string>; // hidden components
   shows_ground: boolean;
-  shows_grips: boolean; // of what is chosen
-  is_sunlit: boolean; // by the document's sun
-  solo: string | null; // the component that is drawn alone, with all that stands on it
+  shows_grips: boolean; // whether grips of the chosen part are shown
+  is_sunlit: boolean; // true: lit by the document's sun
+  solo: string | null; // the component that is drawn alone with its descendants
 }
 
 export type Theme = 'system' | 'light' | 'dark';
@@ -61,13 +61,14 @@ export interface ShellState {
   theme: Theme;
   is_dark: boolean;
   shows_hints: boolean;
-  /// Unsaved work that is offered again, and the text that was opened; null where it is of another document.
+  /// Unsaved work that is offered again, and the text that was opened. `before` is null if the work is of another
+  /// document.
   kept: { work: KeptWork; before: string | null } | null;
   conflict: { path: string } | null; // a file that someone else has changed
   elsewhere: { path: string; count: number } | null; // the file is open in other tabs or programs
 }
 
-/// Returns the state of a new page, with what its user preferred last.
+/// Returns the state of a new page, with the user's last settings.
 export function first_shell(): ShellState {
   return {
     dialog: null,

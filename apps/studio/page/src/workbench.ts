@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is laid out beside the document while somebody works on it: an editor that is had large, a strip of plants,
-// pinned states, a derivation, a growth.
+// Tools that are open beside the document: a large editor, a strip of plants, pinned states, a derivation, a growth.
 import { Store } from './base/store.ts';
 import { CrownCloud } from './crown/crown_cloud.ts';
 import { PinList } from './find/pins.ts';
@@ -15,7 +14,7 @@ import { TimeModel } from './time/time_model.ts';
 import { Gizmo } from './view/gizmo/gizmo.ts';
 
 export class Workbench {
-  readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
+  readonly enlarged = new Store<string | null>(null); // path of the row with the large editor
   readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
   readonly pins = new PinList();
   readonly derivation: DerivationModel;
@@ -43,7 +42,7 @@ export class Workbench {
     this.growth_look = new GrowthLook(studio);
   }
 
-  /// Another document is opened.
+  /// Resets the tools for another document.
   clear(): void {
     this.enlarged.set(null);
     this.strip.set(null);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The p-graph in the page: recursions, levels, order, and the edits that the board makes of a hand's moves.
+// The p-graph in the page: recursions, levels, order, and the edits of actions on the board.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

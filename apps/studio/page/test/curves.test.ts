@@ -28,8 +28,8 @@ test('curves: written back with what else they say', () => {
 test('curves: the natural spline runs through its points, and is a line where they stand on one', () => {
   const line = line_of(kCurve, 10);
   for (const point of kCurve.points) assert.ok(line.some(([x, y]) => Math.abs(x - point[0]) < 1e-12 && Math.abs(y - point[1]) < 1e-12));
-  // For three points the middle's second derivative m is known: (y2 - 2 y1 + y0) 3 / (2 h h); a quarter along the value
-  // is (y0 3 + y1) / 4 + ((1/4)^3 - 1/4) m h h / 6 of its piece.
+  // For three points the second derivative m at the middle is known: (y2 - 2 y1 + y0) 3 / (2 h h). At a quarter of the
+  // way, in the first piece, the value is (y0 3 + y1) / 4 + ((1/4)^3 - 1/4) m h h / 6.
   const bend = ((0 - 1.6 + 1) * 3) / (2 * 0.25);
   const quarter = line_of(kCurve, 4)[1];
   assert.ok(Math.abs((quarter?.[1] ?? 0) - (0.75 * 1 + 0.25 * 0.8 + ((0.25 ** 3 - 0.25) * bend * 0.25) / 6)) < 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The open document: what becomes of edits when another document is opened.
+// Edits of the open document when another document is opened.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -21,7 +21,7 @@ test('an edit that another document overtakes is dropped, whether it is on its w
   const edits = ['a', 'b'].map((path) => document.edit([{ set: path, value: 2 }], 'Set'));
   document.take_opened(opened('{"c": 1}'));
   answers[0]?.({ ...opened('{"a": 2}'), patch: [], inverse: [] });
-  // Who asked for an edit learns that it was not made, and so chooses nothing in the other document.
+  // The callers learn that their edits were not made, and choose nothing in the other document.
   assert.deepEqual(await Promise.all(edits), [kDropped, kDropped]);
   assert.equal(document.state.get().text, '{"c": 1}');
   assert.equal(answers.length, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What editors make of hands: where points are drawn to, colours, places in space, selections.
+// Editors: snapping of points, colours, positions in space, selections.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -57,14 +57,14 @@ test('profiles: a spline of radius over height, whose points stay in order', () 
   assert.ok(line.every(([radius]) => radius >= 0));
   const frame = frame_of(profile);
   assert.ok(Math.abs(frame.x.low + frame.x.high) < 1e-9, 'both sides are shown');
-  // Neither beyond its neighbours nor to the other side.
+  // The point passes neither its neighbours nor the axis.
   const [radius, height] = with_point_at(profile, 1, [-4, 9], frame, 0.01).points[1] ?? [1, 0];
   assert.ok(radius === 0 && height > 2.9 && height < 3);
   assert.deepEqual(with_point(profile, [0.5, 2.5], 0.01)?.index, 2);
   assert.equal(with_point(profile, [0.5, 2], 0.01), null);
   const between = with_point_after(profile, 0, 0.01)?.shape.points[1] ?? [0, 0];
   assert.ok(between[0] > 0.6 && between[1] === 1.5, 'on the spline, which swings out');
-  // What is written wrong is shown as it is.
+  // A wrong shape is drawn as it is.
   assert.deepEqual(line_of({ ...profile, points: [[0, 2], [1, 2]] }), [[0, 2], [1, 2]]);
 });
 

@@ -91,7 +91,7 @@ test('the view looks with the field of view of the document’s camera', () => {
   const other = new Orbit();
   assert.ok(other.follow(orbit));
   assert.equal(other.camera.fov, 60);
-  // A bookmark of before has none; so has what is said by angles where the camera says none.
+  // Old bookmarks have no field of view. A camera of the document by angles may have none either.
   orbit.look({ azimuth: 0, altitude: 0, distance: 4, target: [0, 1, 0] });
   assert.equal(orbit.camera.fov, kFieldOfView);
 });

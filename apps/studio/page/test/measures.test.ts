@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When measures are asked for, and what is cancelled.
+// Requests for measures, and their cancellation.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -14,7 +14,7 @@ interface Asked {
   refuse: (fault: Error) => void;
 }
 
-/// A model on a studio that answers nothing by itself.
+/// Returns a model with a studio that answers only when the test tells it to.
 function asking(): { model: MeasureModel; asked: Asked[]; grow: (hash: string) => void; wait: () => void } {
   let due: (() => void) | null = null;
   Object.assign(globalThis, { window: { setTimeout: (act: () => void) => ((due = act), 1) } });

@@ -11,7 +11,7 @@ const square = new Solid(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 
 const at = (x: number, y: number, z: number, size = 1): number[] => [size, 0, 0, x, 0, size, 0, y, 0, 0, size, z];
 const down = (x: number, y: number): Ray => ({ from: [x, y, 10], along: [0, 0, -1], nearest: 0.1, farthest: 1000 });
 
-/// Numbers from 0 to 1 that are the same in every run.
+/// Returns numbers from 0 to 1 that are equal in every run.
 function chance(): () => number {
   let state = 7;
   return () => {

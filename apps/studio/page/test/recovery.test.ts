@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page makes of a text by itself: with a fault in it, and without a server.
+// Texts that the page reads itself: with a fault, and without a server.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rows of the inspector make of what is typed and pressed.
+// Rows of the inspector: typed values and pressed buttons.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

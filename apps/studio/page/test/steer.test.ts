@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's way, turns of documents, grips from the tables, operations in words.
+// The sun's path, rotations of documents, grips from the tables, operations as text.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -150,7 +150,7 @@ test('a hand moves variables in the place of their names, and what it leaves sta
   const states = Object.fromEntries(bound.grips.map((one) => [one.key, [one.moves.length, one.held.length]]));
   assert.deepEqual(states, { move: [1, 1], 'move x': [1, 0], 'move y': [0, 1], 'move z': [0, 0], 'move yz': [0, 1], 'move xz': [1, 0], 'move xy': [1, 1] });
   assert.deepEqual(bound.fields.map((one) => [one.moves.length, one.held.length]), [[1, 0], [0, 1], [0, 0]]);
-  // One variable is one number: a box may not be pulled apart by it.
+  // A variable is one number, so a box cannot be stretched by it.
   const both = expressed(new Map<string, Json>([['b[0]', 'a'], ['b[1]', 'a']]), {}, [variable], () => 1);
   assert.equal(meant_values({ b: [1.5, 1.2] }, both, () => ['a', 'a']).held.length, 1);
   assert.deepEqual(meant_values({ b: [1.5, 1.5] }, both, () => ['a', 'a']).values, { a: 1.5 });
@@ -192,7 +192,7 @@ test('curves of files become few points of the document', () => {
   assert.deepEqual(edits[2], { set: 'components.leaf.length', value: 0.2683 });
   assert.equal(drawn_points(line).length, 9);
   assert.deepEqual(drawn_points(line).at(-1), [12, 24]);
-  // The last file takes with it what is of files alone.
+  // With the last file, the parameters that only files need are removed.
   const last = draw_widths('components.leaf', { widths: 'b.csv', rank: 1, unit: 0.01, width: 0.03 }, curves);
   assert.deepEqual(last.slice(1), [{ unset: 'components.leaf.widths' }, { unset: 'components.leaf.rank' }, { unset: 'components.leaf.unit' }]);
 });
@@ -234,7 +234,7 @@ test('operations are told in words, and by years', () => {
   assert.equal(text_with_off('[{"do": "cut"}]', 1, false), '[{"off": true, "do": "cut"}]');
 });
 
-/// A studio that answers questions for an instance when it is told to.
+/// Returns a studio that answers questions for an instance when the test tells it to.
 function asked_studio(): { studio: Studio; grow: () => void; answer: (shoot: string | null, iteration: number) => Promise<void> } {
   const growth = new Store(kNoGrowth);
   const waiting: ((answer: object) => void)[] = [];

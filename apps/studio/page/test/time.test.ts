@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values over time as the library has them, and the keys that hands write.
+// Values over time as in the library, and the keys that edits write.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -69,7 +69,7 @@ test('a document gets an animation with its first key, and loses the keys with t
   assert.deepEqual(dragged_keys(film, { 'stem.radius': keys([0, 1]) }), { 'animation.keys': { 'stem.length': [[0, 1], [4, 2, 'smooth']], 'stem.radius': [[0, 1]] } });
   assert.deepEqual(animation_of(film), { length: 4, fps: 25 });
   assert.equal(animation_of({}), null);
-  // What is not well written has no track, and hinders none.
+  // Keys that are not well formed make no track, and do not affect other tracks.
   assert.deepEqual(tracks_of({ animation: { keys: { a: [[0]], b: 3, 'c.d': [[0, 1]] } } }, kTops).map((one) => one.name), ['c.d']);
 });
 
@@ -81,7 +81,7 @@ test('a delay moves as a number and as a range, and not as an expression', () =>
   assert.equal(moved_delay('3*rand()', 1), null);
 });
 
-/// A studio whose view shows a time, and that notes its edits.
+/// Returns a studio whose view shows a time, and that records its edits.
 function at_time(document: Json, time: number): { studio: Studio; edits: object[] } {
   const edits: object[] = [];
   const tracks = tracks_of(document, kTops);
@@ -103,7 +103,7 @@ test('what has keys is seen and edited at the time of the view, whoever edits it
   assert.deepEqual(value_now(studio, 'components.stem', document.components.stem), { frame: { translate: [1, 1, 0] } });
   set_values(studio, { 'scene.sun.altitude': 40 }, 'Set the sun');
   set_values(studio, { 'scene.sun.azimuth': 80, 'scene.sun.altitude': 40 }, 'Set the sun');
-  // The element with keys of a vector that a hand moves gets one where it is another than its keys say.
+  // An element with keys gets a key if its value differs from its keys.
   set_values(studio, { 'components.stem.frame.translate': [3, 1, 0] }, 'Set the stem');
   set_values(studio, { 'components.stem.frame.translate': [1, 1.5, 0] }, 'Set the stem');
   const sun = { set: 'animation.keys["scene.sun.altitude"]', value: [[0, 10], [2, 40], [4, 50]] };
@@ -125,7 +125,7 @@ test('a value within one that has keys as a whole changes its part of the key', 
   assert.deepEqual(edits, [{ all: [{ set: 'animation.keys["stem.frame.translate"]', value: [[0, [0, 0, 0]], [2, [2, 2, 9]], [4, [4, 4, 4]]] }], label: 'Key the stem' }]);
 });
 
-/// A model of the time whose server and view are looked at.
+/// Returns a model of the time with a recording server and view.
 function model_of_time(): { model: TimeModel; asked: Record<string, number>[]; view: { is_software: boolean; moves: boolean } } {
   const asked: Record<string, number>[] = [];
   const view = { is_software: true, moves: false, move_time: (moves: boolean): void => void (view.moves = moves) };
@@ -148,7 +148,7 @@ test('while the time moves the view knows it and few triangles are asked for; at
   await later(220);
   assert.ok(!view.moves);
   assert.equal(asked.at(-1)?.['rest_triangles'], 250_000);
-  // Played, it moves until it is stopped, however long a picture takes.
+  // While it is played, the time moves until it is stopped, however long a picture takes.
   model.state.merge({ is_playing: true });
   model.scrub(2);
   await later(220);

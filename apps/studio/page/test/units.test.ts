@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page works out by itself.
+// Computations of the page itself.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of which one element is moved, put in or taken out.
+// Copies of lists with one element moved, added or removed.
 
-/// With the element at `from` standing at `to`.
+/// Returns the list with the element at `from` moved to `to`.
 export function moved<T>(list: readonly T[], from: number, to: number): T[] {
   const made = [...list];
   const [one] = made.splice(from, 1);
@@ -13,7 +13,7 @@ export function without<T>(list: readonly T[], index: number): T[] {
   return list.filter((_, k) => k !== index);
 }
 
-/// With one more behind the element at `index`.
+/// Returns the list with one more element after the element at `index`.
 export function with_behind<T>(list: readonly T[], index: number, one: T): T[] {
   return [...list.slice(0, index + 1), one, ...list.slice(index + 1)];
 }

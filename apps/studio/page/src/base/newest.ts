@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Questions of which the newest answer counts.
+// Questions to which only the newest answer counts.
 
 export class Newest {
   private number_ = 0;
 
-  /// Answers to all questions before count no more. Gives whether one to a question that is asked now does.
+  /// Begins a question and makes all earlier ones outdated. Returns a function that tells whether this question is
+  /// still the newest.
   begin(): () => boolean {
     this.number_ += 1;
     const number = this.number_;
     return () => number === this.number_;
   }
 
-  /// No answer that is awaited counts.
+  /// Makes all open questions outdated.
   drop(): void {
     this.number_ += 1;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small choices that outlive the page. A browser that keeps nothing is no fault.
+// Small settings that outlive the page. A browser that stores nothing causes no fault.
 
 export function preference(name: string): string | null {
   try {
@@ -13,11 +13,11 @@ export function prefer(name: string, value: string): void {
   try {
     localStorage.setItem(`meristem.${name}`, value);
   } catch {
-    // Nothing is kept.
+    // This browser stores nothing.
   }
 }
 
-/// What this tab of this server had open, after a reload.
+/// Returns what this tab of this server had open before a reload.
 export function of_this_page(): string | null {
   try {
     return sessionStorage.getItem(location.pathname);
@@ -30,6 +30,6 @@ export function remember_for_this_page(key: string): void {
   try {
     sessionStorage.setItem(location.pathname, key);
   } catch {
-    // Nothing is kept.
+    // This browser stores nothing.
   }
 }

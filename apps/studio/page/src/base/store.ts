@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value that tells when it changes, and the hook that lets panels follow it.
+// A value with listeners, and a hook for panels that follow the value.
 import { useRef, useSyncExternalStore } from 'react';
 
 export class Store<T> {
@@ -12,14 +12,14 @@ export class Store<T> {
 
   readonly get = (): T => this.value_;
 
-  /// Listeners are called where the value is another one.
+  /// Sets the value. Calls the listeners if it has changed.
   set(value: T): void {
     if (Object.is(value, this.value_)) return;
     this.value_ = value;
     for (const listener of [...this.listeners_]) listener();
   }
 
-  /// Takes over some members of an object.
+  /// Sets some members of an object.
   merge(part: Partial<T>): void {
     this.set({ ...this.value_, ...part });
   }
@@ -34,8 +34,8 @@ export function use_store<T>(store: Store<T>): T {
   return useSyncExternalStore(store.subscribe, store.get);
 }
 
-/// What `select` takes of a store's value. The panel is drawn anew only where that is another than before, as `same` says,
-/// so that rows and items that an edit leaves alone cost nothing.
+/// Returns the part of a store's value that `select` picks. The panel is rendered again only if that part has changed,
+/// as `same` decides, so rows that an edit does not touch cost nothing.
 export function use_part<T, Part>(store: Store<T>, select: (value: T) => Part, same: (one: Part, other: Part) => boolean = Object.is): Part {
   const last = useRef<{ part: Part } | null>(null);
   return useSyncExternalStore(store.subscribe, () => {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The name of this browser tab. It outlives a reload, and no other tab has it at the same time: a lock that the browser
-// holds as long as the tab lives tells living tabs from closed ones.
+// The name of this browser tab. The name survives a reload, and no other tab has it at the same time. The browser holds
+// a lock for each tab, which distinguishes open tabs from closed ones.
 
 const kName = 'meristem.tab';
 const kLock = 'meristem-tab-';
-const kPatience = 400; // ms that the page before a reload may take to go
+const kPatience = 400; // ms that the page before a reload may take to close
 
-/// Returns the name of this tab: the one that it had before a reload, or a new one.
+/// Returns the name of this tab: the name before a reload, or a new one.
 export async function claim_tab(): Promise<string> {
   const before = stored_name();
   if (before !== null && (await hold(before))) return before;
@@ -16,14 +16,14 @@ export async function claim_tab(): Promise<string> {
   return name;
 }
 
-/// Returns the names of the tabs that live, this one included.
+/// Returns the names of all open tabs, including this one.
 export async function living_tabs(): Promise<ReadonlySet<string>> {
   const held = await locks()?.query().catch(() => null);
   const names = held?.held?.map((lock) => lock.name ?? '') ?? [];
   return new Set(names.filter((name) => name.startsWith(kLock)).map((name) => name.slice(kLock.length)));
 }
 
-/// A doubled tab begins with the name of the first one, which holds the lock.
+/// A duplicated tab begins with the name of the first one, which holds the lock.
 function hold(name: string): Promise<boolean> {
   const all = locks();
   if (!all) return Promise.resolve(true);
@@ -31,13 +31,13 @@ function hold(name: string): Promise<boolean> {
     all
       .request(kLock + name, { signal: AbortSignal.timeout(kPatience) }, () => {
         done(true);
-        return new Promise(() => undefined); // until the tab goes
+        return new Promise(() => undefined); // until the tab closes
       })
       .catch(() => done(false));
   });
 }
 
-/// Some browsers give none to pages without encryption.
+/// Returns the browser's locks. Some browsers give none to pages without encryption.
 function locks(): LockManager | undefined {
   return navigator.locks as LockManager | undefined;
 }
@@ -54,6 +54,6 @@ function store_name(name: string): void {
   try {
     sessionStorage.setItem(kName, name);
   } catch {
-    // Nothing is kept.
+    // This browser stores nothing.
   }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short news that go by themselves.
+// Short messages that disappear after a while.
 import { Store } from './store.ts';
 
 export interface Toast {
   id: number;
   text: string;
   is_fault: boolean;
-  kind: string; // of news of one kind only the newest stays; empty: of no kind
+  kind: string; // only the newest message of a kind stays; empty: no kind
 }
 
 const kTime = 6000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The board's side of the page's model: what it shows, and what hands do on it.
+// The state of the board, and the actions on it.
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import type { Studio } from '../studio.ts';
@@ -12,11 +12,11 @@ import { standing_on } from './plant_graph.ts';
 
 export class Board {
   readonly state = new Store<BoardState>(kEmptyBoard);
-  readonly fits = new Store(0); // counts how often the board was to be fitted
+  readonly fits = new Store(0); // a counter; the board is fitted to the window when it changes
   readonly actions: BoardActions;
   readonly parts: PartActions;
   readonly gardens: Gardens;
-  /// What components begin with that would have faults without anything, by type.
+  /// Values with which new components begin, by type. Only for types that would otherwise have faults.
   starters: Record<string, Json> = {};
 
   constructor(private readonly studio_: Studio) {
@@ -25,7 +25,7 @@ export class Board {
     this.gardens = new Gardens(studio_);
   }
 
-  /// Another document is open.
+  /// Resets the board for another document.
   begin(): void {
     this.state.set(kEmptyBoard);
     this.fit();
@@ -35,7 +35,7 @@ export class Board {
     this.fits.set(this.fits.get() + 1);
   }
 
-  /// Those of all components that are drawn which are not to be seen.
+  /// Returns the ids of drawn components that the view must hide.
   hidden_components(drawn: string[]): ReadonlySet<string> {
     const { hidden, solo } = this.studio_.view_state.get();
     if (solo === null) return hidden;
@@ -43,7 +43,7 @@ export class Board {
     return new Set([...hidden, ...drawn.filter((one) => !shown.has(one))]);
   }
 
-  /// The component that is drawn alone, with all that stands on it; nothing where none is.
+  /// Returns the component that is drawn alone and its descendants. Returns nothing if all are drawn.
   solo_components(): ReadonlySet<string> {
     const { solo } = this.studio_.view_state.get();
     return solo === null ? new Set() : standing_on(this.actions.graph, solo);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hands do on the board: each action is one edit of the document, one step of the undo list.
+// The user's actions on the board. Each action is one edit of the document and one step of the undo list.
 import type { Json } from '../document/json.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
@@ -16,7 +16,7 @@ export class BoardActions {
     return graph_of(tree?.value, this.studio_.tables.components, implied);
   }
 
-  /// The chosen component; of a chosen link, the one that it leads to.
+  /// The chosen component. For a chosen link, the component at its end.
   get chosen(): string | null {
     const path = this.studio_.chosen.get();
     const link = link_of(path);
@@ -29,7 +29,7 @@ export class BoardActions {
     else this.studio_.choose(component_path(id));
   }
 
-  /// The kind that a new link mostly has: leaves and multipliers stand along stems.
+  /// Returns the usual kind of a new link. Leaves and multipliers stand along stems.
   usual_kind(from: string, to: string): LinkKind {
     const type = (id: string): string => this.graph.components.get(id)?.type ?? '';
     return this.usual_kind_of(type(from), type(to));
@@ -40,7 +40,7 @@ export class BoardActions {
     return components[from_type]?.makes_stems === true && components[to_type]?.makes_stems !== true ? 'branch' : 'child';
   }
 
-  /// Adds a component of this type below another, and chooses it.
+  /// Adds a component of this type below another one, and chooses it.
   async add(type: string, below: string | null, kind: LinkKind): Promise<void> {
     const { graph } = this;
     const table = this.studio_.tables.components[type]?.table ?? '';
@@ -49,7 +49,7 @@ export class BoardActions {
     await this.make(add_edits(this.document, graph, id, { type, ...(starter as object) } as Json, below, kind), `Add ${id}`, component_path(id));
   }
 
-  /// Adds a whole plant, which another document describes.
+  /// Adds a whole plant, which is described by another document.
   async add_plant(wanted: string, file: string, below: string | null, kind: LinkKind): Promise<void> {
     const { graph } = this;
     const type = Object.entries(this.studio_.tables.components).find(([, facts]) => facts.is_whole_plant === true)?.[0] ?? 'document';
@@ -57,7 +57,7 @@ export class BoardActions {
     await this.make(add_edits(this.document, graph, id, { type, file }, below, kind), `Add ${id}`, component_path(id));
   }
 
-  /// Joins two components, or says why that cannot be.
+  /// Links two components, or reports why this is impossible.
   async connect(from: string, to: string, kind: LinkKind = 'child'): Promise<void> {
     const { graph } = this;
     const refused = refusal_of_link(graph, from, to, (id) => this.recursion_of(id));
@@ -70,7 +70,7 @@ export class BoardActions {
     if (faults !== null) this.refuse(from, to, faults);
   }
 
-  /// How many components went with it.
+  /// Removes a component with everything that only it holds, and reports the number of removed components.
   async remove(id: string): Promise<void> {
     const { graph } = this;
     const gone = held_by(graph, id);
@@ -92,7 +92,7 @@ export class BoardActions {
     await this.make(kind_edits(this.document, link, kind), `Make the link to ${link.to} a ${kind} link`);
   }
 
-  /// Earlier (-1) or later (1) among what stands on the same component.
+  /// Moves a link earlier (-1) or later (1) among the links of its parent.
   async shift(link: GraphLink, by: number): Promise<void> {
     await this.put(link, links_from(this.graph, link.from).findIndex((one) => one.index === link.index) + by);
   }
@@ -105,22 +105,22 @@ export class BoardActions {
     if (edits.length > 0) await this.make(edits, `Move ${link.to} among its siblings`, path);
   }
 
-  /// Has a component stand at this place among others in the document's text, with its comments.
+  /// Moves a component to this place among others in the document's text, with its comments.
   async put_component(id: string, among: readonly string[], place: number): Promise<void> {
     await this.make(component_order_edits(this.document, among, id, place), `Move ${id} in the document`);
   }
 
-  /// Earlier (-1) or later (1) among these; without any, among all components of the document.
+  /// Moves a component earlier (-1) or later (1) among these components, by default among all of the document.
   async shift_component(id: string, by: number, among = this.written_components): Promise<void> {
     await this.put_component(id, among, among.indexOf(id) + by);
   }
 
-  /// The document's own components in their order.
+  /// The components that the document contains, in their order.
   get written_components(): string[] {
     return [...this.graph.components.values()].filter((one) => one.is_written).map((one) => one.id);
   }
 
-  /// Has a component stand on another one.
+  /// Moves a component to another parent.
   async hang(link: GraphLink, from: string): Promise<void> {
     const { graph } = this;
     const without = { ...graph, links: graph.links.filter((one) => one !== link && one.index !== link.index) };
@@ -186,7 +186,7 @@ export class BoardActions {
     return parent?.is_written ? component_path(parent.id) : '';
   }
 
-  /// Makes the edits as one step and then chooses a path; gives what was wrong, or null.
+  /// Makes the edits as one step and then chooses a path. Returns what was wrong, or null.
   async make(edits: Edit[], label: string, choose?: string, only_if_good = false): Promise<string | null> {
     if (edits.length === 0) return null;
     this.studio_.board.state.merge({ refused: null, connecting: null });

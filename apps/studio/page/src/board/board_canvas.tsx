@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The board's drawing: it is moved by dragging beside the nodes and zoomed by the wheel; nodes are chosen by a click and
-// the arrow keys, dragged among their siblings and onto other nodes, and joined by dragging from their lower edge.
+// The drawing of the board. Dragging beside the nodes moves it, and the wheel zooms. Nodes are chosen by a click or the
+// arrow keys, moved by dragging them among their siblings or onto other nodes, and linked by dragging from their edge.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 
@@ -18,7 +18,7 @@ import type { Direction } from './board_state.ts';
 import type { PlantGraph } from './plant_graph.ts';
 
 interface Sight {
-  x: number; // of the board's corner in the panel, pixels
+  x: number; // position of the board's corner in the panel, pixels
   y: number;
   scale: number;
 }
@@ -45,12 +45,12 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
   }, []);
   useEffect(() => {
     set_sight(fitted(size, area));
-    // A document is fitted once, and anew where the panel or the direction is another.
+    // A document is fitted once, and again if the panel or the direction changes.
   }, [name, direction, area[0], area[1]]);
   useEffect(() => {
     if (studio.board.fits.get() > 0) set_sight(fitted(size, area));
   }, [use_store(studio.board.fits)]);
-  // What is chosen elsewhere comes into view.
+  // A node that is chosen elsewhere is scrolled into view.
   const chosen_id = component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
   useEffect(() => {
     const node = layout.nodes.find((one) => one.key === chosen_id);
@@ -119,7 +119,7 @@ function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactE
   );
 }
 
-/// Dragging beside all nodes moves the board; a click there chooses the document.
+/// Dragging beside all nodes moves the board. A click there chooses the document.
 function use_pan(set_sight: (change: (now: Sight) => Sight) => void) {
   const studio = use_studio();
   const hand = useRef<{ x: number; y: number; moved: boolean } | null>(null);
@@ -161,7 +161,7 @@ function zoomed(now: Sight, by: number, x: number, y: number): Sight {
   return { scale, x: x - (x - now.x) * share, y: y - (y - now.y) * share };
 }
 
-/// Moved so that a node is in view.
+/// Returns the view of the board, moved so that a node is visible.
 function seen(now: Sight, place: { x: number; y: number }, [w, h]: [number, number]): Sight {
   const [x, y] = [now.x + place.x * now.scale, now.y + place.y * now.scale];
   const [dx, dy] = [(kNode.width / 2 + 8) * now.scale, (kNode.height / 2 + 8) * now.scale];

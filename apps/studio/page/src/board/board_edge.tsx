@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of the board, as the source draws links: child thin, branch thick, leaf dashed; and crown dotted, what a
-// grammar places pale. Lines of a recursion are doubled.
+// The lines of the board, drawn as in the published source: child links thin, branch links thick, leaf links dashed.
+// Crown links are dotted, and links that a grammar makes are pale. Lines of a recursion are doubled.
 import type { ReactElement } from 'react';
 
 import { use_faults } from '../rows/row_actions.ts';
@@ -35,7 +35,7 @@ export function BoardEdgeView({ edge, from, to, direction, is_chosen }: BoardEdg
   );
 }
 
-/// The line that a hand draws from a node.
+/// The line that the user draws from a node.
 export function DraggedLine({ gesture, places, direction }: { gesture: BoardGesture; places: Map<string, Place>; direction: Direction }): ReactElement | null {
   const { held } = gesture;
   const from = held?.kind === 'link' ? places.get(held.key) : undefined;

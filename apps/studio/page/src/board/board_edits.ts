@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is done on the board, as edits of the document. New things are written where a person would look for them: a
-// component behind those that stand where it stands, a link behind the links of its parent.
+// Actions on the board as edits of the document. New parts are written where a reader would look for them: a component
+// after its siblings, a link after the other links of its parent.
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { member_of, path_below } from '../document/path.ts';
@@ -16,19 +16,19 @@ export function link_path(index: number): string {
   return path_below('links', index);
 }
 
-/// The component that a path lies in; null where it lies in none.
+/// Returns the component that contains a path, or null.
 export function component_of(path: string): string | null {
   const found = /^components(?:\.([^.[]+)|\["((?:[^"\\]|\\.)*)"\])/.exec(path);
   return found ? (found[1] ?? found[2] ?? null) : null;
 }
 
-/// The link that a path lies in; null where it lies in none.
+/// Returns the index of the link that contains a path, or null.
 export function link_of(path: string): number | null {
   const found = /^links\[(\d+)\]/.exec(path);
   return found ? Number(found[1]) : null;
 }
 
-/// A name that is not taken: the wanted one, or with a number behind it.
+/// Returns a free name: the wanted one, if necessary with a number at its end.
 export function free_name(wanted: string, taken: { has(name: string): boolean }): string {
   const plain = wanted.replace(/[^A-Za-z0-9_]/g, '_') || 'part';
   if (!taken.has(plain)) return plain;
@@ -45,7 +45,7 @@ function listed_links(document: Json | undefined): Json[] {
   return Array.isArray(links) ? links : [];
 }
 
-/// Where a new link of a component stands: behind its other links, else behind those that lead to it, else last.
+/// Returns the index for a new link of a component: after its other links, else after the links to it, else last.
 export function place_of_link(document: Json | undefined, from: string): number {
   const ends = listed_links(document).map(ends_of);
   const last = (end: 0 | 1): number => ends.map((one) => one[end]).lastIndexOf(from);
@@ -53,22 +53,22 @@ export function place_of_link(document: Json | undefined, from: string): number 
   return at < 0 ? ends.length : at + 1;
 }
 
-/// The insertion of a link, at this place among the document's links.
+/// Returns the edit that inserts a link at this index.
 export function link_edit(document: Json | undefined, from: string, to: string, kind: LinkKind, place = place_of_link(document, from)): Edit {
   return { insert: link_path(place), value: written_link(from, to, kind) };
 }
 
-/// Behind a component and all that stands on it, among the document's components.
+/// Returns the index after a component and its descendants, among the document's components.
 export function place_behind(document: Json | undefined, graph: PlantGraph, id: string | null): number {
   const said = member_of(document, 'components');
   const ids = is_object(said) ? Object.keys(said) : [];
   if (id === null || !ids.includes(id)) return ids.length;
-  // All stands on the camera: what is new there comes last.
+  // All components descend from the camera, so new ones come last.
   const below = standing_on(graph, id);
   return 1 + Math.max(...ids.map((one, k) => (below.has(one) ? k : -1)));
 }
 
-/// A new component, and its link where it has a parent that the document writes.
+/// Returns the edits that add a component. Its link is added if the document contains the parent.
 export function add_edits(document: Json | undefined, graph: PlantGraph, id: string, value: Json, below: string | null, kind: LinkKind): Edit[] {
   const parent = below === null ? undefined : graph.components.get(below);
   const is_first = !is_object(member_of(document, 'components'));
@@ -76,7 +76,8 @@ export function add_edits(document: Json | undefined, graph: PlantGraph, id: str
   return parent?.is_written ? [add, link_edit(document, parent.id, id, kind)] : [add];
 }
 
-/// Takes out components with their links. The last go first, so that places stay what they are; their notes go along.
+/// Returns the edits that remove components with their links and notes. The last ones are removed first, so that other
+/// indices stay valid.
 export function remove_edits(graph: PlantGraph, ids: Iterable<string>, notes: Record<string, string>): Edit[] {
   const written = [...graph.components.keys()].filter((id) => graph.components.get(id)?.is_written);
   const gone = new Set(ids);
@@ -89,12 +90,12 @@ export function remove_edits(graph: PlantGraph, ids: Iterable<string>, notes: Re
   return edits;
 }
 
-/// Takes out one component; what stood on it alone stands on its parents then.
+/// Returns the edits that remove one component. Its children move to its parents.
 export function remove_alone_edits(document: Json | undefined, graph: PlantGraph, id: string, notes: Record<string, string>): Edit[] {
   const held = held_by(graph, id);
   const orphans = graph.links.filter((link) => link.from === id && link.to !== id && held.has(link.to) && link.index !== null);
   const parents = graph.links.filter((link) => link.to === id && link.from !== id && link.index !== null);
-  // From the last place on, so that those before it stay what they are.
+  // The last link is edited first, so that other indices stay valid.
   const edits: Edit[] = [];
   for (const parent of [...parents].reverse()) {
     for (const orphan of [...orphans].reverse()) edits.push(link_edit(document, parent.from, orphan.to, orphan.kind, (parent.index ?? 0) + 1));
@@ -102,7 +103,7 @@ export function remove_alone_edits(document: Json | undefined, graph: PlantGraph
   return [...edits, ...remove_edits(graph, [id], notes)];
 }
 
-/// Has a link be of another kind. What only the old kind has goes.
+/// Changes the kind of a link. Keys that only the old kind has are removed.
 export function kind_edits(document: Json | undefined, link: GraphLink, kind: LinkKind): Edit[] {
   if (link.index === null || link.kind === kind) return [];
   const said = listed_links(document)[link.index];
@@ -114,12 +115,12 @@ export function kind_edits(document: Json | undefined, link: GraphLink, kind: Li
   return [{ set: link_path(link.index), value: written_link(link.from, link.to, kind) }];
 }
 
-/// Links of one component in the order of the document.
+/// Returns the links of one component in the order of the document.
 export function links_from(graph: PlantGraph, from: string): GraphLink[] {
   return graph.links.filter((link) => link.from === from && link.index !== null).sort((a, b) => (a.index ?? 0) - (b.index ?? 0));
 }
 
-/// Has a link stand at this place among those of its parent.
+/// Moves a link to this place among the links of its parent.
 export function order_edits(graph: PlantGraph, link: GraphLink, place: number): Edit[] {
   const all = links_from(graph, link.from);
   const at = all.indexOf(link);
@@ -128,7 +129,7 @@ export function order_edits(graph: PlantGraph, link: GraphLink, place: number): 
   return [{ move: link_path(link.index), index: target.index }];
 }
 
-/// Has a component stand at this place among these of the document, whose order stays otherwise.
+/// Moves a component to this place among some of the document's components. The order of all others stays.
 export function component_order_edits(document: Json | undefined, among: readonly string[], id: string, place: number): Edit[] {
   const said = member_of(document, 'components');
   const ids = is_object(said) ? Object.keys(said) : [];
@@ -142,14 +143,14 @@ export function component_order_edits(document: Json | undefined, among: readonl
   return index === ids.indexOf(id) ? [] : [{ move: component_path(id), index }];
 }
 
-/// Has a link begin at another component.
+/// Sets the parent of a link.
 export function hang_edits(document: Json | undefined, link: GraphLink, from: string): Edit[] {
   if (link.index === null) return [];
   const said = listed_links(document)[link.index];
   return [{ set: Array.isArray(said) ? path_below(link_path(link.index), 0) : path_below(link_path(link.index), 'from'), value: from }];
 }
 
-/// The same link once more, behind it, with another end.
+/// Copies a link with another end. The copy follows the link.
 export function copied_link(document: Json | undefined, link: GraphLink, to: string): Edit[] {
   if (link.index === null) return [];
   const said = listed_links(document)[link.index];

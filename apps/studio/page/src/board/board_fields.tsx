@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields over the board: a component's other name, and the note on it, which is a comment of the document.
+// Fields over the board: for a component's new name, and for its note, which is a comment in the document.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef, useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 
-/// Gives the keyboard back to the component on the board.
+/// Moves the keyboard focus back to the component on the board.
 function return_to(id: string): void {
   requestAnimationFrame(() => document.querySelector<HTMLElement>(`.board-canvas [data-node="${CSS.escape(id)}"]`)?.focus({ preventScroll: true }));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hand that drags on the board: a line from a node's edge to another node, or a node among its siblings or onto
-// another one.
+// A drag on the board: a line from a node's edge to another node, or a node that is moved among its siblings or onto
+// another node.
 import type { PointerEvent, RefObject } from 'react';
 import { useEffect, useState } from 'react';
 
@@ -14,14 +14,14 @@ import { refusal_of_link } from './plant_graph.ts';
 
 export interface Held {
   kind: 'link' | 'node';
-  key: string; // the node that is held
-  x: number; // where the hand is, on the sheet
+  key: string; // key of the node that is dragged
+  x: number; // position of the pointer on the sheet
   y: number;
   from_x: number;
   from_y: number;
   moved: boolean;
-  over: string | null; // the node below the hand
-  refused: string | null; // why a link to it cannot be made
+  over: string | null; // key of the node below the pointer
+  refused: string | null; // why a link to that node is impossible
 }
 
 export interface BoardGesture {
@@ -85,7 +85,7 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
       }
       return;
     }
-    // Among the siblings: behind all whose centre the hand has passed.
+    // Among siblings, the node is placed after all whose centre the pointer has passed.
     const across = direction === 'down' ? on_sheet(event).x : on_sheet(event).y;
     const is_passed = (node: BoardNode | undefined): boolean => {
       const place = node && place_of(node, direction);

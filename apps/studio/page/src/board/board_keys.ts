@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keys do while the board has the keyboard.
+// The effects of keys while the board has the keyboard focus.
 import type { KeyboardEvent } from 'react';
 
 import type { Studio } from '../studio.ts';
@@ -54,8 +54,8 @@ export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLay
   event.stopPropagation();
 }
 
-/// Moves a component among its siblings: its link among theirs, or where it has none the component itself. With
-/// `in_text`, the component among all of the document.
+/// Moves a component among its siblings: its link, or the component itself if it has no link. With `in_text`, moves the
+/// component among all components of the document.
 function shift(studio: Studio, layout: BoardLayout, key: string, way: Way, in_text: boolean): void {
   const { actions } = studio.board;
   const node = layout.nodes.find((one) => one.key === key);
@@ -67,7 +67,8 @@ function shift(studio: Studio, layout: BoardLayout, key: string, way: Way, in_te
   else if (stands_free(actions.graph, layout, key)) void actions.shift_component(node.id, by, siblings_of(layout, key).map((one) => one.id));
 }
 
-/// While a link waits for its other end, only the keyboard goes on; else the choice goes with it.
+/// Moves to a neighbouring node. While a link waits for its other end, only the focus moves; otherwise the choice moves
+/// too.
 function go(event: KeyboardEvent, studio: Studio, layout: BoardLayout, key: string, way: Way, only_keyboard: boolean): void {
   const next = neighbour(layout, key, way);
   if (!next) return;

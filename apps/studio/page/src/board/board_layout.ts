@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the components of a p-graph stand on the board: a tree whose levels follow from the links, and whose children
-// stand in the order of the document's links. A component with several parents stands under the one that is deepest.
-// A component that a recursion leads back to is drawn twice, at the recursion's beginning and at its end, with doubled
-// lines between, as the source draws it.
+// Computes positions of the components of a p-graph on the board: a tree whose levels follow from the links, with
+// children in the order of the document's links. A component with several parents stands below the deepest one. A
+// component to which a recursion leads back is drawn twice, at the beginning and at the end of the recursion. The lines
+// between are doubled, as in the source.
 //
 // Based on: E. Reingold, J. Tilford: Tidier drawings of trees (1981); B. Lintermann, O. Deussen on xfrog (figure 6.7).
-// Layered drawings of general graphs were tried: they order children by crossings, and not as the document does.
+// Layered drawings of general graphs were tried. They order children by crossings, not by the document.
 import type { GraphLink, PlantGraph } from './plant_graph.ts';
 
 export interface BoardNode {
-  key: string; // the component's id; of a recursion's end, that with the number of its link
+  key: string; // id of the component; for the end of a recursion, the id with the number of its link
   id: string;
-  is_end: boolean; // the head of a recursion, once more
-  parent: string | null; // key of the node that it stands under
+  is_end: boolean; // true: the second node of a recursion's first component
+  parent: string | null; // key of the parent node
   level: number;
-  across: number; // centre, in widths of a node and its gap
-  hides: number; // components that are folded away below it
+  across: number; // position of the centre, in widths of a node with its gap
+  hides: number; // number of components that are folded below it
 }
 
 export interface BoardEdge {
@@ -38,7 +38,7 @@ interface Tree {
   children: Tree[];
 }
 
-const kBetweenTrees = 0.25; // widths between the subtrees of cousins
+const kBetweenTrees = 0.25; // widths between neighbouring subtrees
 
 export function lay_out(graph: PlantGraph, folded: ReadonlySet<string> = new Set()): BoardLayout {
   const level = levels_of(graph);
@@ -82,7 +82,7 @@ export function lay_out(graph: PlantGraph, folded: ReadonlySet<string> = new Set
   return { nodes, edges, levels: 1 + Math.max(0, ...nodes.map((node) => node.level)), breadth };
 }
 
-/// Each component's longest way from its root, links back left out.
+/// Returns the length of the longest path from the root to each component, without links back.
 function levels_of(graph: PlantGraph): Map<string, number> {
   const forward = graph.links.filter((link) => link.recursion === null);
   const waits = new Map<string, number>([...graph.components.keys()].map((id) => [id, 0]));
@@ -102,7 +102,7 @@ function levels_of(graph: PlantGraph): Map<string, number> {
   return level;
 }
 
-/// The tree: each component under the first of its deepest parents.
+/// Returns the children in the tree. A component is a child of the first of its deepest parents.
 function children_of(graph: PlantGraph, level: Map<string, number>): Map<string, string[]> {
   const children = new Map<string, string[]>();
   const taken = new Set<string>(graph.roots);
@@ -118,7 +118,7 @@ function count_below(id: string, children: Map<string, string[]>): number {
   return (children.get(id) ?? []).reduce((sum, one) => sum + 1 + count_below(one, children), 0);
 }
 
-/// Whether the link lies on the way of a recursion.
+/// Returns true if the link lies on the path of a recursion.
 function is_within(graph: PlantGraph, link: GraphLink): boolean {
   return graph.recursions.some(({ members }) => {
     const at = members.indexOf(link.from);
@@ -126,7 +126,7 @@ function is_within(graph: PlantGraph, link: GraphLink): boolean {
   });
 }
 
-/// The ends of recursions stand among the children as their links among the links.
+/// Sorts children by their links. The ends of recursions are sorted by their links, too.
 function put_in_order(trees: Map<string, Tree>, graph: PlantGraph): void {
   const rank = new Map<string, number>();
   for (const [number, link] of graph.links.entries()) {
@@ -139,7 +139,7 @@ function put_in_order(trees: Map<string, Tree>, graph: PlantGraph): void {
   }
 }
 
-/// Places all trees side by side; gives how broad they are.
+/// Places all trees side by side. Returns their total width.
 function place(roots: Tree[]): number {
   const whole = { node: { level: -1, across: 0 } as BoardNode, children: roots };
   const shape = shape_of(whole);
@@ -148,13 +148,13 @@ function place(roots: Tree[]): number {
   return 1 + Math.max(0, ...shape.right.slice(1)) - left;
 }
 
-/// The outline of a subtree, level by level from its root's, relative to its root.
+/// The outline of a subtree by level, relative to its root.
 interface Shape {
   left: number[];
   right: number[];
 }
 
-/// Sets each child's place relative to its parent.
+/// Sets the positions of children relative to their parents. Returns the outline.
 function shape_of(tree: Tree): Shape {
   const shapes = tree.children.map(shape_of);
   const starts: number[] = [];
@@ -173,7 +173,7 @@ function shape_of(tree: Tree): Shape {
   return { left: [0, ...so_far.left.map((one) => one - middle)], right: [0, ...so_far.right.map((one) => one - middle)] };
 }
 
-/// From places relative to parents to those on the board.
+/// Converts positions relative to parents into positions on the board.
 function spread(tree: Tree, at: number): void {
   for (const child of tree.children) {
     child.node.across += at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A component on the board: its name and type, how many instances it has, whether it is hidden, folded or at fault.
+// A component on the board: its name and type, its number of instances, and whether it is hidden, folded or faulty.
 import type { PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -48,7 +48,7 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
   ];
   const had_keyboard = useRef(false);
   useEffect(() => {
-    // The keyboard follows the choice on the board, and is not taken from elsewhere.
+    // The focus follows the choice on the board, but is never taken from elsewhere.
     if (is_chosen && had_keyboard.current === false && element.current?.closest('.board-canvas')?.contains(document.activeElement)) element.current.focus({ preventScroll: true });
     had_keyboard.current = is_chosen;
   }, [is_chosen]);
@@ -100,7 +100,7 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
 }
 
 interface NodeFacts {
-  count: number | null; // instances, where known
+  count: number | null; // number of instances, if known
   faults: number;
   errors: number;
   first_fault: string | undefined;
@@ -108,7 +108,7 @@ interface NodeFacts {
   is_hidden: boolean;
 }
 
-/// What is known of a component besides its place.
+/// Returns facts about a component other than its position.
 function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
   const studio = use_studio();
   const { grown } = use_store(studio.growth);
@@ -128,7 +128,7 @@ function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
   };
 }
 
-/// What a reader of screens says besides name and type.
+/// Returns what a screen reader says in addition to name and type.
 function spoken_of(node: BoardNode, facts: NodeFacts): string {
   const words = ['', node.is_end ? 'again, where its recursion ends' : ''];
   if (facts.count !== null) words.push(facts.count === 1 ? '1 instance' : `${facts.count.toLocaleString('en')} instances`);
@@ -144,7 +144,7 @@ function tip_of(node: BoardNode, facts: NodeFacts, is_written: boolean): string 
   return facts.first_fault ?? facts.note;
 }
 
-/// 1,234 and 12k: as long as a node is broad.
+/// Returns a count as text that fits on a node: 1,234 or 12k.
 function short_count(count: number): string {
   return count < 10_000 ? count.toLocaleString('en') : count < 1e6 ? `${Math.round(count / 1000)}k` : `${(count / 1e6).toFixed(1)}M`;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The p-graph as a tree that can be built: the canvas, what can be done with what is chosen, and what the lines mean.
+// The panel of the p-graph: its canvas, actions on the chosen part, and a legend of the lines.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -36,7 +36,7 @@ export function BoardPanel(): ReactElement {
   );
 }
 
-/// The documents that the open one was entered from.
+/// The documents through which the open one was entered.
 function Trail(): ReactElement | null {
   const { gardens } = use_studio().board;
   const trail = use_store(gardens.trail);

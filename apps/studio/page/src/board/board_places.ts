@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From levels and places of a layout to pixels of the board.
+// Converts levels and positions of a layout into pixels of the board.
 import type { BoardEdge, BoardLayout, BoardNode } from './board_layout.ts';
 import type { Direction } from './board_state.ts';
 import type { PlantGraph } from './plant_graph.ts';
@@ -12,7 +12,7 @@ const kSteps: Record<Direction, { level: number; across: number }> = {
 };
 
 export interface Place {
-  x: number; // of the node's centre
+  x: number; // centre of the node
   y: number;
 }
 
@@ -29,7 +29,7 @@ export function size_of(layout: BoardLayout, direction: Direction): [number, num
   return direction === 'down' ? [across + 2 * kMargin, along + kNode.height + 2 * kMargin] : [along + kNode.width + 2 * kMargin, across + 2 * kMargin];
 }
 
-/// The direction in which the whole is larger in a window.
+/// Returns the direction in which the whole board is drawn larger.
 export function fitting_direction(layout: BoardLayout, width: number, height: number): Direction {
   const scale = (direction: Direction): number => {
     const [w, h] = size_of(layout, direction);
@@ -38,7 +38,7 @@ export function fitting_direction(layout: BoardLayout, width: number, height: nu
   return scale('right') > scale('down') ? 'right' : 'down';
 }
 
-/// The curve of a line between two nodes.
+/// Returns the curve between two nodes.
 export function curve_between(from: Place, to: Place, direction: Direction): string {
   const down = direction === 'down';
   const [x1, y1] = down ? [from.x, from.y + kNode.height / 2] : [from.x + kNode.width / 2, from.y];
@@ -47,7 +47,7 @@ export function curve_between(from: Place, to: Place, direction: Direction): str
   return down ? `M${x1} ${y1}C${x1} ${y1 + half} ${x2} ${y2 - half} ${x2} ${y2}` : `M${x1} ${y1}C${x1 + half} ${y1} ${x2 - half} ${y2} ${x2} ${y2}`;
 }
 
-/// The node that an arrow key leads to from another.
+/// Returns the neighbour of a node in the direction of an arrow key.
 export function neighbour(layout: BoardLayout, key: string, way: 'up' | 'down' | 'before' | 'behind'): BoardNode | undefined {
   const node = layout.nodes.find((one) => one.key === key);
   if (!node) return layout.nodes[0];
@@ -65,21 +65,21 @@ function nearest(nodes: BoardNode[], across: number): BoardNode | undefined {
   return nodes.reduce<BoardNode | undefined>((best, one) => (best && Math.abs(best.across - across) <= Math.abs(one.across - across) ? best : one), undefined);
 }
 
-/// The node with those that stand beside it under one parent, in their order.
+/// Returns a node's siblings including itself, in their order.
 export function siblings_of(layout: BoardLayout, key: string): BoardNode[] {
   const node = layout.nodes.find((one) => one.key === key);
   return node ? layout.nodes.filter((one) => one.parent === node.parent && !one.is_end).sort((a, b) => a.across - b.across) : [];
 }
 
-/// Whether a component's place on the board follows from the order of the document's components: no link leads to it,
-/// but at most that of an added camera.
+/// Returns true if the order of the document's components determines a component's place on the board. Then no link
+/// leads to it, except a link from an added camera.
 export function stands_free(graph: PlantGraph, layout: BoardLayout, key: string): boolean {
   const node = layout.nodes.find((one) => one.key === key);
   if (!node || node.is_end || graph.components.get(node.id)?.is_written !== true) return false;
   return node.parent === null || graph.components.get(node.parent)?.is_written === false;
 }
 
-/// The link from a node's parent to the node.
+/// Returns the edge from a node's parent to the node.
 export function edge_above(layout: BoardLayout, key: string): BoardEdge | undefined {
   const node = layout.nodes.find((one) => one.key === key);
   return layout.edges.find((edge) => edge.to === key && edge.from === node?.parent) ?? layout.edges.find((edge) => edge.to === key);

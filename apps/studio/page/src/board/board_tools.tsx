@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be done with what is chosen on the board.
+// Buttons for actions on the chosen part of the board.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';

@@ -2,7 +2,7 @@
 import type { IconName } from '../controls/icon.tsx';
 import type { Tables } from '../tables/tables.ts';
 
-/// The icon of a component type, by what its table says of it.
+/// Returns the icon of a component type, chosen by the facts in its table.
 export function icon_of(types: Tables['components'], type: string): IconName {
   const facts = types[type];
   if (facts?.is_camera === true) return 'camera';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents that are components of others: they are entered, changed, and left again. What was changed on the way and is
-// not saved is kept by the browser, as of every document that another one takes the place of.
+// Documents that are components of other documents. The user enters, changes and leaves them. Unsaved changes are kept
+// by the browser, as whenever another document is opened.
 import { Store } from '../base/store.ts';
 import { member_of } from '../document/path.ts';
 import { folder_of } from '../rows/file_path.ts';
@@ -9,16 +9,16 @@ import type { Studio } from '../studio.ts';
 
 export interface Entered {
   title: string;
-  wish: OpenWish; // opens it again
+  wish: OpenWish; // opens the document again
 }
 
 export class Gardens {
-  /// The documents above the open one, the outermost first.
+  /// The documents above the open one, from the outermost inwards.
   readonly trail = new Store<Entered[]>([]);
 
   constructor(private readonly studio_: Studio) {}
 
-  /// The document that a component stands for, as it is opened; null where it stands for none.
+  /// Returns a request to open the document of a component. Returns null if the component has no document.
   document_of(id: string): OpenWish | null {
     const { tree, path } = this.studio_.document.state.get();
     const component = member_of(member_of(tree?.value, 'components'), id);
@@ -44,7 +44,7 @@ export class Gardens {
     }
   }
 
-  /// Back to a document of the trail, by its number.
+  /// Returns to a document of the trail, by its number.
   async leave(number: number): Promise<void> {
     const trail = this.trail.get();
     const entered = trail[number];
@@ -53,7 +53,7 @@ export class Gardens {
     this.restore();
   }
 
-  /// What was changed before it was left is there again.
+  /// Restores changes that were unsaved when the document was left.
   private restore(): void {
     const { kept } = this.studio_.shell.get();
     if (kept !== null && kept.before !== null) void this.studio_.keeper.restore(kept.work);

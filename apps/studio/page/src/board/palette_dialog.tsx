@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be added below the chosen component: new components by type, parts of shipped plants, whole plants.
+// Parts that can be added below the chosen component: new components by type, parts of shipped plants, and whole
+// plants.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -33,7 +34,7 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
   const studio = use_studio();
   const [tab, set_tab] = useState<Tab>('types');
   const [words, set_words] = useState('');
-  const [kind, set_kind] = useState<LinkKind | null>(null); // null: the usual one
+  const [kind, set_kind] = useState<LinkKind | null>(null); // null: the usual kind
   use_store(studio.chosen);
   const { graph, chosen } = studio.board.actions;
   const below = chosen !== null && graph.components.has(chosen) ? chosen : (graph.roots.find((root) => graph.components.get(root)?.is_camera && graph.components.get(root)?.is_written) ?? null);
@@ -59,7 +60,7 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
   );
 }
 
-/// Enter in the search takes the first of what was found.
+/// Enter in the search field takes the first result.
 function press_first(event: KeyboardEvent<HTMLInputElement>): void {
   if (event.key !== 'Enter') return;
   event.preventDefault();
@@ -78,11 +79,11 @@ function Types({ words, is_wanted, kind_for, below, close, show_plants }: TabPro
   const { graph } = studio.board.actions;
   const has_camera = [...graph.components.values()].some((one) => one.is_camera && one.is_written);
   const types = Object.entries(studio.tables.components).filter(([name, { doc, is_camera }]) => is_wanted(`${name} ${doc}`) && !(has_camera && is_camera === true));
-  // A name counts for more than a word in a sentence.
+  // A match of the name ranks higher than a match in a sentence.
   const rank = (name: string): number => (name === words ? 0 : name.startsWith(words) ? 1 : name.includes(words) ? 2 : 3);
   if (words !== '') types.sort(([a], [b]) => rank(a) - rank(b));
   const add = (type: string) => (): void => {
-    // Which plant it is, its own list says.
+    // The list of whole plants asks which plant is meant.
     if (studio.tables.components[type]?.is_whole_plant === true) return show_plants();
     close();
     void studio.board.actions.add(type, studio.tables.components[type]?.is_camera === true ? null : below, kind_for(type));

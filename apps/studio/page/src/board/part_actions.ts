@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of plants that are taken along: copied, pasted, duplicated, and put in from shipped plants.
+// Copies, pastes and duplicates parts of plants, and adds parts of shipped plants.
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import type { BoardActions } from './board_actions.ts';
@@ -10,24 +10,24 @@ import { standing_on } from './plant_graph.ts';
 /// A part of a document as text, with its links and the variables that it names.
 export interface Part {
   text: string;
-  roots: string[]; // components of it that no other of them holds
+  roots: string[]; // components that no other component of the part holds
   components: string[];
 }
 
 export class PartActions {
-  private clip_: Part | null = null; // what was copied last
+  private clip_: Part | null = null; // the part that was copied last
 
   constructor(
     private readonly studio_: Studio,
     private readonly actions_: BoardActions,
   ) {}
 
-  /// A component with all that stands on it, or alone, as a part that can be put in elsewhere.
+  /// Returns a component as a part that can be pasted elsewhere, with its descendants or alone.
   part(id: string, alone = false): Promise<Part | null> {
     return this.part_of(this.actions_.graph, id, alone);
   }
 
-  /// The same of a shipped model, whose graph this is.
+  /// Like `part`, for a shipped model with this graph.
   async part_of(graph: PlantGraph, id: string, alone = false, model?: string): Promise<Part | null> {
     const all = alone ? new Set([id]) : standing_on(graph, id);
     const components = [...graph.components.values()].filter((one) => all.has(one.id) && one.is_written && !one.is_camera).map((one) => one.id);
@@ -39,7 +39,7 @@ export class PartActions {
     }
   }
 
-  /// Puts a part in below a component, with free names.
+  /// Pastes a part below a component, with free names.
   async paste(part: Part, below: string | null, label: string, kinds: Record<string, LinkKind> = {}): Promise<void> {
     const { graph, document } = this.actions_;
     const taken = new Set(graph.components.keys());
@@ -56,7 +56,7 @@ export class PartActions {
     await this.actions_.make(edits, label, first === undefined ? undefined : component_path(names[first] ?? first));
   }
 
-  /// The same component once more, on the same parents.
+  /// Copies a component without its children. The copy has the component's parents.
   async duplicate(id: string): Promise<void> {
     const part = await this.part(id, true);
     if (!part) return;
@@ -65,7 +65,7 @@ export class PartActions {
     const parents = graph.links.filter((link) => link.to === id && link.from !== id && link.index !== null);
     const ids = [...graph.components.keys()].filter((one) => graph.components.get(one)?.is_written);
     const edits: Edit[] = [{ paste: part.text, names: { [id]: name }, index: ids.indexOf(id) + 1 }];
-    // From the last on, so that the places of those before stay what they are.
+    // The last link is copied first, so that other indices stay valid.
     for (const parent of [...parents].reverse()) edits.push(...copied_link(document, parent, name));
     await this.actions_.make(edits, `Duplicate ${id}`, component_path(name));
   }
@@ -78,7 +78,7 @@ export class PartActions {
     this.studio_.tell(part.components.length > 1 ? `Copied ${id} and ${part.components.length - 1} that stand on it` : `Copied ${id}`);
   }
 
-  /// What was copied here or in another tab, below a component.
+  /// Pastes the part that was copied here or in another tab, below a component.
   async paste_clip(below: string | null): Promise<void> {
     const text = await navigator.clipboard.readText().catch(() => '');
     const own = this.clip_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole plants to choose from: the shipped ones with their pictures, and documents below the server's folder.
+// A choice of whole plants: shipped ones with their pictures, and documents below the server's folder.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -11,7 +11,7 @@ import { use_document } from '../studio_context.ts';
 
 interface PlantChoicesProps {
   is_wanted: (text: string) => boolean;
-  take: (file: string) => void; // as the document writes it
+  take: (file: string) => void; // receives the path as the document writes it
 }
 
 export function PlantChoices({ is_wanted, take }: PlantChoicesProps): ReactElement {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The p-graph of a document as its text says it: components, links, and which links lead back to an ancestor. It is
-// also there while the text has faults; what the library alone knows, such as the components that a grammar places, is
-// handed in.
+// The p-graph of a document, read from its text: components, links, and links back to an ancestor. It exists even while
+// the text has faults. Facts that only the library knows, such as components that a grammar places, are passed in.
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
@@ -13,18 +12,18 @@ export interface GraphComponent {
   id: string;
   type: string;
   is_camera: boolean;
-  is_written: boolean; // false: the library adds the camera
+  is_written: boolean; // false: the library has added the camera
 }
 
 export interface GraphLink {
   from: string;
   to: string;
   kind: LinkKind;
-  index: number | null; // in the document's links; null: the document has no such link
-  recursion: number | null; // of the graph's recursions, where the link leads back
+  index: number | null; // index in the document's links; null: the document has no such link
+  recursion: number | null; // index of the graph's recursion for a link back; else null
 }
 
-/// A link back, and the way from the ancestor down to where it begins.
+/// A link back, and the path from the ancestor down to the beginning of the link.
 export interface Recursion {
   head: string;
   members: string[];
@@ -32,8 +31,8 @@ export interface Recursion {
 
 export interface PlantGraph {
   components: Map<string, GraphComponent>;
-  links: GraphLink[]; // as they are followed: those of one component together, in the document's order
-  roots: string[]; // the camera, then what cannot be reached from it
+  links: GraphLink[]; // links of one component are adjacent, in the document's order
+  roots: string[]; // the camera, then components that cannot be reached from it
   recursions: Recursion[];
 }
 
@@ -75,7 +74,7 @@ export function graph_of(document: Json | undefined, types: Tables['components']
   return with_recursions(components, links);
 }
 
-/// A document without a camera gets one that links to all that nothing links to.
+/// Adds a camera if the document has none. The camera links to all components without a parent.
 function add_camera(components: Map<string, GraphComponent>, links: GraphLink[]): void {
   if ([...components.values()].some((one) => one.is_camera) || components.size === 0) return;
   let id = kAddedCamera;
@@ -89,7 +88,7 @@ function add_camera(components: Map<string, GraphComponent>, links: GraphLink[])
     for (const one of reached_from(to, links)) reached.add(one);
   };
   first.forEach(link_to);
-  // A circle has no first; its first component in the document is taken for one.
+  // A circle has no first component, so the camera links to its first component in the document.
   for (const one of components.keys()) if (one !== id && !reached.has(one)) link_to(one);
 }
 
@@ -106,7 +105,7 @@ export function reached_from(start: string, links: readonly GraphLink[]): Set<st
   return reached;
 }
 
-/// Walks depth first from each root; a link to a component on the way there leads back.
+/// Walks depth-first from each root. A link to a component on the present path is a link back.
 function with_recursions(components: Map<string, GraphComponent>, all: GraphLink[]): PlantGraph {
   const outgoing = new Map<string, GraphLink[]>([...components.keys()].map((id) => [id, []]));
   for (const link of all) outgoing.get(link.from)?.push(link);
@@ -143,7 +142,8 @@ function with_recursions(components: Map<string, GraphComponent>, all: GraphLink
   return graph;
 }
 
-/// Why the document cannot have a link, or null. `recursion` is what components allow.
+/// Returns the reason why the document cannot have a link, or null. `recursion_of` returns the recursion of a
+/// component.
 export function refusal_of_link(graph: PlantGraph, from: string, to: string, recursion_of: (id: string) => number): string | null {
   const target = graph.components.get(to);
   if (!target || !graph.components.has(from)) return 'A link joins two components.';
@@ -154,7 +154,8 @@ export function refusal_of_link(graph: PlantGraph, from: string, to: string, rec
   return `The links ${[...way, to].join(' > ')} would form an endless circle. A recursion of at least 2 in ${to} allows it.`;
 }
 
-/// The components from one down to the other, both included; null where no links lead there.
+/// Returns the components on a path from one component down to another, both included. Returns null if no links lead
+/// there.
 export function way_between(graph: PlantGraph, from: string, to: string): string[] | null {
   const before = new Map<string, string | null>([[from, null]]);
   const open = [from];
@@ -172,12 +173,12 @@ export function way_between(graph: PlantGraph, from: string, to: string): string
   return way;
 }
 
-/// A component with all that stands on it.
+/// Returns a component with all its descendants.
 export function standing_on(graph: PlantGraph, id: string): Set<string> {
   return reached_from(id, graph.links);
 }
 
-/// A component with what nothing else holds.
+/// Returns a component with the descendants that no other component holds.
 export function held_by(graph: PlantGraph, id: string): Set<string> {
   const left = new Set<string>();
   const open = graph.roots.filter((root) => root !== id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graph of the open document and its drawing, worked out once per text.
+// The graph of the open document and its layout, computed once per text.
 import { useMemo } from 'react';
 
 import { use_store } from '../base/store.ts';

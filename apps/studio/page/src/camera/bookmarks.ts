@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views of a document that somebody wants to come back to; the browser keeps them.
+// Saved views of a document, which the browser keeps.
 import { prefer, preference } from '../base/preferences.ts';
 import type { CameraState } from '../view/orbit.ts';
 
@@ -27,7 +27,7 @@ export function keep_bookmarks(document: Parameters<typeof key_of>[0], all: read
   prefer(key_of(document), JSON.stringify(all.slice(-kMost)));
 }
 
-/// A name that none of them has.
+/// Returns a name that no bookmark has.
 export function next_name(all: readonly Bookmark[]): string {
   for (let k = all.length + 1; ; k += 1) if (!all.some((one) => one.name === `View ${k}`)) return `View ${k}`;
 }

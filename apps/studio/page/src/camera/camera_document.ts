@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera of a document: what it says of the view, and edits that have it look as the page does.
+// The camera of a document: its view, and edits that copy the page's view into it.
 import { component_path, link_path, written_link } from '../board/board_edits.ts';
 import type { PlantGraph } from '../board/plant_graph.ts';
 import type { Json } from '../document/json.ts';
@@ -13,13 +13,14 @@ export interface WrittenCamera {
   field_of_view: number;
 }
 
-const kDigits = 3; // of metres
+const kDigits = 3; // digits after the point, for metres
 
 function rounded(numbers: readonly number[]): number[] {
   return numbers.map((one) => Number(one.toFixed(kDigits)));
 }
 
-/// Has the document's camera stand where the view's does. A document without one gets it, above all that it links to.
+/// Returns the edits that give the document's camera the pose of the view. Adds a camera with links to all roots if the
+/// document has none.
 export function camera_edits(document: Json | undefined, graph: PlantGraph, camera: WrittenCamera): Edit[] {
   const said = { position: rounded(camera.position), target: rounded(camera.target), field_of_view: camera.field_of_view };
   const found = [...graph.components.values()].find((one) => one.is_camera);
@@ -38,8 +39,8 @@ export function camera_edits(document: Json | undefined, graph: PlantGraph, came
 
 export type DocumentCamera = { state: CameraState } | { azimuth: number; altitude: number; field_of_view: number };
 
-/// From where the document's camera looks; without a position, only from which side. Null where it says neither, or by
-/// expressions. `usual` is the field of view of a camera that says none.
+/// Returns the view of the document's camera, or only its side if it has no position. Returns null if it has neither,
+/// or if expressions are used. `usual` is the default field of view.
 export function camera_of_document(document: Json | undefined, graph: PlantGraph, usual: number): DocumentCamera | null {
   const found = [...graph.components.values()].find((one) => one.is_camera && one.is_written);
   const said = found ? member_of(member_of(document, 'components'), found.id) : undefined;
@@ -57,7 +58,7 @@ function point_of(value: Json | undefined): [number, number, number] | null {
   return numbers.length === 3 ? (numbers as [number, number, number]) : null;
 }
 
-/// Azimuth from north over east: north is -z, east +x.
+/// The azimuth is measured from north over east: north is -z, east +x.
 export function state_between(position: readonly [number, number, number], target: [number, number, number]): CameraState {
   const [x, y, z] = [position[0] - target[0], position[1] - target[1], position[2] - target[2]];
   const distance = Math.hypot(x, y, z);

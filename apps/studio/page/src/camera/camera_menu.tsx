@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be done with the camera of the view: put into the document, kept as a bookmark, used for a still.
+// Actions with the view's camera: copy it into the document, bookmark it, or draw a still.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -61,7 +61,7 @@ function look_as_document(studio: Studio): void {
   studio.view.fit();
 }
 
-/// That of a camera that says none, as the tables have it.
+/// Returns the default field of view of the document's camera, from the tables.
 function usual_field_of_view({ tables }: Studio): number {
   const type = Object.keys(tables.components).find((one) => tables.components[one]?.is_camera) ?? '';
   const rows = component_groups(tables, type).flatMap((one) => one.rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture by the path tracer, from where the view looks and at its time, shown here when it is there.
+// A picture by the path tracer, from the view's camera and at its time. It is shown here when it is ready.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 

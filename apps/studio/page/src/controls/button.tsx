@@ -6,10 +6,10 @@ import { Icon } from './icon.tsx';
 
 interface IconButtonProps {
   icon: IconName;
-  label: string; // what it does; also its tooltip
-  keys?: string; // the shortcut, for the tooltip
-  is_on?: boolean; // of a switch
-  is_off?: boolean; // cannot be used now
+  label: string; // name of the action; also its tooltip
+  keys?: string; // shortcut, shown in the tooltip
+  is_on?: boolean; // state of a switch
+  is_off?: boolean; // true: cannot be used now
   is_small?: boolean;
   press: () => void;
 }
@@ -36,7 +36,7 @@ interface ButtonProps {
   icon?: IconName;
   tip?: string;
   is_off?: boolean;
-  is_open?: boolean; // of what it opens and closes
+  is_open?: boolean; // whether the part that it controls is open
   press: () => void;
   children: ReactNode;
 }
@@ -57,7 +57,7 @@ interface SegmentsProps<T extends string> {
   choose: (value: T) => void;
 }
 
-/// One of a few, all in view.
+/// A choice of one of a few values, all of them visible.
 export function Segments<T extends string>({ label, value, choices, choose }: SegmentsProps<T>): ReactElement {
   return (
     <div className="segments" role="group" aria-label={label}>

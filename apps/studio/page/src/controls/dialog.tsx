@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window over the page; Escape and a click beside it close it.
+// A window over the page. Escape, or a click beside it, closes it.
 import type { ReactElement, ReactNode } from 'react';
 import { useEffect, useId, useRef } from 'react';
 
@@ -21,7 +21,7 @@ export function Dialog({ title, width = 'narrow', close, children, footer }: Dia
     const before = document.activeElement;
     if (dialog && !dialog.open) dialog.showModal();
     dialog?.querySelector<HTMLElement>('.dialog-body input:not([type=checkbox])')?.focus();
-    // Taken out of the page, a dialog does not give the keyboard back by itself.
+    // A dialog that is removed from the page does not return the keyboard focus, so this is done here.
     return () => {
       if (before instanceof HTMLElement) before.focus();
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Icons of our own, on a grid of 16: strokes of 1.5 with round ends.
+// The studio's own icons, on a grid of 16 with strokes of 1.5 and round ends.
 import type { ReactElement } from 'react';
 
 const kPaths = {

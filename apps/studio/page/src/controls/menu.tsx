@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A button that opens a list of things to do.
+// A button that opens a list of actions.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 
@@ -8,7 +8,7 @@ import { Icon } from './icon.tsx';
 
 export interface MenuItem {
   text: string;
-  is_on?: boolean; // the one that holds now
+  is_on?: boolean; // true: the present choice
   act: () => void;
 }
 

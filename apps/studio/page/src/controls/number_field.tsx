@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field for a number: typed, with arithmetic; dragged across, Shift fine and Ctrl coarse; stepped by the arrow keys.
+// A field for a number. It accepts arithmetic, drags sideways (Shift fine, Ctrl coarse) and the arrow keys.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
 import { calculate, rounded, tidy } from '../document/arithmetic.ts';
 
 export interface NumberActions {
-  drag: (value: number) => void; // for a while
-  commit: (value: number) => void; // as one step
-  cancel: () => void; // back to what was
+  drag: (value: number) => void; // temporary value
+  commit: (value: number) => void; // final value, as one step
+  cancel: () => void; // restores the previous value
 }
 
 interface NumberFieldProps extends NumberActions {
@@ -18,16 +18,16 @@ interface NumberFieldProps extends NumberActions {
   unit?: string | undefined;
   description?: string;
   is_faulty?: boolean;
-  is_dim?: boolean; // a default that nobody gave
-  limit: (value: number) => number; // to the nearest allowed
-  /// For texts that are no arithmetic; without it they are put back.
+  is_dim?: boolean; // true: a default that the document does not contain
+  limit: (value: number) => number; // returns the nearest allowed number
+  /// Receives texts that are no arithmetic. Without it, such texts are discarded.
   express?: ((text: string) => void) | undefined;
 }
 
 const kPixelsToBegin = 3;
 const kPixelsPerStep = 2;
 
-/// Digits that a person can read.
+/// Returns a number with a readable number of digits.
 export function shown_number(value: number | null): string {
   return value === null ? '' : String(Math.abs(value) >= 1e-4 || value === 0 ? tidy(Number(value.toPrecision(6))) : Number(value.toPrecision(4)));
 }
@@ -75,7 +75,7 @@ export function NumberField(props: NumberFieldProps): ReactElement {
     if (!held.moves) input.current?.focus({ preventScroll: true });
     held.moves = true;
     const fine = step * pace(event);
-    // Each move is added, so that the pace may change on the way.
+    // Each move is added separately, so that the speed may change on the way.
     held.value += (way / kPixelsPerStep) * fine;
     held.x = event.clientX;
     held.now = limit(rounded(held.value, fine));
@@ -115,7 +115,7 @@ export function NumberField(props: NumberFieldProps): ReactElement {
         onKeyDown={key}
         onPointerDown={down}
         onMouseDown={(event) => {
-          // A hand that drags across selects nothing.
+          // Prevents text from being selected during a drag.
           if (hand.current) event.preventDefault();
         }}
         onPointerMove={move}

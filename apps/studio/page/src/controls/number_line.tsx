@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number within limits, with its name before it. What is typed counts at once; there is nothing to put back.
+// A number within limits, with its name before it. Each typed number takes effect at once and cannot be cancelled.
 import type { ReactElement } from 'react';
 
 import { NumberField } from './number_field.tsx';
@@ -11,7 +11,7 @@ interface NumberLineProps {
   step: number;
   low: number;
   high: number;
-  look?: string; // class of the line
+  look?: string; // CSS class of the line
   set: (value: number) => void;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slider: moves are for a while, letting go is one step, Escape puts back.
+// A slider. Moves are temporary, releasing it is one step, and Escape restores the previous value.
 import type { CSSProperties, KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -21,7 +21,7 @@ export function Slider(props: SliderProps): ReactElement {
   const is_cancelled = useRef(false);
   const commit = useRef(props.commit);
   commit.current = props.commit;
-  // React's onChange is the browser's input event; this is its change event: the hand has let go.
+  // React's onChange is the browser's input event. The browser's change event reports the release of the slider.
   useEffect(() => {
     const element = input.current;
     const take = (): void => {

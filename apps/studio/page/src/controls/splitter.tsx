@@ -5,14 +5,14 @@ import { useRef } from 'react';
 
 interface SplitterProps {
   label: string;
-  edge: 'left' | 'right'; // of the panel, where the splitter lies
-  width: number | null; // pixels; null: what the style says
+  edge: 'left' | 'right'; // edge of the panel with the splitter
+  width: number | null; // pixels; null: width of the style
   low: number;
   high: number;
   change: (width: number | null) => void;
 }
 
-const kStep = 16; // pixels of an arrow key
+const kStep = 16; // pixels per arrow key
 
 export function Splitter({ label, edge, width, low, high, change }: SplitterProps): ReactElement {
   const element = useRef<HTMLDivElement>(null);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tooltip for the whole page: whatever has `data-tip` is explained when the pointer rests on it or the keyboard is.
+// One tooltip for the whole page. It shows `data-tip` of the element under a resting pointer, or with the keyboard
+// focus.
 
 const kRest = 350;
 
 export function start_tooltips(root: HTMLElement): void {
   const tip = document.createElement('div');
   tip.className = 'tooltip';
-  tip.setAttribute('aria-hidden', 'true'); // readers have the label or the description
+  tip.setAttribute('aria-hidden', 'true'); // screen readers use the label or the description
   document.body.append(tip);
   let timer = 0;
   let owner: Element | null = null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The attraction points of a component's crown, as its outlines are drawn over them: turned about the vertical into the
-// plane of an outline.
+// The attraction points of a component's crown, drawn behind its outlines. The points are turned about the vertical
+// into the plane of an outline.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
@@ -13,8 +13,8 @@ import type { Studio } from '../studio.ts';
 
 export interface ToldCloud {
   component: string;
-  positions: Float32Array; // x, y, z of each, about its root
-  count: number; // of all, where these are some
+  positions: Float32Array; // x, y and z of each point, relative to its root
+  count: number; // number of all points; `positions` can hold fewer
 }
 
 export class CrownCloud {
@@ -24,14 +24,14 @@ export class CrownCloud {
 
   constructor(private readonly studio_: Studio) {}
 
-  /// Another document is opened.
+  /// Resets the points for another document.
   forget(): void {
     this.newest_.drop();
     this.asked_ = null;
     this.told.set(null);
   }
 
-  /// Asks for the points of a component as they have grown last, once for each growth; the newest answer counts.
+  /// Requests the points of a component, once for each growth. Only the newest answer counts.
   follow(component: string, grown: Grown): void {
     if (this.asked_?.component === component && this.asked_.grown === grown) return;
     this.asked_ = { component, grown };
@@ -45,26 +45,26 @@ export class CrownCloud {
   }
 }
 
-/// The points in the plane of an outline: radius and height. An outline at an azimuth has the points that none of the
-/// others is nearer to.
+/// Returns the points in the plane of an outline, as radius and height. An outline at an azimuth gets the points that
+/// are not nearer to another outline.
 export function turned_points(positions: ArrayLike<number>, azimuth: number | null, others: readonly number[]): Point[] {
   const points: Point[] = [];
   for (let k = 0; k + 2 < positions.length; k += 3) {
     const [x, y, z] = [positions[k] ?? 0, positions[k + 1] ?? 0, positions[k + 2] ?? 0];
-    const own = (Math.atan2(x, -z) * 180) / Math.PI; // from north over east
+    const own = (Math.atan2(x, -z) * 180) / Math.PI; // degrees from north over east
     if (azimuth !== null && others.some((other) => apart(own, other) < apart(own, azimuth))) continue;
     points.push([Math.hypot(x, z), y]);
   }
   return points;
 }
 
-/// Degrees between two azimuths, the shorter way round.
+/// Returns the smaller angle between two azimuths, degrees.
 function apart(one: number, other: number): number {
   const turn = (((one - other) % 360) + 360) % 360;
   return Math.min(turn, 360 - turn);
 }
 
-/// The azimuths of a crown's outlines, as its `profiles` names them.
+/// Returns the azimuths of a crown's outlines, which are the names in its `profiles`.
 export function azimuths_of(profiles: Json | undefined): number[] {
   return is_object(profiles) ? Object.keys(profiles).map(Number).filter(Number.isFinite) : [];
 }

@@ -9,8 +9,8 @@ import { azimuths_of, turned_points } from './crown_cloud.ts';
 
 const kNone: readonly Point[] = [];
 
-/// The attraction points behind the outline at a path, which follow what has grown; none where `path` is null, or where
-/// no component fills that crown.
+/// Returns the attraction points behind the outline at a path, updated after each growth. Returns an empty list if
+/// `path` is null, or if no component fills that crown with points.
 export function use_crown_cloud(path: string | null): readonly Point[] {
   const studio = use_studio();
   const { tree } = use_document();

@@ -13,7 +13,7 @@ import { OpenDialog, SaveDialog } from './file_dialogs.tsx';
 import { ModelsDialog } from './models_dialog.tsx';
 import { RecordDialog } from './record_dialog.tsx';
 
-/// The window that is open, if there is one.
+/// The open window, if there is one.
 export function Dialogs(): ReactElement | null {
   const studio = use_studio();
   const { dialog } = use_store(studio.shell);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files from the plant, by the server; and the line that makes the same in a terminal.
+// Exports files by the server, and shows the command line that makes the same files in a terminal.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -53,7 +53,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   const { hello } = use_store(studio.server);
   const { working } = use_store(studio.growth);
   const { good } = use_document();
-  // Films are recorded from the timeline.
+  // Films are exported from the timeline.
   const formats = hello?.formats.filter((one) => !/\.(mp4|webm)$/.test(one.ending)) ?? [];
   const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
   const [options, set_options] = useState<ExportOptions>(studio.bench.time.time > 0 ? { time: studio.bench.time.time } : {});

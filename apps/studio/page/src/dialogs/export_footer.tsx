@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Below what makes files: the line of a terminal that does the same, and then what makes them.
+// The lower part of an export window: the equivalent command line, and the buttons.
 import type { ReactElement, ReactNode } from 'react';
 
 import { Button } from '../controls/button.tsx';

@@ -14,9 +14,9 @@ interface FilesProps {
   folder: string;
   enter: (folder: string) => void;
   take: (path: string) => void;
-  endings: string[]; // others are not shown; none: all are
-  empty: string; // what is said where there is none
-  picture_of?: (path: string) => ReactElement; // in place of the icon of a file
+  endings: string[]; // other files are hidden; empty: all files are shown
+  empty: string; // text for an empty list
+  picture_of?: (path: string) => ReactElement; // replaces the icon of a file
 }
 
 function use_files(studio: Studio, folder: string): ListedFile[] | null {

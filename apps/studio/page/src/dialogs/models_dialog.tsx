@@ -7,7 +7,7 @@ import { Icon } from '../controls/icon.tsx';
 import type { ShippedModel } from '../server/protocol.ts';
 import { use_studio } from '../studio_context.ts';
 
-/// The shipped plants; none until the server has answered.
+/// Returns the shipped plants. The list is empty until the server has answered.
 export function use_models(): ShippedModel[] {
   const studio = use_studio();
   const [models, set_models] = useState<ShippedModel[]>([]);
@@ -20,7 +20,7 @@ export function use_models(): ShippedModel[] {
   return models;
 }
 
-/// All shipped plants with their pictures.
+/// A window with all shipped plants and their pictures.
 export function ModelsDialog({ close }: { close: () => void }): ReactElement {
   const studio = use_studio();
   const models = use_models();

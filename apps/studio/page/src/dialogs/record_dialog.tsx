@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film of the document, or a picture for each frame of it. The server draws them while the page goes on.
+// Exports a film of the document, or a picture for each of its frames. The server draws them while the page stays
+// usable.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be typed into a field of numbers: "1/3", "2*(4+0.5)", "+0.1" is a number and "50%" of nothing is not.
-// Sums, products, powers and parentheses over plain numbers; anything else is not arithmetic but an expression of the
-// document, which the server reads.
+// Evaluates arithmetic in number fields, such as "1/3" or "2*(4+0.5)": sums, products, powers and parentheses over
+// plain numbers. Any other text is an expression of the document, which the server reads.
 
 class Arithmetic {
   private at_ = 0;
@@ -63,24 +62,24 @@ class Arithmetic {
   }
 }
 
-/// The number that the text comes to, or null where it is no arithmetic over plain numbers.
+/// Returns the value of the text, or null if it is not arithmetic over plain numbers.
 export function calculate(text: string): number | null {
   const value = new Arithmetic(text.trim().replace(/,(?=\d)/g, '.')).result();
   return Number.isFinite(value) ? tidy(value) : null;
 }
 
-/// Without the digits that binary fractions leave: 0.1 + 0.2 is 0.3.
+/// Removes the digits that binary fractions leave: 0.1 + 0.2 gives 0.3.
 export function tidy(value: number): number {
   return Number(value.toPrecision(12));
 }
 
-/// As many digits as a step of this size needs.
+/// Rounds a value to the digits that a step of this size needs.
 export function rounded(value: number, step: number): number {
   if (!(step > 0)) return tidy(value);
   return tidy(Math.round(value / step) * step);
 }
 
-/// A step that makes about a hundred over a range: 1, 2 or 5 times a power of ten.
+/// Returns a step that divides a range into about `count` parts: 1, 2 or 5 times a power of ten.
 export function fitting_step(low: number, high: number, count = 100): number {
   const raw = (high - low) / count;
   if (!(raw > 0)) return 0.01;

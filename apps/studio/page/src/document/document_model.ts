@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The open document: its text, what the server reads in it, and the undo list. All changes of the text go through here,
+// The open document: its text, the server's reading of it, and the undo list. All changes of the text are made here,
 // one after another.
 import { Store } from '../base/store.ts';
 import type { Connection } from '../server/connection.ts';
@@ -23,9 +23,9 @@ export class DocumentModel {
   readonly state = new Store<DocumentState>(kNoDocument);
   private readonly waiting_ = new EditQueue();
   private is_asking_ = false;
-  private opened_ = 0; // how many documents have been opened
-  private is_unread_ = false; // the server stopped reading this text for something newer
-  private typed_: string | null = null; // text of the editor, typed while an edit was on its way
+  private opened_ = 0; // number of documents opened so far
+  private is_unread_ = false; // true: the server stopped reading this text because of a newer message
+  private typed_: string | null = null; // text of the editor that was typed while an edit was on its way
   private typed_at_ = 0;
   private typed_base_: { text: string; patch: Patch } | null = null; // the edit that was on its way
   private readonly idle_: (() => void)[] = [];
@@ -50,7 +50,7 @@ export class DocumentModel {
     this.state.set({ ...kNoDocument, ...reading_of(reading, read.tree, []), path, model, name, text, hash, saved, base: hash, ...read });
   }
 
-  /// Puts back what was kept of an earlier session, and makes the edits that no server has made yet.
+  /// Restores the work of an earlier session, and makes the edits that no server has made yet.
   take_kept(text: string, undo: UndoState, waiting: readonly WaitingEdits[] = []): void {
     this.change_text(text, undo);
     this.send_whole();
@@ -64,7 +64,7 @@ export class DocumentModel {
   }
 
   take_reading(hash: string, reading: Reading): void {
-    // A reading that newer changes have superseded says nothing.
+    // The reading of an outdated text is ignored.
     const { hash: now, tree, variables } = this.state.get();
     if (hash !== now) return;
     this.is_unread_ = reading.superseded ?? false;
@@ -76,26 +76,26 @@ export class DocumentModel {
     if (this.is_unread_) this.send_whole();
   }
 
-  /// Has the library change the text, as one step. Edits that set one and the same value while others are on their way
-  /// become one: the last counts. Resolves to what was wrong, or null.
+  /// Asks the library to change the text, as one step. Waiting edits that set one value repeatedly become one edit with
+  /// the last value. Resolves to what was wrong, or null.
   edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
     const made = this.waiting_.add(edits, label, wish);
     void this.ask_next();
     return made;
   }
 
-  /// Takes over what was typed into the text.
+  /// Applies text that was typed into the editor.
   type(text: string): void {
     if (this.is_asking_) this.typed_ = text;
     else this.put(patch_between(this.state.get().text, text), 'Type');
   }
 
-  /// Whether something was typed that is not in the text yet, since an edit is on its way.
+  /// True if typed text is not in the document yet, because an edit is on its way.
   get awaits_typed(): boolean {
     return this.typed_ !== null;
   }
 
-  /// Puts another text in the place of this one, as one step.
+  /// Replaces the whole text, as one step.
   async replace(text: string, label: string): Promise<void> {
     await this.idle();
     this.put(patch_between(this.state.get().text, text), label);
@@ -117,13 +117,13 @@ export class DocumentModel {
     return { label: forward.step.label, chosen: forward.step.chosen };
   }
 
-  /// When no edit is on its way; without a server nothing is.
+  /// Resolves when no edit is on its way. Without a server, no edit ever is.
   idle(): Promise<void> {
     if (!this.is_asking_) return Promise.resolve();
     return new Promise((done) => this.idle_.push(done));
   }
 
-  /// Tells the server the whole text, as after a difference.
+  /// Sends the whole text to the server, for example after a difference.
   send_whole(): void {
     const { text, hash } = this.state.get();
     this.connection_()
@@ -132,7 +132,7 @@ export class DocumentModel {
       .catch(() => undefined);
   }
 
-  /// The server is there again and has been told the text: asks what waits.
+  /// Called when the server is back and has the text. Sends the waiting edits.
   resume(): void {
     void this.ask_next();
   }
@@ -149,7 +149,7 @@ export class DocumentModel {
     this.splice(patch, with_last(undo, { ...step, ...joined_patch(text, last.inverse, patch) }));
   }
 
-  /// Changes the text here and tells the server.
+  /// Changes the text here and informs the server.
   private splice(patch: Patch, undo: UndoState): void {
     const { text, hash: base } = this.state.get();
     const hash = this.change_text(apply_patch(text, patch), undo);
@@ -165,7 +165,7 @@ export class DocumentModel {
     const hash = text_hash(text);
     const { tree, good, variables } = this.state.get();
     this.state.merge({ text, hash, undo, ...tree_of(text, tree) });
-    // Without faults the server reads the text in a moment, and knows what expressions come to.
+    // A text without faults is read by the server at once, which then sends the values of expressions.
     if (!good || !this.connection_().is_open) this.state.merge({ variables: variables_of_text(variables, this.state.get().tree) });
     return hash;
   }
@@ -178,7 +178,7 @@ export class DocumentModel {
     this.note_waiting();
     if (!next) return;
     this.is_asking_ = true;
-    this.typed_base_ = null; // set once this edit is made
+    this.typed_base_ = null; // set once the edit is made
     const faults = await this.ask(next);
     this.is_asking_ = false;
     if (this.typed_ !== null) this.take_typed(this.typed_);
@@ -187,7 +187,7 @@ export class DocumentModel {
     void this.ask_next();
   }
 
-  /// Makes the first of the waiting edits in the text, without the server: if it is not there, or if the text is no JSON.
+  /// Makes the first waiting edit without the server, if the server is missing or the text is not JSON.
   private make_here(): boolean {
     const { text, tree_is } = this.state.get();
     const next = this.waiting_.first;
@@ -200,7 +200,7 @@ export class DocumentModel {
     return true;
   }
 
-  /// What waits is kept with the text, while no server is there to make it.
+  /// Keeps waiting edits with the text while no server can make them.
   private note_waiting(): void {
     const waiting = this.connection_().is_open ? [] : this.waiting_.plain();
     if (waiting.length > 0 || this.state.get().waiting.length > 0) this.state.merge({ waiting });
@@ -212,7 +212,7 @@ export class DocumentModel {
       const { text, hash: base, undo } = this.state.get();
       try {
         const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...(wish.wish.only_if_good ? { only_if_good: true } : {}) });
-        if (opened !== this.opened_) return kDropped; // it was made in the document before
+        if (opened !== this.opened_) return kDropped; // the edit was made in the previous document
         const patch = patch_of_plain(edited.patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
         this.typed_base_ = { text, patch };
@@ -223,7 +223,7 @@ export class DocumentModel {
       } catch (fault) {
         if (opened !== this.opened_) return kDropped;
         if (fault instanceof Lost) {
-          // The wish stays, and is asked again when the server is back.
+          // The edit stays in the queue and is sent again when the server is back.
           this.waiting_.put_back(wish);
           return 'lost';
         }
@@ -239,7 +239,7 @@ export class DocumentModel {
     return refusal.reasons;
   }
 
-  /// What was typed while an edit was on its way was typed into the text before it.
+  /// Text that was typed while an edit was on its way is based on the text before the edit.
   private take_typed(typed: string): void {
     this.typed_ = null;
     const base = this.typed_base_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of the open document.
+// The state of the open document.
 import type { Edit, Fault, ImpliedLink, Reading, Variable } from '../server/protocol.ts';
 import type { JsonNode } from './json.ts';
 import { is_object, keep_values, parse_broken_json, parse_json } from './json.ts';
@@ -7,32 +7,32 @@ import type { UndoState } from './undo_list.ts';
 import { variables_of_text } from './text_variables.ts';
 import { kNothingDone } from './undo_list.ts';
 
-/// How the tree was read: of JSON, around a fault of its form, or from a text before this one.
+/// How the tree was read: from valid JSON, from JSON with a repaired fault, or from an earlier text.
 export type TreeIs = 'whole' | 'mended' | 'old';
 
-/// Edits that wait for a server, as they are kept in the browser.
+/// Edits that wait for a server, in the form that the browser keeps.
 export interface WaitingEdits {
   edits: Edit[];
   label: string;
 }
 
 export interface DocumentState {
-  path: string | null; // of the file, below the server's folder
-  model: string | null; // the shipped model that it began as
+  path: string | null; // path of the file below the server's folder
+  model: string | null; // the shipped model from which it began
   name: string;
   text: string;
   hash: string;
-  saved: string | null; // hash of the file as it is on the disk
-  base: string; // hash of the text as it was opened or saved
-  tree: JsonNode | null; // of the text; `old`: of the last text that could be read
+  saved: string | null; // hash of the file on the disk
+  base: string; // hash of the text when it was opened or saved
+  tree: JsonNode | null; // tree of the text; `old`: tree of the last text that could be read
   tree_is: TreeIs;
   good: boolean;
   faults: Fault[];
   variables: Variable[];
-  implied: ImpliedLink[]; // links that components make themselves
-  notes: Record<string, string>; // comments at components, by their ids
+  implied: ImpliedLink[]; // links that components make without a link in the text
+  notes: Record<string, string>; // comments on components, by id
   undo: UndoState;
-  waiting: WaitingEdits[]; // while no server is there
+  waiting: WaitingEdits[]; // edits that wait while there is no server
 }
 
 export const kNoDocument: DocumentState = {
@@ -54,15 +54,16 @@ export const kNoDocument: DocumentState = {
   waiting: [],
 };
 
-/// Returns what a reading changes. The server knows no variables of a faulty text: then they are those of the text.
+/// Returns the changes of the state by a reading. The server computes no variables of a faulty text; they are then read
+/// from the text.
 export function reading_of({ good, faults, implied = [], notes = {}, variables }: Reading, tree: JsonNode | null, known: Variable[]): Partial<DocumentState> {
   if (!good && variables.length === 0) return { good, faults, notes, variables: variables_of_text(known, tree) };
-  // An empty expression is none.
+  // An empty expression means that there is no expression.
   return { good, faults, implied, notes, variables: variables.map((one) => ({ ...one, expression: one.expression || null })) };
 }
 
-/// Returns the tree of a text. Reads around the fault if the text is no JSON. If names at the top are then missing that
-/// the last tree has, the tree is the last one.
+/// Returns the tree of a text. If the text is not JSON, reads around the fault. If top-level names of the last tree are
+/// then missing, returns the last tree.
 export function tree_of(text: string, last: JsonNode | null): { tree: JsonNode | null; tree_is: TreeIs } {
   const read = (parse: (text: string) => JsonNode): JsonNode | null => {
     try {
@@ -82,7 +83,7 @@ export function tree_of(text: string, last: JsonNode | null): { tree: JsonNode |
   return is_good ? { tree: mended, tree_is: 'mended' } : { tree: last, tree_is: 'old' };
 }
 
-/// Returns the reading of an answer that need not have one; null if it has none.
+/// Returns the reading in an answer, or null if the answer has none.
 export function whole_reading({ good, faults, variables, implied, notes }: Partial<Reading>): Reading | null {
   if (good === undefined || !faults || !variables) return null;
   return { good, faults, variables, tree: null, implied: implied ?? [], notes: notes ?? {} };

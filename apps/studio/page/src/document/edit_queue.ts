@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits that are not made yet, in their order.
+// The queue of edits that are not made yet.
 import type { Edit, Fault } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { WaitingEdits } from './document_state.ts';
 
-/// How an edit is made.
+/// Options of an edit.
 export interface EditWish {
-  only_if_good?: boolean | undefined; // not where the text would then have errors
-  choose?: string | undefined; // path that is chosen after it
+  only_if_good?: boolean | undefined; // true: not made if the text would then have errors
+  choose?: string | undefined; // path to choose after the edit
 }
 
 export interface QueuedEdit {
@@ -17,7 +17,7 @@ export interface QueuedEdit {
   done: ((faults: Fault[] | null) => void)[];
 }
 
-/// The answer to an edit that was not made because another document was opened.
+/// The answer to an edit that was dropped because another document was opened.
 export const kDropped = new Refusal('Another document was opened before the edit was made', { cancelled: true }).reasons;
 
 export class EditQueue {
@@ -27,8 +27,8 @@ export class EditQueue {
     return this.queue_[0] ?? null;
   }
 
-  /// Adds edits that are one step. Those that set the same values as the last ones replace them. Resolves to what was
-  /// wrong, or null.
+  /// Adds edits that form one step. If they set the same values as the last waiting edits, they replace them. Resolves
+  /// to what was wrong, or null.
   add(edits: Edit[], label: string, wish: EditWish): Promise<Fault[] | null> {
     return new Promise((done) => {
       const last = this.queue_.at(-1);
@@ -49,12 +49,12 @@ export class EditQueue {
     this.queue_.unshift(edit);
   }
 
-  /// Another document is opened.
+  /// Drops all edits, because another document is opened.
   drop_all(): void {
     for (const { done } of this.queue_.splice(0)) for (const tell of done) tell(kDropped);
   }
 
-  /// As the browser keeps them.
+  /// Returns the edits in the form that the browser keeps.
   plain(): WaitingEdits[] {
     return this.queue_.map(({ edits, label }) => ({ edits, label }));
   }

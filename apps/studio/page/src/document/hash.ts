@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hash that page and server compare their texts by; the server's text_hash is the same function.
+// The hash that page and server compare to find out whether their texts are equal. It equals the server's text_hash.
 
 const hexadecimal = (n: number): string => (n >>> 0).toString(16).padStart(8, '0');
 
-/// 16 hexadecimal digits.
+/// Returns 16 hexadecimal digits.
 export function text_hash(text: string): string {
   let a = 0xdeadbeef;
   let b = 0x41c6ce57;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON with comments, with the place of everything: what the outline, the inspector and completion read. The server
-// alone decides what a document means; this says only where its values stand.
+// A parser of JSON with comments that records the position of every value, for the outline, the inspector and
+// completion. Only the server decides what a document means.
 
 export type Json = null | boolean | number | string | Json[] | { [name: string]: Json };
 
@@ -12,11 +12,11 @@ export interface JsonMember {
 }
 
 export interface JsonNode {
-  start: number; // in UTF-16 units, as editors count
+  start: number; // position in UTF-16 units, as in editors
   end: number;
   value: Json;
-  members?: JsonMember[]; // of an object
-  elements?: JsonNode[]; // of a list
+  members?: JsonMember[]; // members of an object
+  elements?: JsonNode[]; // elements of a list
 }
 
 export class JsonFault extends Error {
@@ -41,9 +41,9 @@ const kUntilName = /[^"}\]]*/y;
 class Parser {
   private at_ = 0;
   private nested_ = 0;
-  private top_indent_: string | null = null; // blanks before the names at the top
+  private top_indent_: string | null = null; // spaces before the names at the top level
 
-  /// `mends`: faults of the form are passed over, so that the values around them are found.
+  /// If `mends`, faults of the form are skipped, so that the values around them are found.
   constructor(
     private readonly text_: string,
     private readonly mends_ = false,
@@ -117,7 +117,7 @@ class Parser {
     return JSON.parse(found) as string;
   }
 
-  /// True where a name of the root begins a line, as indents tell, so that a bracket before it is missing.
+  /// Returns true if a top-level name begins a line, by its indentation. A bracket before it is then missing.
   private is_at_top(): boolean {
     const indent = /(?:^|\n)([ \t]*)$/.exec(this.text_.slice(Math.max(0, this.at_ - kMostIndent), this.at_))?.[1];
     if (this.nested_ === 1) this.top_indent_ ??= indent ?? null;
@@ -126,7 +126,7 @@ class Parser {
 
   private object(start: number): JsonNode {
     const members: JsonMember[] = [];
-    // Without a prototype: a document may call a member "__proto__".
+    // The object has no prototype, because a document may name a member "__proto__".
     const value = Object.create(null) as { [name: string]: Json };
     this.expect('{');
     this.skip();
@@ -155,28 +155,28 @@ class Parser {
     while (this.text_[this.at_] !== ']') {
       const before = this.at_;
       if (elements.length > 0 && !this.take(',') && !this.mends_) throw new JsonFault("expected ',' or ']'", this.at_);
-      if (this.mends_ && (this.text_[this.at_] === ']' || this.is_at_top())) break; // a comma too many
+      if (this.mends_ && (this.text_[this.at_] === ']' || this.is_at_top())) break; // a superfluous comma
       elements.push(this.value());
-      if (this.at_ === before) break; // a bracket that is missing
+      if (this.at_ === before) break; // a missing bracket
     }
     this.expect(']');
     return { start, end: this.at_, value: elements.map((node) => node.value), elements };
   }
 }
 
-/// Throws a JsonFault.
+/// Parses a text. Throws a JsonFault.
 export function parse_json(text: string): JsonNode {
   return new Parser(text).document();
 }
 
-/// Returns the values of a text that is no JSON, with their places, as far as they are found around its faults. Throws a
-/// JsonFault if it is nested too deeply.
+/// Returns the values that can be found in a text with faults, with their positions. Throws a JsonFault if the text is
+/// nested too deeply.
 export function parse_broken_json(text: string): JsonNode {
   return new Parser(text, true).document();
 }
 
-/// Puts the values that stood there before in place of equal ones, from the root down, so that who looks at a part of the
-/// document can tell by identity whether it is another one.
+/// Replaces values that have not changed by the previous objects, from the root down. Users of a part of the document
+/// can then compare by identity.
 export function keep_values(node: JsonNode, before: Json | undefined): void {
   const { value, members, elements } = node;
   if (members && is_object(value)) {
@@ -201,7 +201,7 @@ export function is_object(value: Json | undefined): value is { [name: string]: J
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/// As documents write values that stand in one line.
+/// Returns a value on one line, as documents write it.
 export function write_json(value: Json): string {
   if (Array.isArray(value)) return `[${value.map(write_json).join(', ')}]`;
   if (!is_object(value)) return JSON.stringify(value);

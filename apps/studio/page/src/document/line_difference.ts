@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How one text differs from another, line by line, for somebody who must choose between them.
+// The differences between two texts line by line, for a user who must choose between them.
 
 export interface DifferentLine {
   sign: '+' | '-' | ' ';
@@ -8,7 +8,8 @@ export interface DifferentLine {
 
 const kMostCells = 4e6;
 
-/// Only what differs, with a line around it; by longest common subsequence between the equal head and tail.
+/// Returns only the differing lines, with one line of context. Uses the longest common subsequence between equal
+/// beginning and end.
 export function line_difference(before: string, after: string): DifferentLine[] {
   const [a, b] = [before.split(/\r?\n/), after.split(/\r?\n/)];
   let head = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes of a text as pieces that are replaced. Offsets count UTF-16 units, as strings and the server's messages do.
+// Changes of a text as replaced pieces. Offsets count UTF-16 units, like strings and the server's messages.
 
 export interface Splice {
-  offset: number; // in the text before the whole patch
+  offset: number; // position in the text before the whole patch
   length: number;
   replacement: string;
 }
@@ -21,7 +21,7 @@ export function apply_patch(text: string, patch: Patch): string {
   return made + text.slice(at);
 }
 
-/// What gives `text` back where it is applied to the patched text.
+/// Returns the patch that turns the patched text back into `text`.
 export function inverse_patch(text: string, patch: Patch): Patch {
   let shift = 0;
   return patch.map(({ offset, length, replacement }) => {
@@ -31,7 +31,7 @@ export function inverse_patch(text: string, patch: Patch): Patch {
   });
 }
 
-/// One splice that makes `after` of `before`, none where they are equal.
+/// Returns one splice that turns `before` into `after`, or an empty patch if they are equal.
 export function patch_between(before: string, after: string): Patch {
   if (before === after) return [];
   const shorter = Math.min(before.length, after.length);
@@ -39,7 +39,7 @@ export function patch_between(before: string, after: string): Patch {
   while (head < shorter && before[head] === after[head]) head += 1;
   let tail = 0;
   while (tail < shorter - head && before[before.length - 1 - tail] === after[after.length - 1 - tail]) tail += 1;
-  // A pair of surrogates is one character: no splice begins or ends within.
+  // A pair of surrogates is one character, which a splice must not split.
   if (head > 0 && is_high(before.charCodeAt(head - 1))) head -= 1;
   if (tail > 0 && is_high(before.charCodeAt(before.length - tail - 1)) && is_low(before.charCodeAt(before.length - tail))) tail -= 1;
   return [{ offset: head, length: before.length - head - tail, replacement: after.slice(head, after.length - tail) }];
@@ -53,7 +53,8 @@ function is_low(unit: number): boolean {
   return unit >= 0xdc00 && unit < 0xe000;
 }
 
-/// `later` as it reads after `first`, which was made of the same text at the same time; null where both touch one range.
+/// Returns `later` adjusted to the text after `first`; both were made for one text. Returns null if both change one
+/// range.
 export function rebased(first: Patch, later: Patch): Patch | null {
   const made: Patch = [];
   for (const splice of later) {
@@ -67,7 +68,7 @@ export function rebased(first: Patch, later: Patch): Patch | null {
   return made;
 }
 
-/// As the server writes splices.
+/// The form in which the server sends splices.
 export type PlainPatch = [number, number, string][];
 
 export function plain_patch(patch: Patch): PlainPatch {
@@ -78,8 +79,8 @@ export function patch_of_plain(plain: PlainPatch): Patch {
   return plain.map(([offset, length, replacement]) => ({ offset, length, replacement }));
 }
 
-/// Returns one step for two that follow each other: from the text before the first, of which `undo` is the inverse, to
-/// `text` after `patch`.
+/// Returns one patch, and its inverse, for two successive patches. `undo` is the inverse of the first one; `text` is
+/// the text between them, and `patch` the second one.
 export function joined_patch(text: string, undo: Patch, patch: Patch): { patch: Patch; inverse: Patch } {
   const before = apply_patch(text, undo);
   const joined = patch_between(before, apply_patch(text, patch));

@@ -5,7 +5,7 @@ import { is_object } from './json.ts';
 
 export type PathStep = string | number;
 
-/// The steps of a path; names with signs of their own stand in quotes: profiles["22.5"]. "links[]" ends in -1.
+/// Returns the steps of a path. Names with special characters are in quotes: profiles["22.5"]. "links[]" ends in -1.
 export function steps_of(path: string): PathStep[] {
   const steps: PathStep[] = [];
   for (const found of path.matchAll(/\[(\d*)\]|\["((?:[^"\\]|\\.)*)"\]|([^.[\]]+)/g)) {
@@ -16,7 +16,7 @@ export function steps_of(path: string): PathStep[] {
   return steps;
 }
 
-/// The path of a member or an element below a path.
+/// Returns the path of a member or an element below a path.
 export function path_below(path: string, step: PathStep): string {
   if (typeof step === 'number') return `${path}[${step < 0 ? '' : step}]`;
   if (/[.[\]"]/.test(step) || step === '') return `${path}[${JSON.stringify(step)}]`;
@@ -27,7 +27,7 @@ export function path_of(steps: PathStep[]): string {
   return steps.reduce<string>(path_below, '');
 }
 
-/// What the path leads to.
+/// Returns the node at the end of a path.
 export function node_at(root: JsonNode | null, path: string): JsonNode | null {
   let node = root;
   for (const step of steps_of(path)) {
@@ -46,7 +46,7 @@ export function member_of(value: Json | undefined, name: string): Json | undefin
   return is_object(value) ? value[name] : undefined;
 }
 
-/// The path of the innermost value, or member, around an offset.
+/// Returns the path of the innermost value, or member, around an offset.
 export function path_at(root: JsonNode, offset: number): string {
   const steps: PathStep[] = [];
   let node: JsonNode | undefined = root;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of a document with others in their places.
+// Copies of a document's values with some values replaced.
 import type { Json } from './json.ts';
 import { is_object } from './json.ts';
 import type { PathStep } from './path.ts';
 import { member_of, steps_of } from './path.ts';
 
-/// A value of the document with others in places of its own.
+/// Returns a value of the document in which other values are replaced by their paths.
 export function with_values(value: Json | undefined, at: readonly PathStep[], values: Readonly<Record<string, Json>>): Json | undefined {
   let made = value;
   for (const [path, one] of Object.entries(values)) {
@@ -26,7 +26,7 @@ export function with_value(value: Json | undefined, [step, ...rest]: PathStep[],
   return { ...object, [step]: with_value(object[step], rest, put) };
 }
 
-/// What stands within a value; undefined where nothing does.
+/// Returns the value within another one, or undefined if it does not exist.
 export function value_within(value: Json | undefined, steps: readonly PathStep[]): Json | undefined {
   return steps.reduce<Json | undefined>((held, step) => (typeof step === 'number' ? (Array.isArray(held) ? held[step] : undefined) : member_of(held, step)), value);
 }

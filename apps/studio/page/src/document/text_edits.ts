@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of the text that the page makes by itself: while no server is there, or where the text is no JSON, of which the
-// library makes no edits. Values are set and removed; all else waits for the server.
+// Edits that the page makes in the text itself. It does so without a server, or if the text is not JSON, which the
+// library cannot edit. Only setting and removing values is possible here.
 import type { Edit } from '../server/protocol.ts';
 import type { Json, JsonMember, JsonNode } from './json.ts';
 import { is_object, parse_broken_json, parse_json, write_json } from './json.ts';
@@ -27,13 +27,13 @@ function tree_or_nothing(text: string): JsonNode | null {
     try {
       return parse(text);
     } catch {
-      // The other one may find more.
+      // The other parser may find more.
     }
   }
   return null;
 }
 
-/// The steps from the root: paths may begin with a variable or a component.
+/// Returns the steps from the root. A path may begin with a variable or a component.
 function whole_steps(tree: JsonNode, path: string): PathStep[] {
   const steps = steps_of(path);
   const [first] = steps;
@@ -44,7 +44,7 @@ function whole_steps(tree: JsonNode, path: string): PathStep[] {
 function with_set(text: string, tree: JsonNode, path: string, value: Json): string | null {
   const steps = whole_steps(tree, path);
   const there = node_at(tree, path_of(steps));
-  // A variable that says more than its value keeps the rest.
+  // A variable with more members than its value keeps them.
   const is_number_of = steps.length === 2 && steps[0] === 'variables' && is_object(there?.value) && !is_object(value);
   const target = is_number_of ? node_at(tree, path_of([...steps, 'value'])) : there;
   if (target) return text.slice(0, target.start) + write_json(value) + text.slice(target.end);
@@ -53,7 +53,7 @@ function with_set(text: string, tree: JsonNode, path: string, value: Json): stri
   return around && typeof name === 'string' ? with_member(text, around, name, value) : null;
 }
 
-/// Behind the last member, and on a line of its own if the last one is.
+/// Returns the text with a member after the last one, on a line of its own if the last one has a line of its own.
 function with_member(text: string, { start, members }: JsonNode, name: string, value: Json): string | null {
   if (!members) return null;
   const said = `${JSON.stringify(name)}: ${write_json(value)}`;
@@ -63,7 +63,7 @@ function with_member(text: string, { start, members }: JsonNode, name: string, v
   return `${text.slice(0, last.node.end)},${line ?? ' '}${said}${text.slice(last.node.end)}`;
 }
 
-/// What is not there needs no removal.
+/// A value that does not exist needs no removal.
 function without_member(text: string, tree: JsonNode, path: string): string | null {
   const steps = whole_steps(tree, path);
   const around = node_at(tree, path_of(steps.slice(0, -1)));

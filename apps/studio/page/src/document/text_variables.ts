@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The variables as the text says them, while the server has not read it: with a fault in it, or without a server.
+// The variables in the text, used while the server has not read it: because of a fault, or without a server.
 import type { Variable } from '../server/protocol.ts';
 import type { Json, JsonNode } from './json.ts';
 import { is_object } from './json.ts';
 import { member_of } from './path.ts';
 
-/// Returns the variables of the text. `known` are those that were read last: they give what the text does not say, and
+/// Returns the variables of the text. `known` are the variables that were read last. They supply missing members and
 /// the values of expressions.
 export function variables_of_text(known: Variable[], tree: JsonNode | null): Variable[] {
   const said = member_of(tree?.value, 'variables');
@@ -22,7 +22,7 @@ function variable_of_text(name: string, said: Json, known: Variable | undefined)
   return {
     name,
     value,
-    // Bounds that nobody gave leave room for the value, as the library has it.
+    // Missing bounds are widened to include the value, as in the library.
     min: number('min') ?? Math.min(known?.min ?? 0, value),
     max: number('max') ?? Math.max(known?.max ?? 1, value),
     unit: text('unit') ?? known?.unit ?? '',

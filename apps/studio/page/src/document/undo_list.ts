@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has been done to a text, and how it is taken back. Plain data, so that it can be kept in the browser.
+// The list of changes of a text, for undo and redo. It is plain data, so that the browser can keep it.
 import type { Patch } from './patch.ts';
 
 export interface UndoStep {
   label: string;
   patch: Patch;
   inverse: Patch;
-  chosen: string; // path of what was chosen when it was done
+  chosen: string; // path that was chosen at the time of the change
 }
 
 export interface UndoState {
@@ -14,29 +14,29 @@ export interface UndoState {
   undone: UndoStep[];
 }
 
-export const kTypingPause = 700; // ms after which typing begins a new step
+export const kTypingPause = 700; // ms of pause after which typing begins a new step
 const kMostSteps = 1000;
 
 export const kNothingDone: UndoState = { done: [], undone: [] };
 
-/// With a step more. What had been taken back is gone then, and of too many steps the oldest.
+/// Returns the state with another step. Undone steps are dropped, and so are the oldest steps if there are too many.
 export function with_step(state: UndoState, step: UndoStep): UndoState {
   return { done: [...state.done, step].slice(-kMostSteps), undone: [] };
 }
 
-/// With another step in place of the last.
+/// Returns the state with the last step replaced.
 export function with_last(state: UndoState, step: UndoStep): UndoState {
   return { done: [...state.done.slice(0, -1), step], undone: [] };
 }
 
-/// The step to take back, and the state after.
+/// Returns the step to undo, and the state after it.
 export function step_back(state: UndoState): { step: UndoStep; state: UndoState } | null {
   const step = state.done.at(-1);
   if (!step) return null;
   return { step, state: { done: state.done.slice(0, -1), undone: [...state.undone, step] } };
 }
 
-/// The step to make again, and the state after.
+/// Returns the step to redo, and the state after it.
 export function step_forward(state: UndoState): { step: UndoStep; state: UndoState } | null {
   const step = state.undone.at(-1);
   if (!step) return null;

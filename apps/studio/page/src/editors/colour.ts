@@ -12,7 +12,7 @@ export interface Hsv {
 const kLong = /^#[0-9a-f]{6}$/i;
 const kShort = /^#([0-9a-f])([0-9a-f])([0-9a-f])$/i;
 
-/// "#rrggbb" of a colour that may be written in short; null where it is none.
+/// Returns a colour as "#rrggbb"; the short form is accepted. Returns null for other texts.
 export function full_colour(text: string): string | null {
   const short = kShort.exec(text);
   if (short) return `#${short.slice(1).map((one) => one + one).join('')}`.toLowerCase();
@@ -38,7 +38,7 @@ export function colour_of({ hue, saturation, value }: Hsv): string {
   return `#${channel(5)}${channel(3)}${channel(1)}`;
 }
 
-/// The colours that a document says, each once, in its order.
+/// Returns the colours in a document, each once, in their order.
 export function colours_in(value: Json | undefined, most = 24): string[] {
   const found = new Set<string>();
   const look = (one: Json | undefined): void => {

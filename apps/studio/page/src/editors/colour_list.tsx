@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A list of colours, large: a band of them in their order, which hands move, add and take away, and the picker of the
-// chosen one. A gesture is one step.
+// A large editor for a list of colours. A band shows the colours in their order; the user moves, adds and removes them,
+// and picks the chosen one. A gesture is one step.
 import type { KeyboardEvent, PointerEvent, ReactElement, RefObject } from 'react';
 import { useRef, useState } from 'react';
 
@@ -16,8 +16,8 @@ interface ColourListProps {
   label: string;
   colours: string[];
   is_faulty: boolean;
-  drag: (colours: Json) => void; // for a while
-  commit: (colours: Json) => void; // as one step
+  drag: (colours: Json) => void; // temporary value
+  commit: (colours: Json) => void; // final value, as one step
   cancel: () => void;
 }
 
@@ -27,7 +27,7 @@ const kStill = 4; // pixels within which a press is a click
 interface HeldColour {
   from: number;
   to: number;
-  x: number; // where the hand took hold
+  x: number; // position where the drag began
   moved: boolean;
 }
 
@@ -100,11 +100,11 @@ interface BandProps {
   press: (event: KeyboardEvent) => void;
 }
 
-/// The colours side by side, in the order that the hand gives them.
+/// The colours side by side, in the order during a drag.
 function Band({ label, colours, index, band, choose, drag, put, cancel, press }: BandProps): ReactElement {
   const held = use_held<HeldColour>();
   const hand = held.shown;
-  // While a hand drags, the row shows its order already: what is held is where it is held.
+  // During a drag, the row already shows the new order.
   const chosen = hand?.moved ? hand.to : index;
   const start = useRef<string[]>([]);
   const place_of = (event: PointerEvent): number => {

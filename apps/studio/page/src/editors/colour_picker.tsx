@@ -22,7 +22,7 @@ const clamped = (one: number): number => Math.min(1, Math.max(0, one));
 
 export function ColourPicker({ label, value, drag, commit, cancel }: ColourPickerProps): ReactElement {
   const { tree } = use_document();
-  // A grey has no hue, and black no saturation: what the hand chose stays.
+  // A grey has no hue, and black no saturation: the user's last choice of these stays.
   const [picked, set_picked] = useState<Hsv>(() => hsv_of(value));
   const hsv = colour_of(picked) === value.toLowerCase() ? picked : hsv_of(value);
   const pick = (part: Partial<Hsv>): string => {

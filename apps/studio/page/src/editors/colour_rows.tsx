@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A colour, and a list of colours: as documents write them, with a picker that opens below.
+// Rows for a colour and for a list of colours, as text, with a picker that opens below.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -16,7 +16,7 @@ interface ColourFieldProps {
   value: string;
   is_faulty: boolean;
   is_dim: boolean;
-  is_open?: boolean; // from the start
+  is_open?: boolean; // open from the start
   drag: (colour: string) => void;
   commit: (colour: string) => void;
   cancel: () => void;

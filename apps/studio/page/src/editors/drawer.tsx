@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The editor that is had large, below the view, so that the plant stays in sight while a hand moves what is edited.
+// The large editor below the view, so that the plant stays visible during edits.
 import type { ReactElement } from 'react';
 import { useEffect } from 'react';
 

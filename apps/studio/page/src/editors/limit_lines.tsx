@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of a row in the picture of its points.
+// The limits of a row, drawn in the picture of its points.
 import type { ReactElement } from 'react';
 
 import type { Limits } from './limits.ts';
 import type { PictureSize, Scale } from './plane.ts';
 import type { Range } from './shape.ts';
 
-/// What lies outside of the legal values, shaded up to a line at the limit.
+/// Shades the area outside of the legal values, up to a line at the limit.
 export function LimitLines({ scale, size, limits: { x, y } }: { scale: Scale; size: PictureSize; limits: Limits }): ReactElement {
   const seen = scale.seen;
   const [left, bottom] = scale.place([x.low, y.low]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture that a row names, large: as it is, with its size, and beside it the pictures below the server's folder.
+// A large editor for a row that names a picture: the picture with its size, and the pictures below the server's folder.
 import type { ReactElement } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
@@ -10,7 +10,7 @@ import { Button } from '../controls/button.tsx';
 import { use_document } from '../studio_context.ts';
 import { use_thumbnail } from './thumbnail.tsx';
 
-const kPixels = 512; // along the longer side of what is shown
+const kPixels = 512; // pixels along the longer side of the shown picture
 
 export function PictureEditor({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
   const { model } = use_document();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A piece of a plane in a picture: where its points stand, the lines of its grid, and what a hand is drawn to.
+// A piece of a plane in a picture: its scale, the lines of its grid, and snapping of points.
 import { fitting_step, rounded } from '../document/arithmetic.ts';
 import type { Frame, Point, Range } from './shape.ts';
 
@@ -9,12 +9,12 @@ export interface PictureSize {
   margin: number;
 }
 
-/// Where things of the frame stand in the picture, and back.
+/// Converts between positions in the frame and positions in the picture.
 export class Scale {
   private readonly across_: number;
   private readonly up_: number;
 
-  /// `is_even`: both ways have one scale, so that outlines keep their shape.
+  /// If `is_even`, both directions have one scale, so that outlines keep their shape.
   constructor(
     readonly frame: Frame,
     private readonly size_: PictureSize,
@@ -34,18 +34,18 @@ export class Scale {
     const { x: a, y: b } = this.frame;
     return [(left - this.size_.wide / 2) / this.across_ + (a.low + a.high) / 2, (this.size_.high / 2 - top) / this.up_ + (b.low + b.high) / 2];
   }
-  /// How much of the plane a pixel is, each way.
+  /// The size of a pixel in the plane, for both directions.
   get pixel(): Point {
     return [1 / this.across_, 1 / this.up_];
   }
-  /// What is seen between the picture's edges.
+  /// The part of the plane between the edges of the picture.
   get seen(): Frame {
     const [[left, top], [right, bottom]] = [this.value([0, 0]), this.value([this.size_.wide, this.size_.high])];
     return { x: { low: left, high: right }, y: { low: bottom, high: top } };
   }
 }
 
-/// Round numbers within a range, `pixels` apart at least.
+/// Returns round numbers within a range that are at least `pixels` apart.
 export function grid_lines(range: Range, per_pixel: number, pixels: number): { lines: number[]; step: number } {
   let step = fitting_step(0, per_pixel * pixels, 1);
   while (step < 0.999 * per_pixel * pixels) step = fitting_step(0, 2 * step, 1);
@@ -56,12 +56,12 @@ export function grid_lines(range: Range, per_pixel: number, pixels: number): { l
 
 export interface Snapped {
   point: Point;
-  guides: { x: number | null; y: number | null }; // lines that the point was drawn to
+  guides: { x: number | null; y: number | null }; // lines to which the point has snapped
 }
 
-const kReach = 4; // pixels within which a line draws points to it
+const kReach = 4; // distance in pixels within which a point snaps to a line
 
-/// A point that a hand moves, drawn to lines within a few pixels; what is drawn to none is rounded to `digits`.
+/// Returns a dragged point, snapped to lines within a few pixels. Coordinates that do not snap are rounded to `digits`.
 export function snapped(point: Point, levels: { x: readonly number[]; y: readonly number[] }, scale: Scale, digits: number): Snapped {
   const pixel = scale.pixel;
   const nearest = (value: number, lines: readonly number[], reach: number): number | null => {
@@ -77,7 +77,7 @@ export function snapped(point: Point, levels: { x: readonly number[]; y: readonl
   return { point: [x ?? rounded(point[0], digits), y ?? rounded(point[1], digits)], guides: { x, y } };
 }
 
-/// What a point may be drawn to: the other points, and the lines of the grid.
+/// Returns the coordinates to which a point may snap: other points and the lines of the grid.
 export function levels_of(others: readonly Point[], scale: Scale, pixels: number): { x: number[]; y: number[] } {
   const { x, y } = scale.seen;
   return {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a plane that hands move: dragged, drawn to the grid and to each other, added by a double click, moved by the
-// arrow keys and removed by Delete. It knows no documents; who shows it says what a moved point means.
+// Editable points of a plane. Points are dragged with snapping, added by a double click, moved by the arrow keys and
+// removed by Delete. This component knows no documents; its parent decides what a moved point means.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import type { RefObject } from 'react';
 import { useEffect, useRef, useState } from 'react';
@@ -16,32 +16,32 @@ import { use_held } from './use_held.ts';
 
 export interface PlaneCanvasProps {
   label: string;
-  point_label: string; // of each point, before its number
-  names: readonly [string, string]; // of the two ways
+  point_label: string; // label of each point, before its number
+  names: readonly [string, string]; // names of the two directions
   points: readonly Point[];
   lines: readonly PlaneLine[];
-  frame: Frame; // stands still while a hand holds a point
-  limits?: Limits; // drawn where they are in sight; who shows it keeps points within
-  is_even: boolean; // both ways have one scale
+  frame: Frame; // does not change during a drag
+  limits?: Limits; // drawn if visible; the parent keeps points within
+  is_even: boolean; // true: both directions have one scale
   size: PictureSize;
-  is_numbered: boolean; // numbers stand at the lines of the grid
+  is_numbered: boolean; // true: the lines of the grid have numbers
   snaps: boolean;
-  digits: number; // step of the arrow keys, and of what is drawn to nothing
+  digits: number; // step of the arrow keys, and of coordinates that do not snap
   chosen: number;
   choose: (index: number) => void;
-  drag: (index: number, point: Point) => void; // for a while
-  commit: (index: number, point: Point, digits: number) => void; // as one step
+  drag: (index: number, point: Point) => void; // temporary position
+  commit: (index: number, point: Point, digits: number) => void; // final position, as one step
   cancel: () => void;
   add?: (point: Point) => void;
   add_after: (index: number) => void;
   remove: (index: number) => void;
 }
 
-const kReach = 9; // pixels about a point that take hold of it
-const kBelowName = 24; // pixels from the top that the name of the upward way takes
+const kReach = 9; // distance in pixels within which a point is grabbed
+const kBelowName = 24; // pixels at the top for the name of the upward direction
 const kGridPixels = { plain: 40, numbered: 56 };
 
-/// Gives the keyboard to a point of the editor that holds `root`.
+/// Focuses a point of the editor that contains `root`.
 export function focus_point(root: Element | null, index: number): void {
   requestAnimationFrame(() => root?.querySelectorAll<SVGElement>('.curve-point')[index]?.focus());
 }
@@ -49,7 +49,7 @@ export function focus_point(root: Element | null, index: number): void {
 interface HeldPoint {
   frame: Frame;
   index: number;
-  now: Point | null; // null until the hand has moved it
+  now: Point | null; // null before the first move
   guides: Snapped['guides'];
 }
 
@@ -101,7 +101,7 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
     else props.cancel();
   };
   const key = (event: KeyboardEvent): void => {
-    // Alone, Alt would open the browser's menu.
+    // Alt alone would open the browser's menu.
     if (event.key === 'Alt') return event.preventDefault();
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     const go_to = { Home: 0, End: points.length - 1, PageUp: chosen - 1, PageDown: chosen + 1 }[event.key];
@@ -163,7 +163,7 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
   );
 }
 
-/// Large pictures are as large as there is room for, row by row of pixels; small ones are scaled.
+/// Large pictures fill the available space pixel by pixel; small ones are scaled.
 function use_size(picture: RefObject<SVGSVGElement | null>, { size, is_numbered }: PlaneCanvasProps): PictureSize {
   const [room, measure] = useState<{ wide: number; high: number } | null>(null);
   useEffect(() => {
@@ -184,7 +184,7 @@ interface GridProps {
   names: readonly [string, string];
 }
 
-/// Lines at round numbers, those at 0 drawn stronger.
+/// Lines at round numbers. Lines at 0 are drawn stronger.
 function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElement {
   const { x, y } = scale.seen;
   const [across, up] = [grid_lines(x, scale.pixel[0], pixels).lines, grid_lines(y, scale.pixel[1], pixels).lines];
@@ -222,7 +222,7 @@ function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElem
   );
 }
 
-/// What the point under the hand was drawn to.
+/// The lines to which the dragged point has snapped.
 function Guides({ scale, size, guides }: { scale: Scale; size: PictureSize; guides: Snapped['guides'] }): ReactElement {
   const [left, top] = scale.place([guides.x ?? 0, guides.y ?? 0]);
   return (

@@ -19,12 +19,12 @@ import { kPlaneSizes } from './sizes.ts';
 interface PlaneEditorProps {
   label: string;
   shape: Shape;
-  is_dim: boolean; // a default that nobody gave
-  limits?: Limits; // that its row sets; none: those of its form alone
-  behind?: readonly PlaneLine[]; // drawn below it, as what it was fitted to
+  is_dim: boolean; // true: a default that the document does not contain
+  limits?: Limits; // limits of its row; missing: only the limits of its form
+  behind?: readonly PlaneLine[]; // drawn behind the shape, for example the points to which it was fitted
   size: EditorSize;
-  drag: (shape: Shape) => void; // for a while
-  commit: (shape: Shape) => void; // as one step
+  drag: (shape: Shape) => void; // temporary shape
+  commit: (shape: Shape) => void; // final shape, as one step
   cancel: () => void;
 }
 
@@ -117,7 +117,7 @@ interface PointFieldsProps extends PlaneEditorProps {
   limits: Limits;
 }
 
-/// The numbers of the chosen point.
+/// Fields for the numbers of the chosen point.
 function PointFields({ label, shape, index, frame, digits, limits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
   const point = shape.points[index];
   if (!point) return null;

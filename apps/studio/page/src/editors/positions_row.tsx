@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A list of positions: an axis or places, drawn where all are plain numbers, with three fields each, which take
-// expressions too.
+// A row for a list of positions, such as an axis. Positions are drawn if all are plain numbers. Each has three fields,
+// which also accept expressions.
 import type { ReactElement } from 'react';
 
 import { IconButton } from '../controls/button.tsx';

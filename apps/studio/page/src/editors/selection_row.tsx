@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A selection of instances: a cell for each instance, to click and to draw across, and a field for each number, range or
-// condition.
+// A selection of instances: a cell for each instance, to be clicked or dragged across, and a field for each number,
+// range or condition.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
@@ -42,9 +42,9 @@ export function SelectionRow({ label, path, value, row, actions, is_faulty, size
   );
 }
 
-const kFewest = 12; // cells, where it is not known how many instances there are
+const kFewest = 12; // number of cells if the number of instances is unknown
 
-/// Cells from one to another, and what they become.
+/// A drag over cells, and the state that they get.
 interface DrawnWay {
   from: number;
   to: number;
@@ -59,11 +59,11 @@ interface CellsProps {
   put: (entries: Json[]) => void;
 }
 
-/// Cells that are pressed change from in to out or back; drawn across, all become as the first. A drawn way is one step.
+/// A click on a cell switches it. A drag gives all cells the state of the first one, as one step.
 function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
   const { grown } = use_store(use_studio().growth);
   const component = String(steps_of(path)[1] ?? '');
-  // What is left out is not among those that have grown.
+  // Left-out instances are not among the grown ones.
   const left_out = named_numbers(entries, most).size;
   const known = grown?.components?.[component]?.instances;
   const count = Math.min(most, Math.max(count_named(entries), known === undefined ? kFewest : known + left_out));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which instances a selection names by number or range, and the shortest way to say so. Conditions are the library's to
-// decide; they stay as they are.
+// The instances that a selection names by number or range, and the shortest way to write them. Conditions are evaluated
+// by the library and are not changed.
 import type { Json } from '../document/json.ts';
 
 export function is_condition(entry: Json): boolean {
   return typeof entry === 'string';
 }
 
-/// The numbers that entries name, below `count`.
+/// Returns the numbers below `count` that entries name.
 export function named_numbers(entries: readonly Json[], count: number): Set<number> {
   const named = new Set<number>();
   for (const entry of entries) {
@@ -18,7 +18,7 @@ export function named_numbers(entries: readonly Json[], count: number): Set<numb
   return named;
 }
 
-/// Entries that name these numbers: runs of three and more are ranges. Conditions come last, in their order.
+/// Returns entries for these numbers, with ranges for three or more in a row. Conditions come last, in their order.
 export function entries_of(numbers: ReadonlySet<number>, entries: readonly Json[], count: number): Json[] {
   const made: Json[] = [];
   const sorted = [...numbers].sort((a, b) => a - b);
@@ -30,12 +30,12 @@ export function entries_of(numbers: ReadonlySet<number>, entries: readonly Json[
     if (last - first >= 2) made.push([first, last]);
     else for (let one = first; one <= last; one += 1) made.push(one);
   }
-  // What is said beyond the last instance that there is stays said.
+  // Entries beyond the last existing instance are kept.
   const beyond = entries.filter((entry) => Array.isArray(entry) && typeof entry[0] === 'number' && entry[0] >= count);
   return [...made, ...beyond, ...entries.filter(is_condition)];
 }
 
-/// The least count of cells that shows all that entries name.
+/// Returns the smallest number of cells that shows everything that entries name.
 export function count_named(entries: readonly Json[]): number {
   let count = 0;
   for (const entry of entries) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An entry of a selection as a person types it: 7, 3 to 5, or a condition such as i % 10 == 9.
+// An entry of a selection as the user types it: 7, 3 to 5, or a condition such as i % 10 == 9.
 import type { Json } from '../document/json.ts';
 import { write_json } from '../document/json.ts';
 
@@ -8,7 +8,8 @@ export function entry_text(entry: Json): string {
   return typeof entry === 'string' ? entry : write_json(entry);
 }
 
-/// What documents write for a typed entry; null where nothing was typed. What is no number and no range is a condition.
+/// Returns the document's form of a typed entry. Texts other than numbers and ranges are conditions. Returns null for
+/// an empty text.
 export function entry_of(typed: string): Json | null {
   const text = typed.trim();
   if (text === '') return null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves and outlines as documents write them: how they run between their points, and how points move.
+// Curves and outlines in documents: their course between points, and how their points move.
 import { rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
@@ -12,9 +12,9 @@ export interface Range {
   high: number;
 }
 
-/// What points are together: a function of x, whose points rise in it; a line; a ring, whose last point is joined to the
-/// first; one side of something that is alike on both sides of x = 0; or the profile of what is turned about x = 0, a
-/// spline of radius over height, whose points rise.
+/// How points are joined. A function has rising x, and a line any points. The last point of a polygon is joined to the
+/// first. A silhouette is one half of a form that is symmetric about x = 0. A profile is a spline of radius over rising
+/// height, revolved about x = 0.
 export type Form = 'function' | 'line' | 'polygon' | 'silhouette' | 'profile';
 
 export interface Shape {
@@ -23,7 +23,8 @@ export interface Shape {
   form: Form;
 }
 
-/// Nothing where it is written otherwise, as with expressions. `together` is what the row's table says of its points.
+/// Returns the shape of a value, or null for other forms such as expressions. `together` is the form in the row's
+/// table.
 export function shape_of(value: Json | undefined, together: Form = 'line'): Shape | null {
   const is_function = is_object(value);
   const points = points_of(is_function ? value['curve'] : value);
@@ -32,7 +33,7 @@ export function shape_of(value: Json | undefined, together: Form = 'line'): Shap
   return { points, joining, form: is_function ? 'function' : together };
 }
 
-/// The fewest points that a shape may have.
+/// Returns the minimum number of points of a shape.
 export function least_points({ form }: Shape): number {
   return { function: 1, line: 2, polygon: 3, silhouette: 2, profile: 2 }[form];
 }
@@ -43,7 +44,7 @@ function points_of(list: Json | undefined): Point[] | null {
   return points.length === list.length ? points : null;
 }
 
-/// As it is written; of a curve the rest of its object stays.
+/// Returns the value with the points of a shape. The other members of a curve stay.
 export function with_points(value: Json | undefined, shape: Shape): Json {
   const points: Json = shape.points.map(([x, y]) => [x, y]);
   if (shape.form !== 'function') return points;
@@ -52,7 +53,7 @@ export function with_points(value: Json | undefined, shape: Shape): Json {
   return { ...kept, curve: points, ...(says_joining ? { kind: shape.joining } : {}) };
 }
 
-/// Second derivatives of the natural cubic spline at its points.
+/// Returns the second derivatives of the natural cubic spline at its points.
 function bends_of(points: readonly Point[]): number[] {
   const count = points.length;
   const bends = new Array<number>(count).fill(0);
@@ -70,7 +71,7 @@ function bends_of(points: readonly Point[]): number[] {
   return bends;
 }
 
-/// The points of a line that shows the shape.
+/// Returns the points of a line that draws the shape.
 export function line_of(shape: Shape, steps = 12): Point[] {
   const { points, joining, form } = shape;
   if (form === 'profile' && rises(points)) return line_of(over_height(shape), steps).map(([height, radius]) => [Math.max(0, radius), height]);
@@ -92,22 +93,22 @@ export function line_of(shape: Shape, steps = 12): Point[] {
   return line;
 }
 
-/// A profile as the function that it is.
+/// Returns a profile as a function of height.
 function over_height({ points }: Shape): Shape {
   return { points: points.map(([radius, height]) => [height, radius]), joining: 'spline', form: 'function' };
 }
 
-/// Whether heights rise, as those of a profile that is no fault do.
+/// Returns true if heights rise, as in a valid profile.
 function rises(points: readonly Point[]): boolean {
   return points.every(([, height], k) => k === 0 || height > (points[k - 1]?.[1] ?? height));
 }
 
-/// Whether both sides of it are shown.
+/// Returns true if both sides of the shape are shown.
 export function is_two_sided({ form }: Shape): boolean {
   return form === 'silhouette' || form === 'profile';
 }
 
-/// On the other side of x = 0.
+/// Returns the points on the other side of x = 0.
 export function mirrored(points: readonly Point[]): Point[] {
   return points.map(([x, y]) => [-x, y]);
 }
@@ -123,8 +124,8 @@ export interface Frame {
   y: Range;
 }
 
-/// What is shown around a shape: of a function 0 to 1 and 0 at least, with room above to pull points into; of a
-/// silhouette both sides.
+/// Returns the frame around a shape. For a function it covers x from 0 to 1 and includes 0, with space above. For a
+/// silhouette it covers both sides.
 export function frame_of(shape: Shape): Frame {
   const line = line_of(shape);
   const [xs, ys] = [line.map(([x]) => x), line.map(([, y]) => y)];
@@ -139,7 +140,7 @@ export function frame_of(shape: Shape): Frame {
   return { x: { low: x.low - around, high: x.high + around }, y: { low: y.low - around, high: y.high + around } };
 }
 
-/// A frame that shows further points, too.
+/// Returns a frame that also includes further points.
 export function with_room_for({ x, y }: Frame, points: readonly Point[]): Frame {
   const [xs, ys] = [points.map(([one]) => one), points.map(([, one]) => one)];
   return { x: { low: Math.min(x.low, ...xs), high: Math.max(x.high, ...xs) }, y: { low: Math.min(y.low, ...ys), high: Math.max(y.high, ...ys) } };
@@ -147,8 +148,7 @@ export function with_room_for({ x, y }: Frame, points: readonly Point[]): Frame 
 
 const kLeastGap = 0.001; // between the points of a function, as a share of its range
 
-/// The shape with one point elsewhere; those of a function stay in their order and range, and those of a profile in
-/// theirs.
+/// Returns the shape with one point moved. Points of functions and profiles keep their order and stay in their range.
 export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame: Frame, digits: number): Shape {
   if (shape.form === 'profile') {
     const least = kLeastGap * (frame.y.high - frame.y.low);
@@ -164,7 +164,7 @@ export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame:
   return { ...shape, points: shape.points.map((one, k) => (k === index ? moved : one)) };
 }
 
-/// The shape with one point more, and where it stands in the list; nothing where there is no room for it.
+/// Returns the shape with one more point, and the index of that point. Returns null if there is no space.
 export function with_point(shape: Shape, [x, y]: Point, digits: number): { shape: Shape; index: number } | null {
   const { points } = shape;
   if (shape.form === 'profile') return with_point_of_profile(shape, [x, y], digits);
@@ -180,7 +180,7 @@ function with_point_of_profile(shape: Shape, [radius, height]: Point, digits: nu
   return insert(shape, shape.points.filter(([, one]) => one < made).length, [Math.max(0, radius), made], digits);
 }
 
-/// In the middle of the piece behind a point; behind the last one before it.
+/// Returns the shape with a point in the middle of the piece after a point, or of the piece before the last point.
 export function with_point_after(shape: Shape, index: number, digits: number): { shape: Shape; index: number } | null {
   const { points } = shape;
   const is_ring = shape.form === 'polygon';
@@ -204,7 +204,7 @@ export function without_point(shape: Shape, index: number): Shape {
   return { ...shape, points: shape.points.filter((_, k) => k !== index) };
 }
 
-/// The index of the first point of the piece that is nearest.
+/// Returns the index of the first point of the nearest piece.
 function nearest_piece(points: readonly Point[], [x, y]: Point, is_ring: boolean): number {
   let [best, least] = [points.length - 1, Infinity];
   for (let k = 0; k + (is_ring ? 0 : 1) < points.length; k += 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row that holds a curve, a line, a polygon or a silhouette: drawn where all of its points are plain numbers, and as
-// it is written.
+// A row for a curve, a line, a polygon or a silhouette. The shape is drawn if all its points are plain numbers, and
+// shown as text.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Editors stand in rows of the inspector, and large below the view.
+// Sizes of editors: in rows of the inspector, and large below the view.
 import type { PictureSize } from './plane.ts';
 
 export type EditorSize = 'row' | 'large';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether points are drawn to the grid and to each other: one choice for all editors, kept by the browser.
+// Whether points snap to the grid and to each other. This setting holds for all editors, and the browser keeps it.
 import { prefer, preference } from '../base/preferences.ts';
 import { Store, use_store } from '../base/store.ts';
 

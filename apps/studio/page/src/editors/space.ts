@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of space as two pictures show them, side by side: from the front, x to the right and y up, and from the right
-// or from above.
+// Points of space in two pictures side by side: from the front, with x to the right and y up, and from the right or
+// from above.
 import type { Vec } from '../base/vec.ts';
 import { fitting_step, rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
 import type { Frame, Point, Range } from './shape.ts';
 
-/// One of the pictures: which of the three numbers goes to the right and which goes up, and whether it is turned round.
+/// One of the pictures: the coordinates that point right and up in it, and whether they are mirrored.
 export interface Side {
   name: string;
   across: 0 | 1 | 2;
@@ -22,13 +22,13 @@ export const kSides: readonly [Side, Side, Side] = [
 
 const kWays = ['x', 'y', 'z'] as const;
 
-/// What the two ways of a picture are called: a number that falls to the right has its sign.
+/// Returns the names of a picture's directions. A coordinate that falls to the right has a minus sign.
 export function names_of(side: Side): readonly [string, string] {
   const name = (axis: 0 | 1 | 2, sign: 1 | -1): string => `${sign < 0 ? '−' : ''}${kWays[axis]}`;
   return [name(side.across, side.signs[0]), name(side.up, side.signs[1])];
 }
 
-/// Nothing where expressions stand in it.
+/// Returns the positions of a value, or null if it has expressions.
 export function places_of(value: Json | undefined): Vec[] | null {
   if (!Array.isArray(value)) return null;
   const places = value.filter((one): one is [number, number, number] => Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'));
@@ -39,7 +39,7 @@ export function seen_from(side: Side, place: Vec): Point {
   return [side.signs[0] * place[side.across], side.signs[1] * place[side.up]];
 }
 
-/// The place that is seen there; what the picture does not show of it stays.
+/// Returns a position moved to a point of the picture. The coordinate that the picture does not show stays.
 export function moved_in(side: Side, place: Vec, [across, up]: Point, digits: number): Vec {
   const made: [number, number, number] = [place[0], place[1], place[2]];
   made[side.across] = rounded(side.signs[0] * across, digits);
@@ -47,13 +47,13 @@ export function moved_in(side: Side, place: Vec, [across, up]: Point, digits: nu
   return made;
 }
 
-/// The legal values of the two numbers that a picture shows, if those of each number are in `range`.
+/// Returns the legal values of the two coordinates of a picture, if each coordinate has the range `range`.
 export function limits_from({ signs }: Side, { low, high }: Range): Frame {
   const way = (sign: 1 | -1): Range => (sign > 0 ? { low, high } : { low: -high, high: -low });
   return { x: way(signs[0]), y: way(signs[1]) };
 }
 
-/// Both pictures show as much of space, so that places are as far apart in one as in the other.
+/// Returns a frame of the picture. All pictures show as much space, so that distances look equal in them.
 export function frame_from(side: Side, places: readonly Vec[]): Frame {
   const extents = [0, 1, 2].map((axis) => range_of(places.map((one) => one[axis] ?? 0)));
   const widest = Math.max(...extents.map((one) => one.high - one.low), 1e-6);
@@ -70,7 +70,7 @@ function range_of(numbers: readonly number[]): Range {
   return high > low ? { low, high } : { low: low - 0.5, high: high + 0.5 };
 }
 
-/// A step for arrow keys: about a hundred of them over all places.
+/// Returns the step of arrow keys: about a hundredth of the extent of all positions.
 export function step_of(places: readonly Vec[]): number {
   const { x } = frame_from(kSides[0], places);
   return fitting_step(x.low, x.high, 100);

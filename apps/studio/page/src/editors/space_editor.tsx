@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axis or places in space, drawn from two sides; what is chosen in one picture is chosen in the other.
+// An axis or positions in space, drawn from two sides. Both pictures share the chosen point.
 import type { ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
@@ -20,7 +20,7 @@ interface SpaceEditorProps {
   places: readonly Vec[];
   is_joined: boolean;
   is_dim: boolean;
-  range: Range; // of each number
+  range: Range; // range of each coordinate
   size: EditorSize;
   drag: (places: Json) => void;
   commit: (places: Json) => void;
@@ -33,7 +33,7 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
   const { label, places, size, commit } = props;
   const root = useRef<HTMLDivElement>(null);
   const [chosen, choose] = useState(0);
-  // What stands on the ground is seen from above first.
+  // Positions on the ground are first shown from above.
   const [side, show_side] = useState(props.is_joined ? 0 : 2);
   const { snaps, set_snaps } = use_snapping();
   const index = Math.min(chosen, places.length - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines and points of a plane that no hand moves, as of files.
+// Lines and points of a plane that the user cannot move, for example from files.
 import type { ReactElement } from 'react';
 
 import type { PlaneLine } from './plane_lines.tsx';
@@ -11,7 +11,7 @@ interface StillPlaneProps {
   label: string;
   names: readonly [string, string];
   lines: readonly PlaneLine[];
-  is_even: boolean; // both ways have one scale
+  is_even: boolean; // true: both directions have one scale
 }
 
 const nothing = (): void => undefined;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture that a document names, small.
+// A small version of a picture that a document names.
 import type { ReactElement } from 'react';
 import { useEffect, useState } from 'react';
 
@@ -9,14 +9,14 @@ import { use_document, use_studio } from '../studio_context.ts';
 
 export interface MadeThumbnail {
   picture: string; // base 64 of a PNG
-  width: number; // of the whole picture
+  width: number; // width of the whole picture
   height: number;
 }
 
 const kMade = new Map<string, Promise<MadeThumbnail | null>>();
 const kMostKept = 500;
 
-/// Each picture is asked for once while the document is open.
+/// Requests each picture once while the document is open.
 function thumbnail_of(studio: Studio, key: string, file: string, size: number): Promise<MadeThumbnail | null> {
   const known = kMade.get(key);
   if (known) return known;
@@ -25,14 +25,15 @@ function thumbnail_of(studio: Studio, key: string, file: string, size: number): 
     .request<{ thumbnail: MadeThumbnail }>('picture', { file, size })
     .then((answer) => answer.thumbnail)
     .catch(() => {
-      kMade.delete(key); // it may be there the next time
+      kMade.delete(key); // it may exist next time
       return null;
     });
   kMade.set(key, made);
   return made;
 }
 
-/// The picture that a document names, at most `size` pixels long; null until it is there, and where it is none.
+/// Returns the picture that a document names, at most `size` pixels long. Returns null until it is ready, and if it is
+/// no picture.
 export function use_thumbnail(file: string, size: number): MadeThumbnail | null {
   const studio = use_studio();
   const { path, model } = use_document();
@@ -48,7 +49,7 @@ export function use_thumbnail(file: string, size: number): MadeThumbnail | null 
   return shown;
 }
 
-/// `file` as the document writes it. Where it is no picture there is an icon.
+/// `file` is the path in the document. A file that is no picture gets an icon.
 export function Thumbnail({ file }: { file: string }): ReactElement {
   const shown = use_thumbnail(file, 96);
   if (!shown)

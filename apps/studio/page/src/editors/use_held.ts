@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hand holds while it moves: shown by the next picture, and known at once, since hands let go before that.
+// The state of a drag. It is shown in the next rendering and readable at once, because a drag may end before that.
 import { useRef, useState } from 'react';
 
 export interface Held<T> {
-  shown: T | null; // for pictures
-  get: () => T | null; // for hands
+  shown: T | null; // for rendering
+  get: () => T | null; // for event handlers
   set: (held: T | null) => void;
 }
 

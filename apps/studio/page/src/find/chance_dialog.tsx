@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nine plants by chance to choose from: values of the handles that are not locked, and seeds.
+// Nine random plants to choose from, with random values of the unlocked handles and random seeds.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -60,7 +60,7 @@ export function ChanceDialog({ close }: { close: () => void }): ReactElement {
   );
 }
 
-/// The same states until they are thrown anew.
+/// Returns random states, which stay equal until the user asks for new ones.
 function use_states(free: Variable[], sows: boolean, throws: number): StateValues[] {
   const [kept, keep] = useState<{ key: string; states: StateValues[] }>({ key: '', states: [] });
   const key = JSON.stringify([free.map((one) => [one.name, one.min, one.max]), sows, throws]);

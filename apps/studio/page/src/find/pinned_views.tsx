@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pinned states beside the present one. Each has a view and a connection of its own, and is seen as the present one is.
+// Pinned states beside the present one. Each has its own view and connection, and the present view's camera.
 import type { ReactElement } from 'react';
 import { useEffect, useRef, useState } from 'react';
 
@@ -26,7 +26,7 @@ export function PinnedViews(): ReactElement {
   );
 }
 
-/// Pins the state that the text says now.
+/// Pins the present state of the text.
 export function PinButton(): ReactElement {
   const studio = use_studio();
   const pins = use_store(studio.bench.pins.shown);
@@ -55,7 +55,7 @@ function PinnedView({ pin }: { pin: Pin }): ReactElement {
   );
 }
 
-/// Grows a pin's text over a connection of its own and draws it. Gives what ends that.
+/// Grows a pin's text over its own connection and draws it. Returns a function that ends this.
 function show_pin(studio: Studio, pin: Pin, canvas: HTMLCanvasElement, say: (note: string) => void): () => void {
   const main = studio.view;
   if (!main) {
@@ -84,7 +84,7 @@ function show_pin(studio: Studio, pin: Pin, canvas: HTMLCanvasElement, say: (not
     },
     on_packet: (bytes) => {
       const packet = read_packet(bytes);
-      packet.head.fit = false; // it is seen as the other one is
+      packet.head.fit = false; // it has the camera of the main view
       view.apply(packet);
       view.follow(main);
       dress();
@@ -93,7 +93,7 @@ function show_pin(studio: Studio, pin: Pin, canvas: HTMLCanvasElement, say: (not
     },
     on_lost: () => say('The server is gone'),
   });
-  // It is seen at the same time of its document.
+  // A pin shows the document at the time of the main view.
   const times = new LatestSender(() => connection.request('view', studio.bench.time.wish));
   let time = studio.bench.time.time;
   const follow_time = (): void => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States of the document that are kept in sight beside the present one.
+// States of the document that stay visible beside the present one.
 import { Store } from '../base/store.ts';
 
 export interface Pin {

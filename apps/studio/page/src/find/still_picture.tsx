@@ -5,7 +5,7 @@ import { Icon } from '../controls/icon.tsx';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Still } from '../server/protocol.ts';
 
-/// A small plant; what is wrong where it cannot grow.
+/// A small picture of a plant, or the fault that prevents its growth.
 export function StillPicture({ still, is_working }: { still: Still | undefined; is_working: boolean }): ReactElement {
   const fault = still?.faults?.[0];
   if (still?.picture !== undefined) return <img className={`still${is_working ? ' old' : ''}`} src={`data:image/png;base64,${still.picture}`} alt="" />;

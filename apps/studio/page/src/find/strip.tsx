@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small plants side by side, one for each of a few values of a row: what the row does, at one look.
+// Small plants side by side, one for each of a few values of a row, which show the effect of the row.
 import type { ReactElement } from 'react';
 
 import type { Json } from '../document/json.ts';
@@ -12,7 +12,7 @@ import { use_stills } from './use_stills.ts';
 interface StripProps {
   label: string;
   path: string;
-  value: Json | undefined; // that holds now
+  value: Json | undefined; // the present value
   states: StripState[];
   take: (value: Json) => void;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The few values of a row that a strip shows plants for, and values by chance.
+// The values of a row for which a strip shows plants, and random values.
 import { fitting_step, rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
@@ -10,13 +10,13 @@ import { within_hard_range } from '../tables/tables.ts';
 export interface StripState {
   value: Json;
   text: string;
-  tip?: string; // what taking it means, where that is more than another number
+  tip?: string; // effect of the choice, if it is more than another number
 }
 
 const kCount = 5;
 const kMostChoices = 8;
 
-/// Five values over a range, its ends included; fewer where whole numbers have no room for five.
+/// Returns five values over a range, including its ends. Returns fewer if whole numbers leave no space for five.
 export function values_over(low: number, high: number, is_whole: boolean): number[] {
   if (!(high > low)) return [];
   const step = fitting_step(low, high, 100);
@@ -24,8 +24,8 @@ export function values_over(low: number, high: number, is_whole: boolean): numbe
   return [...new Set(values.map((one) => (is_whole ? Math.round(one) : rounded(one, step))))];
 }
 
-/// Nothing where the row is neither a number nor a choice, or has no usual range. The middle of a range moves and its
-/// width stays; an expression gives way to a number.
+/// Returns the states of a strip. Returns an empty list if the row is neither a number nor a choice, or has no usual
+/// range. A range keeps its width while its middle moves. An expression is replaced by a number.
 export function strip_states(row: Row, value: Json | undefined): StripState[] {
   if (row.kind === 'boolean') return [false, true].map((one) => ({ value: one, text: one ? 'yes' : 'no' }));
   if (row.kind === 'choice') return (row.choices ?? []).length <= kMostChoices ? (row.choices ?? []).map(plain_state) : [];
@@ -46,7 +46,7 @@ function distinct(states: StripState[]): StripState[] {
   return states.filter((one, k) => states.findIndex((other) => other.text === one.text) === k);
 }
 
-/// The two numbers of a range, also of one that an expression is applied to.
+/// Returns the two numbers of a range, including a range with an expression.
 function ends_of(value: Json | undefined): [number, number] | null {
   const range = is_object(value) ? value['range'] : value;
   if (!Array.isArray(range) || range.length !== 2) return null;
@@ -54,13 +54,13 @@ function ends_of(value: Json | undefined): [number, number] | null {
   return typeof first === 'number' && typeof last === 'number' ? [first, last] : null;
 }
 
-/// What is written where no number is; null for plain numbers and what is not given.
+/// Returns an expression as text, or null for plain numbers and missing values.
 function expression_in(value: Json | undefined): string | null {
   if (value === undefined || value === null || typeof value === 'number') return null;
   return typeof value === 'string' ? `the expression ${value}` : 'the range with expressions';
 }
 
-/// The range about another middle, as far as the row allows.
+/// Returns the range with another middle, within the limits of the row.
 function moved_range(row: Row, [first, last]: [number, number], middle: number, value: Json | undefined): StripState {
   const half = (last - first) / 2;
   const [low, high] = [middle - Math.abs(half), middle + Math.abs(half)];
@@ -73,13 +73,13 @@ function moved_range(row: Row, [first, last]: [number, number], middle: number, 
   return { value: is_object(value) ? { ...value, range } : range, text, tip: `${range[0]} to ${range[1]}: the middle moves, the width stays` };
 }
 
-/// The same for a variable, over the range that its author gave.
+/// Returns the states of a variable over the range that its author gave.
 export function variable_states(variable: Variable, step: number): StripState[] {
   const states = values_over(variable.min, variable.max, step === 1).map((value) => ({ value, text: String(value) }));
   return variable.expression === null ? states : states.map((one) => ({ ...one, tip: `${one.text}, a number in place of the expression ${variable.expression}` }));
 }
 
-/// Random values for variables, each within its range. `random` gives numbers from 0 to 1.
+/// Returns random values for variables, each within its range. `random` returns numbers from 0 to 1.
 export function values_by_chance(variables: readonly Variable[], step_of: (variable: Variable) => number, random: () => number): Record<string, number> {
   return Object.fromEntries(variables.map((one) => [one.name, rounded(one.min + random() * (one.max - one.min), step_of(one))]));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small pictures of states of the document, made by the server and made anew where the document changes.
+// Small pictures of states of the document, made by the server, and made again when the document changes.
 import { useEffect, useState } from 'react';
 
 import type { Json } from '../document/json.ts';
@@ -10,7 +10,7 @@ import { use_document, use_studio } from '../studio_context.ts';
 export type StateValues = Record<string, Json>;
 
 export interface Stills {
-  stills: Still[]; // none until they are there
+  stills: Still[]; // empty until they are ready
   is_working: boolean;
   fault: string;
 }
@@ -22,9 +22,9 @@ interface StillSize {
 
 const kPause = 80; // ms after the last change
 const kUsualCamera = { position: [3, 1.5, 4], target: [0, 1, 0], field_of_view: 32 };
-const kNear = 0.6; // of the distance from which all is seen: nearer, the eye looks at a part
+const kNear = 0.6; // share of the distance from which everything is visible; nearer, the user looks at a part
 
-/// From the side that the view is seen from. Who has gone near to a part sees that part.
+/// Returns the camera of the view. A view close to a part shows this part; any other view shows the whole plant.
 function camera_of(studio: Studio): { camera: object; fit: boolean } {
   const { view } = studio;
   if (!view) return { camera: kUsualCamera, fit: true };
@@ -36,8 +36,8 @@ export async function ask_for_stills(studio: Studio, states: readonly StateValue
   return answer.stills ?? [];
 }
 
-/// Pictures of these states; the server makes those that were asked for last anywhere in the page. Without states
-/// nothing is asked.
+/// Returns pictures of these states. The server makes only the pictures requested last by any part of the page. Without
+/// states, there is no request.
 export function use_stills(states: readonly StateValues[], size: StillSize): Stills {
   const studio = use_studio();
   const { hash, good } = use_document();
@@ -58,7 +58,7 @@ export function use_stills(states: readonly StateValues[], size: StillSize): Sti
       is_wanted = false;
       clearTimeout(timer);
     };
-    // `key` stands for states and size.
+    // `key` represents states and size.
   }, [studio, hash, good, key]);
   return made;
 }

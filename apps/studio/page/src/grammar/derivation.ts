@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a grammar derives, step by step: asked of the server while somebody looks, and shown as the plant of that step.
+// The derivation of a grammar, step by step. It is requested from the server while a panel shows it, together with the
+// plant of that step.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import { is_object } from '../document/json.ts';
@@ -10,24 +11,24 @@ import type { Studio } from '../studio.ts';
 import type { Tables } from '../tables/tables.ts';
 
 export interface DerivationState {
-  component: string; // whose grammar is looked at; "" for none
-  instance: string | null; // key of the one that was chosen; null: by its number
-  number: number; // of the instance among all of the component
-  step: number | null; // null: as many as the component says
-  is_drawn: boolean; // rules of interpretation are applied
-  first: number; // module
-  told: Derivation | null; // the last that came
+  component: string; // component whose grammar is shown; "" for none
+  instance: string | null; // key of the chosen instance; null: chosen by its number
+  number: number; // number of the instance among all instances of the component
+  step: number | null; // null: as many steps as the component has
+  is_drawn: boolean; // true: rules of interpretation are applied
+  first: number; // first module of the page
+  told: Derivation | null; // the last answer
   is_working: boolean;
   fault: string;
 }
 
 const kNothing: DerivationState = { component: '', instance: null, number: 0, step: null, is_drawn: false, first: 0, told: null, is_working: false, fault: '' };
-const kModules = 4000; // that are told at a time
+const kModules = 4000; // modules per page
 const kPause = 120; // ms after the last change of the text
 
 export class DerivationModel {
   readonly state = new Store<DerivationState>(kNothing);
-  /// Index of the module that the pointer or the cursor is on, and where that was.
+  /// Index of the module at the pointer or the cursor, and the place where it is pointed at.
   readonly pointed = new Store<{ module: number; by: 'word' | 'view' } | null>(null);
   private readonly newest_ = new Newest();
   private timer_ = 0;
@@ -36,7 +37,7 @@ export class DerivationModel {
 
   constructor(private readonly studio_: Studio) {}
 
-  /// Another document is opened. Who looks goes on to look at the component of this name.
+  /// Resets the derivation for another document. An open panel then shows the component with the present name.
   forget(): void {
     this.newest_.drop();
     this.pointed.set(null);
@@ -45,7 +46,7 @@ export class DerivationModel {
     if (this.looks_.size > 0) this.ask_later();
   }
 
-  /// Keeps what is told up to date while somebody looks. Gives what ends that.
+  /// Keeps the derivation up to date while a panel shows it. Returns a function that ends this.
   look(component: string): () => void {
     this.seen_hash_ = '';
     const before = this.state.get();
@@ -66,7 +67,7 @@ export class DerivationModel {
     return leave;
   }
 
-  /// Shows the word and the plant of a step; null: of as many as the component says.
+  /// Shows the word and the plant of a step. Null: as many steps as the component has.
   show_step(step: number | null): void {
     if (step === this.state.get().step) return;
     this.state.merge({ step, first: 0 });
@@ -75,7 +76,7 @@ export class DerivationModel {
     this.ask();
   }
 
-  /// Makes the shown step that of the document.
+  /// Copies the shown step into the document.
   keep_step(): void {
     const { step } = this.state.get();
     if (step === null) return;
@@ -83,7 +84,7 @@ export class DerivationModel {
     this.studio_.set_value(this.path_of_steps, step, 'Set steps');
   }
 
-  /// Another of the component's instances, by its number.
+  /// Shows another instance of the component, by its number.
   show_instance(number: number): void {
     this.state.merge({ instance: null, number: Math.max(0, number), first: 0 });
     this.ask();
@@ -107,14 +108,14 @@ export class DerivationModel {
     return path_below(path_below('components', this.state.get().component), 'steps');
   }
 
-  /// The plant of another step is shown as a drag is. Whatever ends that drag ends the step with it.
+  /// The plant of another step is shown by a drag. When that drag ends, the step ends with it.
   private follow_drags(): void {
     if (this.state.get().step === null || this.path_of_steps in this.studio_.dragged.get()) return;
     this.state.merge({ step: null, first: 0 });
     this.ask();
   }
 
-  /// The instance that was clicked at in the view is the one whose word is told. Whether it is another one.
+  /// Takes the instance that was clicked in the view. Returns true if it is another one than before.
   private take_choice(): boolean {
     const found = this.studio_.instance.found.get();
     const { component, instance } = this.state.get();
@@ -155,11 +156,11 @@ export class DerivationModel {
 
 export interface GrammarPlace {
   component: string;
-  path: string; // of the row with the text
+  path: string; // path of the row with the text
   is_file: boolean;
 }
 
-/// Components whose tables have a row of lines, and where the text of each stands.
+/// Returns the components whose tables have a row of lines, with the path of the text.
 export function grammars_of(document: unknown, tables: Tables): GrammarPlace[] {
   const components = is_object(document as never) ? member_of(document as never, 'components') : undefined;
   if (!is_object(components)) return [];

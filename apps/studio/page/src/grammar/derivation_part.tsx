@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A derivation: which step, how many modules of which kind, and the word. The view shows the plant of the same step.
+// The derivation of a grammar: its step, its number of modules by kind, and its word. The view shows the plant of the
+// step.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -62,7 +63,7 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
   );
 }
 
-/// Which of several instances the word and the marks in the view are of.
+/// The choice between several instances, to which the word and the marks in the view belong.
 function InstanceLine(): ReactElement | null {
   const model = use_studio().bench.derivation;
   const { told } = use_store(model.state);

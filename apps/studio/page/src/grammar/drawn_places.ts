@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where modules were drawn: seven numbers for each, its index, and where it begins and ends.
+// The positions of drawn modules: seven numbers for each, its index, its beginning and its end.
 
 export type Spot = [number, number, number];
 
 const kNumbers = 7;
-const kReach = 14; // pixels about a line that count as on it
+const kReach = 14; // distance in pixels within which a line counts as hit
 
-/// The first place where a module was drawn; null where it draws nothing.
+/// Returns the first position of a module, or null if it draws nothing.
 export function place_of(places: readonly number[], module: number): { from: Spot; to: Spot } | null {
-  // They rise by their modules.
+  // Positions are sorted by module.
   let [low, high] = [0, places.length / kNumbers];
   while (low < high) {
     const middle = Math.floor((low + high) / 2);
@@ -21,7 +21,7 @@ export function place_of(places: readonly number[], module: number): { from: Spo
   return { from: spot(1), to: spot(4) };
 }
 
-/// The module that is drawn nearest to a pixel; null where none is near.
+/// Returns the module that is drawn nearest to a pixel, or null if none is near.
 export function nearest_place(places: readonly number[], project: (spot: Spot) => [number, number] | null, [x, y]: [number, number]): number | null {
   let [best, least] = [null as number | null, kReach];
   for (let at = 0; at + kNumbers <= places.length; at += kNumbers) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The editor of a grammar that stands in the document. What is typed goes into the document's text at once; the undo
-// list is the document's, so the editor has none of its own.
+// The editor of a grammar in the document. Typed text goes into the document's text at once. The editor has no undo
+// list of its own, because the document has one.
 import type { Diagnostic } from '@codemirror/lint';
 import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
@@ -17,7 +17,7 @@ import { offset_in_text, text_in, with_text } from './grammar_source.ts';
 
 const kFromDocument = Annotation.define<boolean>();
 
-/// A fault with where it stands in the grammar: line and column from 1, and the offset.
+/// A fault with its position in the grammar: line and column from 1, and the offset.
 export interface GrammarFault {
   fault: Fault;
   offset: number;
@@ -25,7 +25,7 @@ export interface GrammarFault {
   column: number;
 }
 
-/// The faults that the document has within the text at a path.
+/// Returns the faults of the document within the text at a path.
 export function grammar_faults(studio: Studio, path: string): GrammarFault[] {
   const { tree, text, faults } = studio.document.state.get();
   const node = node_at(tree, path);
@@ -60,7 +60,7 @@ export class GrammarEditor {
     this.view_.destroy();
   }
 
-  /// Puts the cursor there and shows it.
+  /// Moves the cursor to an offset and shows it.
   reveal(offset: number): void {
     const anchor = Math.min(offset, this.view_.state.doc.length);
     this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
@@ -88,9 +88,9 @@ export class GrammarEditor {
     if (node) this.studio_.document.type(with_text(text, node, this.view_.state.doc.toString()));
   }
 
-  /// The document has changed, here or elsewhere.
+  /// Called when the document has changed, here or elsewhere.
   private follow(): void {
-    // What is typed and not yet in the text stays under the hand.
+    // Typed text that is not in the document yet stays in the editor.
     if (this.studio_.document.awaits_typed) return;
     const said = this.said();
     if (said === null) return;

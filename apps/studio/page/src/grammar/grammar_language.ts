@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of grammars: directives, arrows, brackets, parameters, comments.
+// Syntax colours of grammars: directives, arrows, brackets, parameters, comments.
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import type { Extension } from '@codemirror/state';
 import { tags } from '@lezer/highlight';
 
 interface State {
   in_comment: boolean;
-  depth: number; // of parentheses: within them stand expressions
+  depth: number; // depth of parentheses, within which expressions are written
 }
 
 const kLanguage = StreamLanguage.define<State>({

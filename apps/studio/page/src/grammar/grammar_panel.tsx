@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grammar of a component, with its faults, and below it what it derives, step by step beside the plant.
+// The panel of a component's grammar with its faults, and below it the derivation, step by step.
 import type { ReactElement } from 'react';
 import { useEffect, useRef, useState } from 'react';
 
@@ -48,7 +48,7 @@ export function GrammarPanel(): ReactElement {
   );
 }
 
-/// A text that stands in the document.
+/// A grammar whose text is in the document.
 function OwnGrammar({ place }: { place: GrammarPlace }): ReactElement {
   const studio = use_studio();
   use_document();
@@ -85,7 +85,7 @@ function OwnGrammar({ place }: { place: GrammarPlace }): ReactElement {
   );
 }
 
-/// A text that stands in a file is read here; taken into the document, it can be changed.
+/// A grammar whose text is in a file is shown for reading. It can be changed once it is copied into the document.
 function FileGrammar({ place }: { place: GrammarPlace }): ReactElement {
   const studio = use_studio();
   const { told } = use_store(studio.bench.derivation.state);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text that a document holds as a string or as a list of lines: what it says, where its characters stand in the
-// document, and the document with another text in its place. Comments and layout around lines that stay are kept.
+// A text that a document holds as a string or as a list of lines: its content, the positions of its characters in the
+// document, and its replacement. Comments and layout around unchanged lines are kept.
 import type { JsonNode } from '../document/json.ts';
 
-/// Null where the value is neither a text nor a list of texts.
+/// Returns the text of a value, or null if it is neither a text nor a list of texts.
 export function text_in(node: JsonNode | null): string | null {
   if (typeof node?.value === 'string') return node.value;
   if (!node?.elements) return null;
@@ -11,11 +11,11 @@ export function text_in(node: JsonNode | null): string | null {
   return lines.every((one): one is string => typeof one === 'string') ? lines.join('\n') : null;
 }
 
-/// The document with that text in the place of the node's.
+/// Returns the document with the node's text replaced.
 export function with_text(document: string, node: JsonNode, text: string): string {
   const elements = node.elements;
   if (!elements) return document.slice(0, node.start) + JSON.stringify(text) + document.slice(node.end);
-  // One element may hold several lines, so elements are compared, each with as many lines as it has.
+  // An element may hold several lines, so elements are compared with as many lines as they have.
   const before = elements.map((one) => String(one.value));
   const after = text.split('\n');
   let head = 0;
@@ -37,7 +37,7 @@ export function with_text(document: string, node: JsonNode, text: string): strin
   return put_elements(document, node, elements, head, before.length - tail, made);
 }
 
-/// Elements from `first` up to `end` go, and `made` stand there.
+/// Replaces the elements from `first` up to `end` by `made`.
 function put_elements(document: string, node: JsonNode, elements: JsonNode[], first: number, end: number, made: string[]): string {
   const put = (from: number, to: number, text: string): string => document.slice(0, from) + text + document.slice(to);
   const between = separator(document, node, elements);
@@ -56,7 +56,7 @@ function put_elements(document: string, node: JsonNode, elements: JsonNode[], fi
   return kept ? put(kept.end, kept.end, between + joined) : put(node.start, node.end, `[${joined}]`);
 }
 
-/// What stands between two elements of the list.
+/// Returns the text between two elements of the list.
 function separator(document: string, node: JsonNode, elements: JsonNode[]): string {
   for (let k = 0; k + 1 < elements.length; k += 1) {
     const between = document.slice(elements[k]?.end ?? 0, elements[k + 1]?.start ?? 0);
@@ -67,7 +67,7 @@ function separator(document: string, node: JsonNode, elements: JsonNode[]): stri
   return /^\s*\n\s*$/.test(lead) ? `,${lead}` : ', ';
 }
 
-/// Where an offset of the document stands in the text; null outside of it.
+/// Returns the position in the text of an offset in the document, or null outside of the text.
 export function offset_in_text(document: string, node: JsonNode, offset: number): number | null {
   let lines_before = 0;
   for (const element of node.elements ?? [node]) {
@@ -79,7 +79,7 @@ export function offset_in_text(document: string, node: JsonNode, offset: number)
 
 const kPiece = /\\u[0-9a-fA-F]{4}|\\.|[^]/y;
 
-/// Characters that a piece of a string's text stands for; its first is the quote.
+/// Returns the number of characters in a piece of a string, whose first character is the quote.
 function characters_before(piece: string): number {
   let count = 0;
   kPiece.lastIndex = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The module of a derived word that is pointed at, drawn over the plant; and which one the pointer over the view is on.
+// Marks the module that is pointed at over the plant, and finds the module under the pointer in the view.
 import type { ReactElement } from 'react';
 import { useEffect } from 'react';
 
@@ -32,7 +32,7 @@ export function ModuleOverlay(): ReactElement | null {
   );
 }
 
-/// Follows the pointer over the view, once a picture at most.
+/// Follows the pointer over the view, at most once per picture.
 function listen(studio: Studio): () => void {
   const canvas = document.querySelector<HTMLElement>('.centre .view canvas');
   let waiting = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The word of a derivation to read: its modules one after another, with the one under the pointer marked.
+// Shows the word of a derivation: its modules one after another, with the module under the pointer marked.
 import { EditorState, StateEffect, StateField } from '@codemirror/state';
 import type { DecorationSet } from '@codemirror/view';
 import { Decoration, drawSelection, EditorView } from '@codemirror/view';
@@ -16,13 +16,13 @@ const kMarked = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
-/// A module with numbers that a person can read: four digits do.
+/// Returns a module with numbers shortened to four digits.
 export function short_module(module: string): string {
   return module.replace(/-?\d*\.?\d+(?:e[+-]?\d+)?/gi, (number) => (number.length > 6 ? String(Number(Number(number).toPrecision(4))) : number));
 }
 
-/// Where each module of a word's text begins; one more says where the last ends. Names of several characters are parted
-/// by blanks.
+/// Returns the text of a word and the beginning of each module, with one more entry for the end of the last one. Names
+/// of several characters are separated by spaces.
 export function module_starts(modules: readonly string[]): { text: string; starts: number[] } {
   const gap = modules.some((one) => (one.split('(')[0] ?? '').length > 1) ? ' ' : '';
   const starts: number[] = [];
@@ -35,7 +35,7 @@ export function module_starts(modules: readonly string[]): { text: string; start
   return { text: modules.join(gap), starts };
 }
 
-/// The module that an offset lies in.
+/// Returns the module at an offset.
 export function module_at(starts: readonly number[], offset: number): number | null {
   let [low, high] = [0, starts.length - 2];
   if (high < 0 || offset < 0 || offset >= (starts[high + 1] ?? 0)) return null;
@@ -50,10 +50,10 @@ export function module_at(starts: readonly number[], offset: number): number | n
 export class WordView {
   private readonly view_: EditorView;
   private told_: readonly string[] = [];
-  private modules_: readonly string[] = []; // as they are shown
+  private modules_: readonly string[] = []; // modules as they are shown
   private starts_: number[] = [];
 
-  /// `point` is told of the module below the pointer or at the cursor, counted from the first that is shown.
+  /// Calls `point` with the module under the pointer or at the cursor, counted from the first shown one.
   constructor(parent: HTMLElement, point: (module: number | null) => void) {
     this.view_ = new EditorView({
       parent,
@@ -93,7 +93,7 @@ export class WordView {
     this.view_.dispatch({ changes: { from: 0, to: this.view_.state.doc.length, insert: text }, scrollIntoView: false });
   }
 
-  /// Marks a module, and brings it into sight where that is asked.
+  /// Marks a module, and scrolls to it if `reveals` is true.
   mark(module: number | null, reveals: boolean): void {
     const from = module === null ? undefined : this.starts_[module];
     const size = module === null ? 0 : (this.modules_[module]?.length ?? 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Below the view: midrib and width of a grass leaf side by side, over the points that were measured; the points stand
-// beside the leaf in the view, too.
+// The midrib and the width of a grass leaf side by side, over the measured points. The points are also shown beside the
+// leaf in the view.
 import type { ReactElement } from 'react';
 import { useEffect, useState } from 'react';
 
@@ -99,7 +99,7 @@ function Widths({ path, curves }: PartProps): ReactElement {
     { points: curves.widths, kind: 'behind' },
     ...(curves.width_file ? [{ points: curves.width_points, kind: 'dots' } as const] : []),
   ];
-  // What is not given is the built-in profile, from which hands may start.
+  // Without a curve in the document, the built-in profile is shown, which the user may then edit.
   const value = member_of(said, 'profile') ?? (curves.width_file ? undefined : { curve: curves.width_points.map((one) => [...one]), kind: 'spline' });
   return <Part title="Width" names={['along', 'share']} path={path} row="profile" form="line" value={value} behind={behind} is_file={curves.width_file} edits={draw_widths(path, said, curves)} />;
 }
@@ -113,7 +113,7 @@ interface CurvePartProps {
   value: Json | undefined;
   behind: PlaneLine[];
   is_file: boolean;
-  edits: Edit[]; // that draw it by hand
+  edits: Edit[]; // edits that replace the file by an editable curve
 }
 
 function Part({ title, names, path, row, form, value, behind, is_file, edits }: CurvePartProps): ReactElement {

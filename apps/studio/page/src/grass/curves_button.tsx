@@ -7,9 +7,9 @@ import { steps_of } from '../document/path.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { groups_at } from '../tables/resolve.ts';
 
-const kDrawnBy = ['midrib_points', 'profile']; // rows of what is drawn by midrib and width
+const kDrawnBy = ['midrib_points', 'profile']; // rows of components that are drawn by midrib and width
 
-/// Opens midrib and width of a component that is drawn by them, large and side by side.
+/// Opens the editor of midrib and width for a component that is drawn by them.
 export function CurvesButton({ path }: { path: string }): ReactElement | null {
   const studio = use_studio();
   const { tree } = use_document();

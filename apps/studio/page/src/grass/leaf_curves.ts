@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which grass leaf's curves are shown, and what they are.
+// The choice of a grass leaf, and its curves.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Studio } from '../studio.ts';
@@ -14,14 +14,14 @@ export class LeafCurvesModel {
     this.component.subscribe(() => this.told.set(null));
   }
 
-  /// Another document is opened.
+  /// Resets the curves for another document.
   forget(): void {
     this.newest_.drop();
     this.component.set(null);
     this.told.set(null);
   }
 
-  /// Asks for the curves of a leaf as the document has grown last; the newest answer counts.
+  /// Requests the curves of a leaf in the last grown document. Only the newest answer counts.
   ask(component: string, rank: number | null, leaf: number | null): void {
     const counts = this.newest_.begin();
     this.studio_.connection

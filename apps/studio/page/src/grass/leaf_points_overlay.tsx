@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measured points of a midrib and the curve that is fitted to them, beside the leaf in the view: beside the instance
-// that was clicked at, or else the first, as long as its blade.
+// The measured points of a midrib and the fitted curve, drawn beside the leaf in the view. The leaf is the clicked
+// instance, or else the first one. The curve has the length of its blade.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -9,7 +9,7 @@ import { frame_of_rows, point_in } from '../view/gizmo/space_math.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import { line_length, place_beside } from './curves.ts';
 
-const kAside = 0.1; // of the length
+const kAside = 0.1; // share of the length
 
 export function LeafPointsOverlay(): ReactElement | null {
   const studio = use_studio();
@@ -21,7 +21,7 @@ export function LeafPointsOverlay(): ReactElement | null {
   if (!view || !curves || component === null) return null;
   const rows = seen?.component === component ? seen.frame : view.plant.first_frame(component);
   if (!rows) return null;
-  // Blades are made 1 long and scaled by their frames.
+  // Blades have length 1 and are scaled by their frames.
   const frame = frame_of_rows(rows);
   const scale = 1 / (line_length(curves.midrib) || 1);
   const places = (points: typeof curves.midrib): [number, number, number][] => points.map((one) => [...point_in(frame, place_beside(one, scale, kAside))]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A growth that is looked at: which step the view shows, and what is drawn over it. The server records the growth while
-// somebody looks, and gives each step of it without growing anew.
+// The growth that is examined: the step that the view shows, and the overlays on it. The server records the growth
+// meanwhile, and shows each step without a new growth.
 import { Store } from '../base/store.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
@@ -13,11 +13,11 @@ import { view_layer } from './layers.ts';
 
 export interface GrowthLookState {
   is_open: boolean;
-  step: number | null; // that is asked for; null: the last
-  steps: number | null; // that the growth took; null: not known yet
+  step: number | null; // requested step; null: the last
+  steps: number | null; // number of steps of the growth; null: not known yet
   of: string | null; // component whose plants the step is for; null: all
-  growing: Readonly<Record<string, number>>; // steps of the plants of each component
-  parts: readonly string[]; // names of the overlays that are shown
+  growing: Readonly<Record<string, number>>; // number of steps of each component's plants
+  parts: readonly string[]; // names of the shown overlays
   legend: readonly LegendKey[];
 }
 
@@ -31,13 +31,13 @@ export class GrowthLook {
 
   constructor(private readonly studio_: Studio) {
     studio_.growth.subscribe(() => this.hear(studio_.growth.get().grown));
-    // A server that is there again knows nothing of it.
+    // A server that is connected again does not know the step.
     studio_.server.subscribe(() => {
       if (studio_.server.get().link === 'open' && this.state.get().is_open) this.views_.ask();
     });
   }
 
-  /// The overlays that the server knows.
+  /// The overlays that the server offers.
   get known(): readonly OverlayPart[] {
     return this.studio_.server.get().hello?.overlays ?? [];
   }
@@ -52,7 +52,7 @@ export class GrowthLook {
     this.views_.ask();
   }
 
-  /// The plant as it is after all steps again, with nothing over it.
+  /// Shows the plant after all steps again, without overlays.
   close(): void {
     this.clear_layers();
     this.state.set(kAtRest);
@@ -66,7 +66,7 @@ export class GrowthLook {
     this.views_.ask();
   }
 
-  /// Goes through the steps of one component's plants, those that it grows or places, or of all side by side.
+  /// Shows the steps of one component's plants, which it grows or places, or of all plants together.
   look_at(of: string | null): void {
     if (of === this.state.get().of) return;
     this.state.merge({ of, step: null, steps: null });
@@ -80,7 +80,7 @@ export class GrowthLook {
     this.overlays_.ask();
   }
 
-  /// Another document is opened: its growth is not looked at yet.
+  /// Resets the growth for another document.
   clear(): void {
     const was_open = this.state.get().is_open;
     this.clear_layers();
@@ -93,14 +93,15 @@ export class GrowthLook {
     return { step, recorded: is_open, of };
   }
 
-  /// Each growth, and each step of one, has overlays of its own.
+  /// Requests new overlays after each growth and for each step.
   private hear(grown: Grown | null): void {
     if (grown === this.heard_) return;
     this.heard_ = grown;
     if (!grown || !this.state.get().is_open) return;
     const { of } = this.state.get();
     if (grown.growing) this.state.merge({ growing: grown.growing });
-    if (of !== null && grown.growing && !(of in grown.growing)) return this.look_at(null); // it is there no more
+    // The component no longer exists
+    if (of !== null && grown.growing && !(of in grown.growing)) return this.look_at(null);
     if (grown.steps !== null) this.state.merge({ steps: grown.steps });
     if (this.state.get().parts.length > 0) this.overlays_.ask();
   }

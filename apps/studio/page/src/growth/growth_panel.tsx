@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth seen: a slider over its steps, switches for what is drawn over the plant, and what the colours mean.
+// The panel of growth: a slider over its steps, switches for overlays, and a legend of their colours.
 import type { KeyboardEvent, ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -28,7 +28,7 @@ export function GrowthPanel(): ReactElement | null {
   );
 }
 
-/// Whose steps they are, where several components have plants that grow.
+/// The choice of the component whose steps are shown, if several have growing plants.
 function Growing(): ReactElement | null {
   const look = use_studio().bench.growth_look;
   const { of, growing } = use_store(look.state);
@@ -56,7 +56,7 @@ function Steps(): ReactElement {
   if (steps === 0) return <p className="quiet">No plant of this document grows step by step.</p>;
   const last = steps ?? 0;
   const shown = Math.min(step ?? last, last);
-  // Buttons stay on at both ends, so that the keyboard stays where it is.
+  // Buttons stay enabled at both ends, so that the keyboard focus stays on them.
   const go = (to: number): void => look.show_step(to);
   const key = (event: KeyboardEvent): void => {
     const to = { PageUp: shown + 1, PageDown: shown - 1 }[event.key];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overlays as the server tells them, made into layers of the view.
+// Converts overlays from the server into layers of the view.
 import type { Vec } from '../base/vec.ts';
 import type { ToldLayer, ToldPlaces } from '../server/growth_protocol.ts';
 import type { PacketArrays } from '../server/packet.ts';
@@ -12,12 +12,12 @@ export interface LegendKey {
 }
 
 interface Places {
-  positions: Float32Array; // where they lie in the answer
+  positions: Float32Array; // position of the array in the answer
   colours: Uint8Array;
 }
 
 const kPointSize = 5; // pixels
-const kNodeSize = 3.5; // where lines join
+const kNodeSize = 3.5; // nodes where lines join
 
 export function view_layer(told: ToldLayer, arrays: PacketArrays): OverlayLayer {
   const places = ({ positions, colours }: ToldPlaces): Places => ({ positions: floats(arrays, positions), colours: bytes(arrays, colours) });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small plots of lists: bars side by side, and the leaf area of layers one over another.
+// Small plots of lists: bars side by side, and the leaf area of layers one above another.
 import type { ReactElement } from 'react';
 
 import type { Json } from '../document/json.ts';

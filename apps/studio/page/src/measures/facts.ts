@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was measured on real plants, by measure: a short list of published facts, each with its source. A plant outside
-// of a band is not wrong; it is outside of what the source saw.
+// Published measurements of real plants, each with its source. A plant outside of a range is not wrong: it only differs
+// from what the source has measured.
 
 export interface Fact {
   low: number;
   high: number;
-  of: string; // what was measured
+  of: string; // what was measured, and on which plants
   source: string;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures under headings, and their values as a person reads them.
+// Groups of measures with headings, and their values as text.
 import type { Json } from '../document/json.ts';
 import type { MeasureRow } from './measure_model.ts';
 
@@ -31,7 +31,7 @@ export function groups_of(rows: readonly MeasureRow[]): MeasureGroup[] {
   return groups;
 }
 
-/// Four digits, whole numbers in full.
+/// Returns a value as text: four digits, or whole numbers in full.
 export function shown_measure(value: Json | undefined): string {
   if (typeof value === 'number') return Number.isInteger(value) ? value.toLocaleString('en') : Math.abs(value) >= 1000 ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(4)));
   if (Array.isArray(value)) return value.map((one) => shown_measure(one)).join(', ');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures of the plant, asked of the server while somebody looks and made anew after each change; and measures over the
-// values of a handle.
+// Measures of the plant, requested from the server while a panel shows them and again after each change. Also measures
+// over the values of a handle.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
@@ -25,14 +25,14 @@ export interface SweepPoint {
 
 export interface MeasureState {
   rows: readonly MeasureRow[];
-  told: Measured | null; // the last that came
+  told: Measured | null; // the last answer
   with_light: boolean;
   is_working: boolean;
   fault: string;
 }
 
 export interface SweepState {
-  variable: string; // whose values these are; "" for none
+  variable: string; // variable whose values are measured; "" for none
   points: readonly SweepPoint[];
   is_working: boolean;
   fault: string;
@@ -41,22 +41,23 @@ export interface SweepState {
 const kNothing: MeasureState = { rows: [], told: null, with_light: false, is_working: false, fault: '' };
 const kNoSweep: SweepState = { variable: '', points: [], is_working: false, fault: '' };
 const kPause = 400; // ms after the last change
-const kLayers = 10; // about as many over the height of a plant
+const kLayers = 10; // approximate number of layers over the height of a plant
 
 export class MeasureModel {
   readonly state = new Store<MeasureState>(kNothing);
   readonly sweep = new Store<SweepState>(kNoSweep);
   private looks_ = 0;
   private timer_ = 0;
-  private readonly newest_ = new Newest(); // of measures
+  private readonly newest_ = new Newest(); // for measures
   private readonly newest_sweep_ = new Newest();
   private sweeping_: Job<{ sweep: SweepPoint[] }> | null = null;
-  private seen_ = ''; // what was measured last
-  private called_off_: Grown | null = null; // the growth whose measuring was cancelled: it is measured when somebody asks
+  private seen_ = ''; // hash of the text that was measured last
+  // The growth whose measurement was cancelled; it is measured again on request
+  private called_off_: Grown | null = null;
 
   constructor(private readonly studio_: Studio) {}
 
-  /// Another document is opened.
+  /// Resets the measures for another document.
   forget(): void {
     this.newest_.drop();
     this.newest_sweep_.drop();
@@ -65,7 +66,7 @@ export class MeasureModel {
     this.state.merge({ told: null, fault: '', is_working: false });
   }
 
-  /// Keeps the measures up to date while somebody looks. Gives what ends that.
+  /// Keeps the measures up to date while a panel shows them. Returns a function that ends this.
   look(): () => void {
     this.looks_ += 1;
     this.called_off_ = null;
@@ -85,7 +86,7 @@ export class MeasureModel {
     this.ask_later();
   }
 
-  /// Measures the plant at each of these values of a handle, with the present values of all others.
+  /// Measures the plant at each of these values of a handle. All other values stay.
   async measure_over(variable: string, values: readonly number[]): Promise<void> {
     const counts = this.newest_sweep_.begin();
     this.sweep.set({ variable, points: [], is_working: true, fault: '' });
@@ -98,7 +99,7 @@ export class MeasureModel {
     }
   }
 
-  /// The sweep alone; all else that the server has in hand goes on.
+  /// Stops only the sweep; all other jobs of the server continue.
   stop_sweep(): void {
     this.sweeping_?.cancel();
   }
@@ -134,7 +135,7 @@ export class MeasureModel {
       const is_cancelled = fault instanceof Refusal && fault.facts.cancelled === true;
       this.state.merge({ is_working: false, fault: fault instanceof Refusal && !is_cancelled ? fault.message : '' });
       if (!is_cancelled) return;
-      // The next growth is measured, also one of the same text.
+      // The next growth is measured, even if its text is equal.
       this.seen_ = '';
       this.called_off_ = this.studio_.growth.get().grown;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be measured on the plant, beside what was measured on real ones, and over the values of a handle.
+// The panel of measures: values of the plant, published values of real plants, and measures over the values of a
+// handle.
 import type { ReactElement } from 'react';
 import { useEffect, useState } from 'react';
 
@@ -80,10 +81,10 @@ function Measure({ row, value }: { row: MeasureRow; value: Json | undefined }): 
   );
 }
 
-/// Where a value stands beside what was measured on real plants.
+/// The position of a value relative to a published range.
 function Band({ fact, value }: { fact: Fact; value: number }): ReactElement {
   const { low, high } = fact;
-  // The band takes the middle; values far beyond stand at the ends.
+  // The range covers the middle of the bar; values far outside are drawn at the ends.
   const share = Math.min(1, Math.max(0, 0.25 + (0.5 * (value - low)) / (high - low)));
   const is_within = value >= low && value <= high;
   return (

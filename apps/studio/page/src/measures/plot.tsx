@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line over values, with a point for each, the value that holds now, and a band.
+// A line over values with a point for each, the present value, and a published range.
 import type { KeyboardEvent, ReactElement } from 'react';
 
 import { fitting_step, rounded } from '../document/arithmetic.ts';
@@ -9,7 +9,7 @@ export type PlotPoint = readonly [number, number];
 interface PlotProps {
   label: string;
   points: readonly PlotPoint[];
-  now: number | null; // drawn as a line
+  now: number | null; // present value, drawn as a line
   band: { low: number; high: number } | null;
   text: (point: PlotPoint) => string;
   take: (value: number) => void;

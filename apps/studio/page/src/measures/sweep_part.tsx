@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measure over one handle: the plant is grown at values over the handle's range and measured at each; all of its
-// measures are known then, and any of them is drawn. A click on a point takes its value.
+// Measures over one handle. The plant is grown at values over the handle's range, and all of its measures are taken;
+// any of them can be plotted. A click on a point sets its value.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -15,10 +15,10 @@ import { shown_measure } from './measure_groups.ts';
 import type { MeasureRow, SweepState } from './measure_model.ts';
 import { Plot } from './plot.tsx';
 
-const kCount = 9; // values over the range
+const kCount = 9; // number of values over the range
 const kUsual = ['height', 'crown_width', 'stem_diameter', 'leaf_area'];
 
-/// Values over the range of a handle, each once.
+/// Returns values over the range of a handle, without duplicates.
 export function values_of(variable: Variable, count = kCount): number[] {
   const { min, max } = variable;
   return [...new Set(Array.from({ length: count }, (_, k) => rounded(min + ((max - min) * k) / (count - 1), step_of(variable))))];

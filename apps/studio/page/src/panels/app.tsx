@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: what stands where. A panel beside the view is one line of `kSides`.
+// The layout of the page. Each panel beside the view is one line of `kSides`.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';

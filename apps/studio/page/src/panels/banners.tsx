@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must be decided, above the work: a lost server, unsaved work of before, a file that someone else has changed.
+// Banners with decisions for the user: a lost server, unsaved earlier work, a file that someone else has changed.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -25,7 +25,7 @@ export function LostBanner(): ReactElement | null {
   );
 }
 
-/// Hands the text to the browser's downloads, for which no server is needed.
+/// Saves the text as a download of the browser, which needs no server.
 function save_copy(studio: Studio): void {
   const { text, name } = studio.document.state.get();
   const link = document.createElement('a');
@@ -35,7 +35,7 @@ function save_copy(studio: Studio): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-/// Another tab or program has the same file open.
+/// Reports that another tab or program has the file open.
 export function ElsewhereBanner(): ReactElement | null {
   const studio = use_studio();
   const { elsewhere } = use_store(studio.shell);

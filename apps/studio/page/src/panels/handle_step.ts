@@ -2,7 +2,8 @@
 import { fitting_step } from '../document/arithmetic.ts';
 import type { Variable } from '../server/protocol.ts';
 
-/// Whole numbers where the range and the value are whole and the range is long enough to be meant so.
+/// Returns the step of a handle. Whole numbers are used if the range and the value are whole and the range is long
+/// enough.
 export function step_of(variable: Variable): number {
   const { min, max, value } = variable;
   const is_whole = [min, max, value].every(Number.isInteger) && max - min >= 5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document's variables: the few numbers that its author meant to be turned.
+// The handles: the document's variables that its author intended for users.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -52,7 +52,7 @@ export function Handles(): ReactElement {
   );
 }
 
-/// A new handle, which is chosen, so that the inspector shows what can be said of it.
+/// Adds a new handle and chooses it, so that the inspector shows its members.
 async function add_handle(studio: Studio): Promise<void> {
   const { tree } = studio.document.state.get();
   const said = member_of(tree?.value, 'variables');

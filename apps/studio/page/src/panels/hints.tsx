@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What to try first; gone for good once somebody has read it.
+// Hints for new users, shown until they are closed.
 import type { ReactElement } from 'react';
 
 import { prefer } from '../base/preferences.ts';

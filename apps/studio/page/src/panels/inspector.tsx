@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All rows of what is chosen, made from the parameter tables.
+// All rows of the chosen part, made from the parameter tables.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -108,7 +108,7 @@ function Group({ group, path, value, wanted }: GroupProps): ReactElement | null 
   );
 }
 
-/// ["from", "to"] has no numbers; the long form has.
+/// The short form ["from", "to"] of a link has no numbers, so the long form is offered.
 function ShortLink({ path, link }: { path: string; link: Json[] }): ReactElement {
   const studio = use_studio();
   const write_out = (): void => studio.set_value(path, { from: link[0] ?? '', to: link[1] ?? '' }, 'Write the link out');

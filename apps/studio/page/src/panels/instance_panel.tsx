@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instance that was clicked at in the view: which one it is, the values that it has, and instances that are clicked
-// into `omit` and `only`.
+// The clicked instance: its number and its values, and the selection of instances for `omit` and `only`.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -60,7 +59,7 @@ function Values({ instance, path }: { instance: FoundInstance; path: string }): 
   );
 }
 
-/// The numbers that were clicked together, until they are taken over as one step.
+/// The selected numbers, until they are applied as one step.
 function Selecting(): ReactElement | null {
   const studio = use_studio();
   const { tree } = use_document();

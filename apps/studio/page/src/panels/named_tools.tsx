@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The name of what is chosen, where it has one: it can be changed, and what is chosen be deleted. A link has no name, and
-// can be written out.
+// The name of the chosen part, which can be changed, and a button that deletes the part. A link has no name, but can be
+// written in its long form.
 import type { ReactElement } from 'react';
 
 import { component_of } from '../board/board_edits.ts';

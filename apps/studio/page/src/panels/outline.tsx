@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Components with what stands on them, links, and the parts of the document.
+// The outline: components with their children, links, and the parts of the document.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -20,7 +20,7 @@ interface Item {
   title: string;
   detail: string;
   icon: IconName;
-  component?: string; // whose drawing can be switched
+  component?: string; // component that can be hidden
 }
 
 const kParts: Item[] = [
@@ -121,7 +121,7 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   );
 }
 
-/// The arrow keys go from item to item.
+/// The arrow keys move from item to item.
 function step_through(event: KeyboardEvent<HTMLElement>): void {
   const move = { ArrowDown: 1, ArrowUp: -1 }[event.key];
   if (move === undefined) return;

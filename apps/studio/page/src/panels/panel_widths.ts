@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How wide the panels are; the browser remembers it.
+// The widths of the panels, which the browser keeps.
 import { useState } from 'react';
 
 import { prefer, preference } from '../base/preferences.ts';
 
-/// The panel left of the view, and those at its right.
+/// The panel to the left of the view, and the panels to its right.
 export type Panel = 'left' | 'board' | 'inspector' | 'text' | 'grammar' | 'measures' | 'plan';
 
-/// Pixels that a panel may have.
+/// Allowed widths of each panel, pixels.
 export const kWidths: Record<Panel, { low: number; high: number }> = {
   left: { low: 220, high: 480 },
   board: { low: 320, high: 1600 },
@@ -18,7 +18,7 @@ export const kWidths: Record<Panel, { low: number; high: number }> = {
   plan: { low: 300, high: 900 },
 };
 
-/// The width, null where the style says it, and what changes it.
+/// Returns the width, or null for the default of the style, and a function that changes it.
 export function use_width(panel: Panel): [number | null, (width: number | null) => void] {
   const name = `width of ${panel}`;
   const [width, set_width] = useState(() => known_width(preference(name), kWidths[panel]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bottom line: what is shown of what there is, what it took, work in hand.
+// The bottom line: the shown share of the plant, the time of its growth, and running work.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';

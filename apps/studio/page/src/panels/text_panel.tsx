@@ -9,7 +9,7 @@ import type { Fault } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { TextEditor } from '../text/editor.ts';
 
-/// The whole document as text, and its faults below.
+/// The panel of the whole document as text, with its faults below.
 export function TextPanel(): ReactElement {
   const studio = use_studio();
   const parent = useRef<HTMLDivElement>(null);

@@ -5,7 +5,7 @@ import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { use_studio } from '../studio_context.ts';
 
-/// Short news that go by themselves.
+/// Short messages that disappear after a while.
 export function Toasts(): ReactElement {
   const studio = use_studio();
   const toasts = use_store(studio.toasts.shown);

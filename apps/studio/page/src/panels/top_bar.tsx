@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Document, undo, seed, export, theme.
+// The bar at the top: document, undo, seed, export, theme.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -13,7 +13,7 @@ import { save_here } from '../shortcuts.ts';
 import type { Studio } from '../studio.ts';
 import type { Theme } from '../studio_state.ts';
 
-/// What a plant begins with.
+/// The text of a new document.
 const kNewPlant = `{
   "meristem": 1,
   "name": "New plant",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The 3D view with what lies over it: drawing, views along the axes, scale, compass.
+// The 3D view with its buttons: drawing, views along the axes, scale, compass.
 import type { ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -97,7 +97,7 @@ function attach(studio: Studio, canvas: HTMLCanvasElement): void {
 function Compass(): ReactElement {
   const facts = use_store(use_studio().view_facts);
   const azimuth = facts?.camera.azimuth ?? 180;
-  // Up on the screen is where the camera looks.
+  // The compass turns with the camera: up on the screen is the direction of view.
   const north = ((180 - azimuth) * Math.PI) / 180;
   return (
     <svg className="compass" viewBox="-20 -20 40 40" role="img" aria-label={`Compass: the camera stands at ${Math.round(azimuth)} degrees`}>
@@ -125,7 +125,7 @@ function Scale(): ReactElement | null {
   );
 }
 
-/// The name of what the pointer rests on.
+/// The name of the part under the resting pointer.
 function PointedAt(): ReactElement | null {
   const at = use_store(use_studio().pointed);
   if (!at) return null;
@@ -136,7 +136,7 @@ function PointedAt(): ReactElement | null {
   );
 }
 
-/// Marks a plant that is not the text's, since the text has faults: a border, the first fault, and the way to it.
+/// Reports that the shown plant is not the text's, since the text has faults: a border, and a link to the first fault.
 function StalePlant(): ReactElement | null {
   const studio = use_studio();
   const { shown } = use_store(studio.growth);
@@ -163,7 +163,7 @@ function StalePlant(): ReactElement | null {
   );
 }
 
-/// What the view says while there is nothing to see.
+/// The message of the view if there is nothing to see.
 function Nothing(): ReactElement | null {
   const studio = use_studio();
   const { shown, failed, working } = use_store(studio.growth);
@@ -187,7 +187,7 @@ function Nothing(): ReactElement | null {
   return null;
 }
 
-/// What the view still shows of a document whose growth has failed.
+/// Returns a message about what the view still shows of a document whose growth has failed.
 function left_to_see(shown: GrowthState['shown'], hash: string): string {
   if (!shown) return 'There is nothing to show yet.';
   return shown.draft && shown.hash === hash ? 'What is shown is a draft.' : 'What is shown is the last plant that could grow.';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operations of a component in the order in which they act, each with its buttons; the chosen one with its rows.
+// The operations of a component in their order, each with its buttons. The chosen operation shows its rows.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
@@ -35,7 +35,7 @@ export function OperationList({ component }: { component: string }): ReactElemen
   );
 }
 
-/// The operations that the component's training stands for; its rows in the inspector change them.
+/// The operations that the component's training stands for. The training's rows in the inspector change them.
 function TrainedList({ component }: { component: string }): ReactElement | null {
   const { pruning } = use_studio().bench;
   const told = use_store(pruning.told);
@@ -61,7 +61,7 @@ function TrainedList({ component }: { component: string }): ReactElement | null 
   );
 }
 
-/// An operation in words, to be looked at in the view; `opens`: its rows as well.
+/// An operation as text. A click shows it in the view and, if `opens`, its rows.
 function OperationChoice({ operation, path, state, opens = false }: { operation: Json; path: string; state: string; opens?: boolean }): ReactElement {
   const { pruning } = use_studio().bench;
   const is_chosen = use_store(pruning.looked_at)?.path === path;

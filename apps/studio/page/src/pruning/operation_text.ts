@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations of a document in words, and by the years in which they have acted.
+// Operations of a document as text, and sorted by the years in which they have acted.
 import type { Json } from '../document/json.ts';
 import { is_object, write_json } from '../document/json.ts';
 import type { OperationAct } from '../server/growth_protocol.ts';
 
-/// What all kinds have: when they act, and on which trees and shoots.
+/// Members that all kinds of operations have: when they act, and on which trees and shoots.
 const kCommon: ReadonlySet<string> = new Set(['do', 'at', 'from', 'every', 'to', 'when', 'once', 'season', 'shoots', 'tree', 'off']);
 
 function members_of(operation: Json): { [name: string]: Json } {
   return is_object(operation) ? operation : {};
 }
 
-/// A value in a few words: of bodies their kinds, of lines how many points they have.
+/// Returns a value in a few words: the kind of a body, the number of points of a line.
 function plain(value: Json): string {
   if (typeof value === 'string') return value;
   if (is_object(value)) return Object.keys(value).join(' and ').replaceAll('_', ' ');
@@ -19,7 +19,7 @@ function plain(value: Json): string {
   return write_json(value);
 }
 
-/// What is done to which shoots: "cut main.4.2, above 3".
+/// Returns what an operation does to which shoots: "cut main.4.2, above 3".
 export function what_of(operation: Json): string {
   const said = members_of(operation);
   const shoots = typeof said['shoots'] === 'string' ? ` ${said['shoots']}` : '';
@@ -29,7 +29,7 @@ export function what_of(operation: Json): string {
   return `${plain(said['do'] ?? 'operation')}${shoots}${rest.join('')}`;
 }
 
-/// When it acts: "year 8, summer".
+/// Returns when an operation acts: "year 8, summer".
 export function when_of(operation: Json): string {
   const { at, from, every, to, when, once, season, tree } = members_of(operation) as Record<string, Json | undefined>;
   const parts: string[] = [];
@@ -47,7 +47,7 @@ export function is_off(operation: Json): boolean {
   return members_of(operation)['off'] === true;
 }
 
-/// What an operation did, counted: "2 cuts".
+/// Returns how often an operation acted, as text: "2 cuts".
 export function counted_act(count: number, act: string): string {
   const [one, many] = kActs[act] ?? [act, act];
   return `${count} ${count === 1 ? one : many}`;
@@ -62,12 +62,12 @@ const kActs: Record<string, [string, string]> = {
   mark: ['mark', 'marks'],
 };
 
-/// How often an operation has acted in all.
+/// Returns how often an operation has acted in total.
 export function times_of(acts: readonly OperationAct[], path: string): number {
   return acts.reduce((sum, [operation, , , count]) => sum + (operation === path ? count : 0), 0);
 }
 
-/// The index of the operation that a path says, in the list at another path; -1 where it is not of that list.
+/// Returns the index of the operation at a path within the list at another path. Returns -1 if it is not in that list.
 export function index_in(list: string, path: string): number {
   return path.startsWith(`${list}[`) ? Number(path.slice(list.length + 1, -1)) : -1;
 }
@@ -77,8 +77,8 @@ export interface PlanYear {
   seasons: { season: 'summer' | 'winter'; entries: { path: string; act: string; count: number }[] }[];
 }
 
-/// What has been done year by year, summers before winters, in the order of the document's list; that of a training
-/// comes first.
+/// Returns the acts year by year, summers before winters, in the order of the document's list. Acts of a training come
+/// first.
 export function years_of(acts: readonly OperationAct[], operations: readonly Json[], list: string): PlanYear[] {
   const season_of = (path: string): 'summer' | 'winter' => (members_of(operations[index_in(list, path)] ?? null)['season'] === 'summer' ? 'summer' : 'winter');
   const years = [...new Set(acts.map(([, year]) => year))].sort((a, b) => a - b);
@@ -92,8 +92,8 @@ export function years_of(acts: readonly OperationAct[], operations: readonly Jso
   });
 }
 
-/// The text of a document in which one operation is off, as a state to compare with. `start` is where the operation's
-/// object begins.
+/// Returns the text of a document in which one operation is off, for comparison. `start` is the beginning of the
+/// operation's object.
 export function text_with_off(text: string, start: number, is_empty: boolean): string {
   return `${text.slice(0, start + 1)}"off": true${is_empty ? '' : ', '}${text.slice(start + 1)}`;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plan of a component's trees: its operations in their order, or what they have done year by year. What is chosen
-// here is shown on the tree.
+// The plan of a component's trees: its operations in their order, or their acts year by year. The chosen one is shown
+// on the tree.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -49,7 +49,7 @@ export function PlanPanel(): ReactElement {
   );
 }
 
-/// Shows the trees as they stood before the operations of the last year, for as long as it is on.
+/// While it is on, shows the trees before the operations of the last year.
 function BeforeButton({ component }: { component: string }): ReactElement | null {
   const studio = use_studio();
   const { tree } = use_document();

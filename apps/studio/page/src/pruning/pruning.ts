@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations on trees: what they have done, which one is looked at, and what a hand adds to their list.
+// Operations on trees: their acts, the chosen operation, and additions to the list.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
@@ -13,7 +13,7 @@ import { kFirstChoice, label_of, operation_of } from './shoot_cut.ts';
 import { text_with_off } from './operation_text.ts';
 import { ShootWalk } from './shoot_walk.ts';
 
-/// The operation that is looked at, and the year; in all years where it is null.
+/// The chosen operation and year; null: all years.
 export interface LookedAt {
   path: string;
   iteration: number | null;
@@ -30,7 +30,7 @@ export class Pruning {
     this.walk = new ShootWalk(studio_);
   }
 
-  /// Another document is opened.
+  /// Resets the state for another document.
   forget(): void {
     this.newest_.drop();
     this.walk.forget();
@@ -38,7 +38,7 @@ export class Pruning {
     this.told.set(null);
   }
 
-  /// The components that have a list of operations.
+  /// Returns the components that may have a list of operations.
   components(): string[] {
     const all = member_of(this.studio_.document.state.get().tree?.value, 'components');
     const types = this.studio_.tables;
@@ -49,8 +49,8 @@ export class Pruning {
     });
   }
 
-  /// The component whose operations are listed: the chosen one, that of the operation which is looked at, or the first
-  /// that could have some; null where none could.
+  /// Returns the component whose operations are listed: the chosen one, the component of the chosen operation, or the
+  /// first possible one. Returns null if no component can have operations.
   plan_component(): string | null {
     const all = this.components();
     const wanted = [this.studio_.chosen.get(), this.looked_at.get()?.path ?? ''].map((path) => steps_of(path)[1]);
@@ -58,13 +58,13 @@ export class Pruning {
     return typeof known === 'string' ? known : (all[0] ?? null);
   }
 
-  /// The list of a component, as it is written.
+  /// Returns the list of a component's operations, as in the document.
   operations_of(component: string): Json[] {
     const said = value_at(this.studio_.document.state.get().tree, list_path(component));
     return Array.isArray(said) ? said : [];
   }
 
-  /// Asks what the operations of a component have done to what has grown last; the newest answer counts.
+  /// Requests the acts of a component's operations on the last grown plant. Only the newest answer counts.
   ask(component: string): void {
     const counts = this.newest_.begin();
     const { path = '', iteration = null } = this.looked_at.get() ?? {};
@@ -81,13 +81,13 @@ export class Pruning {
     this.looked_at.set(now?.path === path && now.iteration === iteration ? null : { path, iteration });
   }
 
-  /// Among how many trees a shoot stands, as far as the document says.
+  /// Returns the number of trees that may have a shoot of this name, as the document gives it.
   trees_beside(shoot: FoundShoot): number {
     const roots = value_at(this.studio_.document.state.get().tree, path_below(path_below('components', shoot.component), 'roots'));
     return Math.max(Array.isArray(roots) ? roots.length : 1, shoot.tree + 1);
   }
 
-  /// Does to a shoot what the tool says, as the last operation of the list.
+  /// Adds the tool's act on a shoot as the last operation of the list.
   async act(shoot: FoundShoot): Promise<void> {
     const list = list_path(shoot.component);
     const before = this.operations_of(shoot.component);
@@ -114,7 +114,7 @@ export class Pruning {
     void this.studio_.edit([is_off ? { set: at, value: true } : { unset: at }], is_off ? 'Switch an operation off' : 'Switch an operation on');
   }
 
-  /// The operation moves with what looks at it.
+  /// Moves an operation in the list. The choice follows.
   move(component: string, from: number, to: number): void {
     const list = list_path(component);
     if (this.looked_at.get()?.path === path_below(list, from)) this.looked_at.set({ path: path_below(list, to), iteration: null });
@@ -127,7 +127,7 @@ export class Pruning {
   }
 }
 
-/// Where the operations are counted that a training stands for.
+/// Returns the path under which the operations of a training are counted.
 export function trained_path(component: string): string {
   return path_below(path_below(path_below('components', component), 'training'), 'operations');
 }

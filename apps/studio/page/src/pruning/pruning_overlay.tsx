@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawn over the plant: the shoot that the tool has hold of, with what would go, and where an operation has acted.
+// Overlays on the plant: the tool's shoot with the part that would be removed, and the positions where an operation
+// acted.
 import type { ReactElement } from 'react';
 import { useEffect } from 'react';
 
@@ -12,7 +13,7 @@ import { use_plan_component } from './use_plan_component.ts';
 import { kept_metamers, parts_of } from './shoot_cut.ts';
 import { place_of } from './shoot_text.ts';
 
-const kMostDrawn = 400; // places of an operation; more would hide the plant
+const kMostDrawn = 400; // number of positions of an operation; more would hide the plant
 
 export function PruningOverlay(): ReactElement | null {
   const studio = use_studio();
@@ -49,7 +50,7 @@ export function PruningOverlay(): ReactElement | null {
   );
 }
 
-/// Keeps what is told of operations up to date while somebody looks at them.
+/// Keeps the acts of operations up to date while a panel shows them.
 function use_told_operations(): void {
   const studio = use_studio();
   const { pruning } = studio.bench;

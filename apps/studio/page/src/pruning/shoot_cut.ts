@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hand does to one shoot that it has chosen, as an operation of the document.
+// Acts on one chosen shoot as operations of the document.
 import type { Json } from '../document/json.ts';
 import type { FoundShoot } from '../server/growth_protocol.ts';
 
 export type Deed = 'cut' | 'bend' | 'tie' | 'mark';
 
-/// The choices of the tool; those of one deed are kept while another is tried.
+/// The settings of the tool. Settings of one act are kept while another one is tried.
 export interface DeedChoice {
   deed: Deed;
   cut_at: 'here' | 'base' | 'count';
-  count: number; // metamers that stay
+  count: number; // number of metamers that stay
   inclination: number; // degrees
-  bent: number; // metamers that the bend extends over
+  bent: number; // number of metamers over which the bend extends
   string: number; // metres
   state: string;
   season: 'winter' | 'summer';
@@ -19,13 +19,13 @@ export interface DeedChoice {
 
 export const kFirstChoice: DeedChoice = { deed: 'cut', cut_at: 'here', count: 3, inclination: 0, bent: 3, string: 0.5, state: 'marked', season: 'winter' };
 
-/// Metamers that stay of the shoot where it is cut.
+/// Returns the number of metamers of the shoot that a cut leaves.
 export function kept_metamers(shoot: FoundShoot, choice: DeedChoice): number {
   if (choice.cut_at === 'base') return 0;
   return choice.cut_at === 'here' ? shoot.metamer : Math.max(0, Math.round(choice.count));
 }
 
-/// Why it cannot be done; nothing where it can.
+/// Returns the reason why the act is impossible, or an empty text.
 export function why_not(shoot: FoundShoot, choice: DeedChoice): string {
   const is_stem = shoot.shoot === 'main';
   if (choice.deed === 'tie' && is_stem) return 'A stem cannot be tied down; choose a branch';
@@ -33,7 +33,7 @@ export function why_not(shoot: FoundShoot, choice: DeedChoice): string {
   return is_all ? 'Nothing would be left of the tree' : '';
 }
 
-/// The operation, after the iteration on show; `trees` is how many trees could be meant.
+/// Returns the operation, after the shown iteration. `trees` is the number of trees that it could mean.
 export function operation_of(shoot: FoundShoot, choice: DeedChoice, trees: number): { [name: string]: Json } {
   const head: { [name: string]: Json } = {
     do: choice.deed,
@@ -48,12 +48,12 @@ export function operation_of(shoot: FoundShoot, choice: DeedChoice, trees: numbe
   return { ...head, state: choice.state };
 }
 
-/// The step of the undo list.
+/// Returns the label of the step in the undo list.
 export function label_of(shoot: FoundShoot, choice: DeedChoice): string {
   return `${choice.deed[0]?.toUpperCase() ?? ''}${choice.deed.slice(1)} ${shoot.shoot}`;
 }
 
-/// The shoot's course up to what stays, and beyond.
+/// Returns the shoot's course in two parts: the part that stays and the part beyond.
 export function parts_of(shoot: FoundShoot, kept: number): { stays: number[]; goes: number[] } {
   const first_gone = shoot.metamers.findIndex((number) => number > kept);
   const end = 3 * Math.max(1, first_gone < 0 ? shoot.metamers.length : first_gone);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shoot and the place on it in words and numbers.
+// A shoot and a position on it as text and numbers.
 import type { Vec } from '../base/vec.ts';
 import { places_of_numbers } from '../base/vec.ts';
 import type { FoundShoot, ShootWay } from '../server/growth_protocol.ts';
 
-/// What is said where a way along the tree leads nowhere.
+/// Messages for a step along the tree that leads nowhere.
 export const kNowhere: Record<ShootWay, (shoot: string) => string> = {
   parent: (shoot) => `No shoot bears ${shoot}`,
   child: (shoot) => `${shoot} bears no shoots`,
@@ -12,7 +12,8 @@ export const kNowhere: Record<ShootWay, (shoot: string) => string> = {
   previous: (shoot) => `${shoot} has no neighbours`,
 };
 
-/// What bears a shoot, the nearest first, each at the metamer that does: "main.4" at 2, then "main" at 4, of "main.4.2".
+/// Returns the ancestors of a shoot, the nearest first, each with the metamer of the branch: "main.4" at 2, then "main"
+/// at 4, for "main.4.2".
 export function bearers_of(label: string): { shoot: string; metamer: number }[] {
   const parts = label.split('.');
   return parts.slice(1).map((_, k) => {
@@ -21,18 +22,18 @@ export function bearers_of(label: string): { shoot: string; metamer: number }[] 
   });
 }
 
-/// The metamer that many nodes further along the shoot, or the last one on the way there.
+/// Returns the metamer that is `by` nodes further along the shoot, or the last one in that direction.
 export function moved_metamer({ metamers, metamer }: FoundShoot, by: number): number {
   const at = Math.max(0, metamers.lastIndexOf(metamer));
   return metamers[Math.min(metamers.length - 1, Math.max(0, at + by))] ?? metamer;
 }
 
-/// The end of the metamer in hand.
+/// Returns the end of the chosen metamer.
 export function place_of({ course, metamers, metamer }: FoundShoot): Vec | null {
   return places_of_numbers(course)[Math.max(0, metamers.lastIndexOf(metamer))] ?? null;
 }
 
-/// "Order 1, 0.83 m long, 0.21 m from its base".
+/// Returns lengths as text: "Order 1, 0.83 m long, 0.21 m from its base".
 export function measures_of(shoot: FoundShoot): string {
   const places = places_of_numbers(shoot.course);
   const long = (to: number): string => {

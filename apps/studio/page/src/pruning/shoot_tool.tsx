@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tool over the view while a shoot is chosen that operations can act on: cut, bend, tie or mark it after the
-// iteration on show.
+// The tool over the view for a chosen shoot: cut, bend, tie or mark it after the shown iteration. It appears if
+// operations can act on the shoot.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useLayoutEffect, useRef } from 'react';
 
@@ -35,7 +35,7 @@ function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
   const root = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
     const tool = root.current;
-    // With the tool, the keyboard must not be lost.
+    // The keyboard focus must not be lost with the tool.
     return () => {
       if (tool?.contains(document.activeElement)) tool.parentElement?.querySelector('canvas')?.focus();
     };
@@ -88,7 +88,7 @@ interface DeedFieldsProps {
   change: (part: Partial<DeedChoice>) => void;
 }
 
-/// The numbers of the deed that is chosen.
+/// Fields for the numbers of the chosen act.
 function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
   if (choice.deed === 'cut') {
     const places: [DeedChoice['cut_at'], string][] = [

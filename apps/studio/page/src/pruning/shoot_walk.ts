@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shoots that are chosen one after another along the tree, by keys.
+// Moves the choice from shoot to shoot along the tree, by keys.
 import { Store } from '../base/store.ts';
 import { InstanceChoice } from '../instance_choice.ts';
 import type { FoundShoot, ShootName, ShootWay } from '../server/growth_protocol.ts';
@@ -7,8 +7,8 @@ import type { Studio } from '../studio.ts';
 import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';
 
 export class ShootWalk {
-  readonly note = new Store(''); // why the last key has led nowhere
-  readonly wants_keyboard = new Store(false); // the tool takes it as soon as it is there
+  readonly note = new Store(''); // reason why the last key had no effect
+  readonly wants_keyboard = new Store(false); // true: the tool takes the focus when it appears
   private last_: FoundShoot | null = null;
   private is_asking_ = false;
 
@@ -19,13 +19,13 @@ export class ShootWalk {
     });
   }
 
-  /// Another document is opened.
+  /// Resets the walk for another document.
   forget(): void {
     this.last_ = null;
     this.wants_keyboard.set(false);
   }
 
-  /// The keyboard goes to the shoot in hand, or to the last one that was, or to what bore that one, or to the first.
+  /// Focuses the chosen shoot, or the last chosen one, or its nearest existing ancestor, or the first shoot.
   async begin(): Promise<void> {
     const { instance, bench } = this.studio_;
     if (this.shoot) return this.wants_keyboard.set(true);
@@ -40,7 +40,7 @@ export class ShootWalk {
     this.studio_.tell(`No shoot of ${component} has grown that could be cut`);
   }
 
-  /// To the shoot that bears the one in hand, to one that it bears, or to a neighbour.
+  /// Chooses the parent of the shoot, a child, or a neighbour.
   async go(way: ShootWay): Promise<void> {
     const { shoot } = this;
     if (!shoot || this.is_asking_) return;
@@ -50,7 +50,7 @@ export class ShootWalk {
     if (is_held === false) this.note.set(kNowhere[way](shoot.shoot));
   }
 
-  /// The place on the shoot moves by metamers, towards its tip or its base.
+  /// Moves the position on the shoot by metamers, towards its tip or its base.
   along(by: number): void {
     const { shoot } = this;
     if (!shoot) return;

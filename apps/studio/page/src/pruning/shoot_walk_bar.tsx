@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From shoot to shoot along the tree, and along the shoot in hand, by keys or buttons; what is reached is read out.
+// Steps from shoot to shoot along the tree, and along the chosen shoot, by keys or buttons. The result is read aloud by
+// screen readers.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -25,7 +26,7 @@ const kDeedKeys: Record<string, Deed> = { c: 'cut', b: 'bend', t: 'tie', m: 'mar
 
 interface ShootWalkBarProps {
   shoot: FoundShoot;
-  act: () => void; // what the tool says
+  act: () => void; // carries out the tool's act
 }
 
 export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
@@ -43,7 +44,7 @@ export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const way = kWays[event.key];
     const deed = kDeedKeys[event.key];
-    const is_on_bar = event.target === event.currentTarget; // its buttons have an Enter of their own
+    const is_on_bar = event.target === event.currentTarget; // its buttons handle Enter themselves
     if (way) way(walk);
     else if (deed) choice.merge({ deed });
     else if (event.key === 'Enter' && is_on_bar) act();

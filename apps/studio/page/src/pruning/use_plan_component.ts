@@ -2,7 +2,7 @@
 import { use_store } from '../base/store.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 
-/// The component whose operations are listed; null where none could have some.
+/// Returns the component whose operations are listed, or null if no component can have operations.
 export function use_plan_component(): string | null {
   const studio = use_studio();
   use_document();

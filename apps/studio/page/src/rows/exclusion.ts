@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that never stand beside each other: where one is given, the others go.
+// Rows that exclude each other: when one is given, the others are removed.
 import { createContext } from 'react';
 
 import type { Json } from '../document/json.ts';
 import type { ParameterTable } from '../tables/tables.ts';
 import { as_object } from '../tables/tables.ts';
 
-/// Those of a table's given rows that must go where this one is given.
+/// Returns the given rows of a table that must be removed when this one is given.
 export function excluded_by(table: ParameterTable, name: string, value: Json | undefined): string[] {
   const given = as_object(table, value);
   const rivals = new Set<string>();
@@ -19,5 +19,5 @@ export function excluded_by(table: ParameterTable, name: string, value: Json | u
   return [...rivals].filter((one) => given[one] !== undefined);
 }
 
-/// Paths that go where anything below is given: rivals of the tables around it.
+/// Paths that are removed when anything below is given: rivals in the enclosing tables.
 export const ExcludedPaths = createContext<readonly string[]>([]);

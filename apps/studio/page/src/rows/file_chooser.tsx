@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files below the server's folder that a row can name: those of the formats that it reads, or all.
+// The files below the server's folder that a row can name: files of the formats that it reads, or all files.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -13,7 +13,7 @@ import { folder_of, path_from } from './file_path.ts';
 
 interface FileChooserProps {
   row: Row;
-  file: string; // that is named now, as the document writes it
+  file: string; // the present file, as the document writes it
   take: (file: string) => void;
 }
 
@@ -38,7 +38,7 @@ export function FileChooser({ row, file, take }: FileChooserProps): ReactElement
   );
 }
 
-/// A shipped plant finds its files beside itself, where nothing of the user's is.
+/// A shipped plant finds its files only beside itself, so the user's files cannot be chosen.
 export function ShippedFiles({ close }: { close: () => void }): ReactElement {
   const studio = use_studio();
   const save = (): void => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables say in a row's sentence which formats its files may have; here is how files of such formats end.
+// The endings of files for a row. The row's sentence in the tables names the formats.
 import type { Row } from '../tables/tables.ts';
 
 const kEndings: Record<string, string[]> = {
@@ -12,12 +12,13 @@ const kEndings: Record<string, string[]> = {
   text: ['.txt', '.xyz', '.lpy', '.l'],
 };
 
-/// Whether a row names a picture.
+/// Returns true if a row names a picture.
 export function names_pictures(row: Row): boolean {
   return row.kind === 'file' && endings_in(row.doc).includes('.png');
 }
 
-/// Endings of the formats that a sentence names; none where it names none, and any file may do.
+/// Returns the endings of the formats that a sentence names. Returns an empty list if it names no format; any file is
+/// then accepted.
 export function endings_in(sentence: string): string[] {
   return Object.entries(kEndings).flatMap(([word, endings]) => (new RegExp(`\\b${word}\\b`).test(sentence) ? endings : []));
 }

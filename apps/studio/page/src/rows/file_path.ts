@@ -14,7 +14,7 @@ function names_of(path: string): string[] {
   return names;
 }
 
-/// The path that leads from a folder to a file.
+/// Returns the relative path from a folder to a file.
 export function path_from(folder: string, file: string): string {
   const [from, to] = [names_of(folder), names_of(file)];
   let shared = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row that names a file: its path, and a window to find it below the server's folder.
+// A row that names a file: its path, and a window for finding it below the server's folder.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -33,8 +33,8 @@ export function FileRow(props: RowEditorProps): ReactElement {
 interface FileDialogProps {
   label: string;
   row: Row;
-  value: Json | undefined; // the file that is named now
-  take: (file: string) => void; // as the document writes it
+  value: Json | undefined; // the present file
+  take: (file: string) => void; // receives the path as the document writes it
   close: () => void;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that hold tables: objects, lists and maps of them. Folded away until somebody looks.
+// Rows that hold tables: objects, lists and maps. They are folded until the user opens them.
 import type { ReactElement, ReactNode } from 'react';
 import { useContext, useState } from 'react';
 
@@ -23,7 +23,7 @@ interface NestedRowProps {
   value: Json | undefined;
 }
 
-/// `rivals` are paths that go where anything of the row is given.
+/// `rivals` are paths that are removed when anything of the row is given.
 export function NestedRow({ row, path, value, rivals }: NestedRowProps & { rivals: readonly string[] }): ReactElement {
   const studio = use_studio();
   const excluded = [...useContext(ExcludedPaths), ...rivals];
@@ -54,7 +54,7 @@ interface FoldProps {
   children: ReactNode;
 }
 
-/// A heading that opens and closes what is below; `children` are made when it is opened.
+/// A heading that shows and hides its content. `children` is called when it is opened.
 function Fold({ title, tip, path, is_set, menu, children }: FoldProps): ReactElement {
   const [is_open, set_open] = useState(false);
   const faults = use_faults(path);
@@ -80,10 +80,10 @@ interface TableRowsProps {
   table: ParameterTable;
   path: string;
   value: Json | undefined;
-  without?: string; // a row that is edited elsewhere
+  without?: string; // name of a row that is edited elsewhere
 }
 
-/// All rows of a table that mean something beside the others.
+/// All rows of a table that have an effect beside the other values.
 export function TableRows({ table, path, value, without }: TableRowsProps): ReactElement {
   const object = as_object(table, value);
   const rows = table.rows.filter((row) => row.name !== without && (object[row.name] !== undefined || has_meaning(table, row.name, object)));
@@ -101,7 +101,7 @@ function ListRows({ row, path, value }: NestedRowProps): ReactElement {
   const excluded = useContext(ExcludedPaths);
   const elements = Array.isArray(value) ? value : [];
   const add = (element: Json): void => {
-    // What is not there yet is made with its first element.
+    // A missing list is added together with its first element.
     const edit = value === undefined ? { set: path, value: [element] } : { insert: path_below(path, -1), value: element };
     give(studio, [edit], `Add to ${row.name}`, excluded);
   };

@@ -11,7 +11,7 @@ export function form_of(value: Json | undefined): NumberForm {
   return is_object(value) ? 'both' : 'number';
 }
 
-/// A number written in another form.
+/// Returns a number in another form.
 export function in_form(form: NumberForm, value: Json | undefined, number: number): Json {
   const range = Array.isArray(value) ? value : is_object(value) && Array.isArray(value['range']) ? value['range'] : [number, number];
   const said = is_object(value) && typeof value['apply'] === 'string' ? value['apply'] : typeof value === 'string' ? value : null;

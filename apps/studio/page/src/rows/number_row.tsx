@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number in all its forms: a number, a range over the siblings, an expression, or both.
+// A row for a number in all its forms: a number, a range over the siblings, an expression, or both.
 import type { ReactElement } from 'react';
 
 import { NumberField } from '../controls/number_field.tsx';
@@ -16,7 +16,7 @@ import type { RowActions } from './row_actions.ts';
 interface NumberRowProps {
   row: Row;
   label: string;
-  value: Json | undefined; // undefined: its default holds
+  value: Json | undefined; // undefined: the default applies
   actions: RowActions;
   is_faulty: boolean;
 }
@@ -45,7 +45,7 @@ export function NumberRow(props: NumberRowProps): ReactElement {
 
 interface OneNumberProps extends NumberRowProps {
   number: number | null;
-  put: (number: Json) => Json; // the row's value with this number in it
+  put: (number: Json) => Json; // returns the row's value with this number in it
   has_slider?: boolean;
 }
 
@@ -75,7 +75,7 @@ interface RangeFieldsProps extends NumberRowProps {
   put: (range: Json[]) => Json;
 }
 
-/// Two ends side by side; each a number or an expression.
+/// Two ends side by side, each a number or an expression.
 function RangeFields(props: RangeFieldsProps): ReactElement {
   const { range, put, label } = props;
   return (
@@ -98,7 +98,7 @@ interface NumberOrTextProps extends NumberRowProps {
   put: (one: Json) => Json;
 }
 
-/// A number among others, as of a range or a vector, in whose place an expression may stand.
+/// A number in a range or a vector, which may also be an expression.
 export function NumberOrText(props: NumberOrTextProps): ReactElement {
   const { element, put, label, actions, row } = props;
   if (typeof element === 'string') {
@@ -107,7 +107,7 @@ export function NumberOrText(props: NumberOrTextProps): ReactElement {
   return <OneNumber {...props} number={typeof element === 'number' ? element : null} put={put} />;
 }
 
-/// What was typed: a number where it is one.
+/// Returns the typed text as a number if possible.
 function as_number(text: string): Json {
   const number = Number(text);
   return text.trim() !== '' && Number.isFinite(number) ? number : text;

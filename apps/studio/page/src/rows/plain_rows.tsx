@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Editors of values that are no numbers and hold no tables.
+// Editors of values other than numbers and tables.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -38,7 +38,7 @@ export function TextRow({ label, value, row, actions, is_faulty }: RowEditorProp
   const is_code = row.kind !== 'text';
   const take = (typed: string): void => {
     const number = Number(typed);
-    // A condition or formula may be a plain number.
+    // A condition or a formula may be a plain number.
     actions.commit(row.kind === 'formula' && typed.trim() !== '' && Number.isFinite(number) ? number : typed);
   };
   return <TextField label={label} value={text} commit={take} is_code={is_code} is_faulty={is_faulty} is_dim={value === undefined} description={row.doc} placeholder="not set" />;
@@ -66,7 +66,7 @@ export function VectorRow(props: RowEditorProps): ReactElement {
   );
 }
 
-/// Three numbers that say a direction, or a name for one that follows from where it stands.
+/// Three numbers that give a direction, or the name of a direction.
 export function FacingRow(props: RowEditorProps): ReactElement {
   const { label, value, row, actions } = props;
   const shown = value ?? row.default;
@@ -106,7 +106,7 @@ export function BoxRow(props: RowEditorProps): ReactElement {
   );
 }
 
-/// A curve or an outline as it is written, where expressions stand in it.
+/// A curve or an outline with expressions, as text.
 export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
   const [fault, set_fault] = useState('');
   const shown = value ?? row.default;

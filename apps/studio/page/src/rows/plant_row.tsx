@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The row that says which whole plant a component places: a shipped one, or a document below the server's folder.
+// The row that names the whole plant of a component: a shipped one, or a document below the server's folder.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -14,7 +14,7 @@ import type { Row, Tables } from '../tables/tables.ts';
 import type { RowEditorProps } from './row_editor.tsx';
 import { TextField } from './text_field.tsx';
 
-/// Whether the row at a path names a whole plant.
+/// Returns true if the row at a path names a whole plant.
 export function names_plant(tables: Tables, tree: JsonNode | null, row: Row, path: string): boolean {
   if (row.name !== 'file') return false;
   const [head, id, name, ...rest] = steps_of(path);
@@ -55,7 +55,7 @@ function PlantDialog({ label, row, actions, close }: RowEditorProps & { close: (
   );
 }
 
-/// The picture of a shipped plant; an icon for documents of the user's own.
+/// The picture of a shipped plant, or an icon for the user's own documents.
 function PlantPicture({ file }: { file: string }): ReactElement {
   const name = file.replace(/\.json$/i, '');
   const model = use_models().find((one) => one.name === name);

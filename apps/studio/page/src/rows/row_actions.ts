@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all editors of rows do with the value at their path.
+// Actions of all row editors on the value at their path.
 import { useContext, useSyncExternalStore } from 'react';
 
 import { use_part } from '../base/store.ts';
@@ -17,7 +17,7 @@ export interface RowActions {
   unset: () => void;
 }
 
-/// `rivals` are paths that go where a value is set.
+/// `rivals` are paths that are removed when a value is set.
 export function use_row_actions(path: string, name: string, rivals: readonly string[] = []): RowActions {
   const studio = use_studio();
   const excluded = [...useContext(ExcludedPaths), ...rivals];
@@ -29,7 +29,7 @@ export function use_row_actions(path: string, name: string, rivals: readonly str
   };
 }
 
-/// The value that the row shows: that under the hand, else that of its keys at the view's time, else the text's.
+/// Returns the value that the row shows: of a drag, else of its keys at the view's time, else of the text.
 export function use_shown_value(path: string, value: Json | undefined): Json | undefined {
   const studio = use_studio();
   const keyed = use_keyed(path);
@@ -42,7 +42,7 @@ export function use_shown_value(path: string, value: Json | undefined): Json | u
   return keyed ? keyed.value : has_parts ? value_now(studio, path, value) : value;
 }
 
-/// Faults of the value at a path, and of all below where `deep`.
+/// Returns the faults of the value at a path and, if `deep`, of everything below it.
 export function use_faults(path: string, deep = false): Fault[] {
   return use_part(
     use_studio().document.state,

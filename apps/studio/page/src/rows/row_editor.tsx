@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row of a table: its name with its sentence, the editor of its kind, its menu, and its faults.
+// One row of a table: its name with its sentence, an editor for its kind, its menu, and its faults.
 import type { ReactElement } from 'react';
 import { memo } from 'react';
 
@@ -43,7 +43,7 @@ export interface RowEditorProps {
   value: Json | undefined;
   actions: RowActions;
   is_faulty: boolean;
-  size?: EditorSize; // large below the view; in its row otherwise
+  size?: EditorSize; // size of the large editor below the view; missing: size in a row
 }
 
 export const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
@@ -68,21 +68,21 @@ export const kEditors: Record<string, (props: RowEditorProps) => ReactElement> =
   selection: SelectionRow,
 };
 
-/// Those that need the whole width of the panel.
+/// Kinds of rows that need the whole width of the panel.
 const kTall = new Set(['lines', 'curve', 'points', 'positions', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
 
-/// Those that can be had large; files only where they are pictures.
+/// Kinds of rows with a large editor. Files have one only if they are pictures.
 const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour', 'colours']);
 
 interface RowViewProps {
-  table: ParameterTable; // the row's
+  table: ParameterTable; // table of the row
   row: Row;
-  parent: string; // path of the object that the row belongs to
+  parent: string; // path of the object that contains the row
   parent_value: Json | undefined;
   value: Json | undefined;
 }
 
-/// Drawn anew only where its object, its faults or what a hand or keys give it are others.
+/// The row is rendered again only if its object, its faults, or its temporary or keyed value change.
 export const RowView = memo(function RowView({ table, row, parent, parent_value, value }: RowViewProps): ReactElement {
   const path = path_below(parent, row.name);
   const rivals = excluded_by(table, row.name, parent_value).map((name) => path_below(parent, name));
@@ -130,7 +130,7 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
   );
 });
 
-/// The row's sentence, with what it holds.
+/// Returns the tooltip of a row: its sentence and its facts.
 export function tip_of(row: Row): string {
   const facts: string[] = [];
   if (row.min !== undefined) facts.push(`at least ${row.min}`);
@@ -153,7 +153,7 @@ function menu_of(row: Row, value: Json | undefined, actions: RowActions, first: 
   if (row.kind === 'number' || row.kind === 'integer') {
     const number = typeof value === 'number' ? value : typeof row.default === 'number' ? row.default : Number(first());
     for (const [form, text] of kForms) {
-      // What is one number for all takes an expression, but no range.
+      // A number that is equal for all instances accepts an expression, but no range.
       if (row.varies === undefined && (form === 'range' || form === 'both')) continue;
       items.push({ text, is_on: value !== undefined && form_of(value) === form, act: () => actions.commit(in_form(form, value, number)) });
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field for a text; Enter or leaving it takes it over, Escape puts back.
+// A field for a text. Enter or leaving it applies the text, Escape restores it.
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useState } from 'react';
 
@@ -10,7 +10,7 @@ interface TextFieldProps {
   is_code?: boolean;
   is_faulty?: boolean;
   is_dim?: boolean;
-  lines?: number; // more than one: a field of lines, which Ctrl-Enter takes over
+  lines?: number; // more than one: a field of several lines, applied by Ctrl-Enter
   description?: string;
   placeholder?: string;
 }

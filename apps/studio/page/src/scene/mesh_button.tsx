@@ -8,7 +8,7 @@ import { use_studio } from '../studio_context.ts';
 import { table_of } from '../tables/tables.ts';
 import type { Row } from '../tables/tables.ts';
 
-/// The row of the obstacles' mesh, whose sentence says which files it takes.
+/// Returns the row of the obstacles' mesh, whose sentence names the accepted files.
 function mesh_row(studio: ReturnType<typeof use_studio>): Row | undefined {
   const { tables } = studio;
   const scene = table_of(tables, table_of(tables, tables.document).rows.find((row) => row.name === 'scene')?.table ?? '');
@@ -16,7 +16,7 @@ function mesh_row(studio: ReturnType<typeof use_studio>): Row | undefined {
   return obstacles.rows.find((row) => row.name === 'mesh');
 }
 
-/// Finds a file with a mesh.
+/// A button that chooses a file with a mesh.
 export function MeshButton({ take }: { take: (file: string) => void }): ReactElement | null {
   const studio = use_studio();
   const [is_open, set_open] = useState(false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be put into a scene: boxes, meshes, lamps, poles. They are put beside the plants, as large as suits them, and
-// their grips are shown.
+// Buttons that add boxes, meshes, lamps and poles to a scene. They are placed beside the plants, in a suitable size,
+// and their grips are shown.
 import type { ReactElement } from 'react';
 
 import { free_name } from '../board/board_edits.ts';
@@ -14,7 +14,7 @@ import { use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
 import { MeshButton } from './mesh_button.tsx';
 
-/// About the plants, metres: least and greatest corner, and a step that suits them.
+/// The box around the plants, metres: lower corner, upper corner, and a suitable step.
 interface Room {
   low: [number, number, number];
   high: [number, number, number];
@@ -35,7 +35,7 @@ export function SceneTools(): ReactElement {
   const box = (): void => {
     const { low, high } = room_of(studio);
     const [wide, tall] = [Math.max(high[0] - low[0], 0.3 * (high[1] - low[1])), high[1] - low[1]];
-    // One beside the other, so that each is seen.
+    // Each new one is placed beside the others, so that all are visible.
     const from = high[0] + (0.2 + 0.6 * count_in(studio, 'obstacles')) * wide;
     const middle = (low[2] + high[2]) / 2;
     put(studio, 'obstacles', { box: [[round(from), 0, round(middle - wide / 2)], [round(from + 0.4 * wide), round(0.8 * tall), round(middle + wide / 2)]] }, 'Add a box');
@@ -70,13 +70,13 @@ export function SceneTools(): ReactElement {
   );
 }
 
-/// How many things a list of the scene has.
+/// Returns the number of elements in a list of the scene.
 function count_in(studio: Studio, list: string): number {
   const said = value_at(studio.document.state.get().tree, path_below('scene', list));
   return Array.isArray(said) ? said.length : 0;
 }
 
-/// Behind what the list of the scene has.
+/// Adds an element at the end of a list of the scene.
 function put(studio: Studio, list: string, value: Json, label: string): void {
   const path = path_below('scene', list);
   const said = value_at(studio.document.state.get().tree, path);
@@ -87,7 +87,7 @@ function put(studio: Studio, list: string, value: Json, label: string): void {
   });
 }
 
-/// Under a name that is free.
+/// Adds a support under a free name.
 function put_support(studio: Studio, name: string, points: number[][], label: string): void {
   const said = value_at(studio.document.state.get().tree, 'scene.supports');
   const free = free_name(name, new Set(is_object(said) ? Object.keys(said) : []));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky from below: the horizon as a circle, north up, with the sun's ways on the solstices, the equinoxes and the day
-// of the scene. The sun is dragged along its way, which changes the hour, and across the ways, which changes the day.
+// The sky from below: the horizon as a circle, north up, with the sun's paths on the solstices, the equinoxes and the
+// day of the scene. A drag of the sun along its path changes the hour, and a drag across the paths changes the day.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef } from 'react';
 
@@ -17,10 +17,11 @@ import { SunFields } from './sun_fields.tsx';
 import type { SunState } from './sun_state.ts';
 import { kNoLatitude, sun_state, with_place, with_time } from './sun_state.ts';
 
-const kRadius = 100; // of the horizon in the picture
-const kEdge = 122; // half of the picture
-const kDeepest = -14; // degrees below the horizon that are drawn
-const kAcross = 1.2; // degrees of declination that a hand may leave the day's way by
+const kRadius = 100; // radius of the horizon in the picture
+const kEdge = 122; // half of the picture's size
+const kDeepest = -14; // degrees below the horizon that are still drawn
+// Largest distance of a drag from the path of the day at which the day stays, degrees of declination
+const kAcross = 1.2;
 const kHourStep = { plain: 0.5, fine: 0.1, coarse: 2 };
 const kDayStep = { plain: 7, fine: 1, coarse: 30 };
 const kDegreeStep = { plain: 2, fine: 0.5, coarse: 15 };
@@ -58,7 +59,7 @@ export interface SunActions {
   cancel: () => void;
 }
 
-/// Where the sun stands as the scene says; a clock differs from solar time, which the server works out.
+/// Returns the position of the sun in the scene. A clock differs from solar time; the server computes that.
 export function place_of(state: SunState): SkyPlace {
   return state.place ?? sun_place(state.latitude ?? kNoLatitude, state.day, state.hour);
 }
@@ -72,7 +73,7 @@ function Sky(props: SunActions): ReactElement {
   const values_at = (place: SkyPlace, from: number): Record<string, Json> => {
     if (state.kind === 'fixed') return with_place(place);
     const found = hour_and_declination(latitude, place);
-    // Near its way the sun stays on it, so that the hour alone changes.
+    // Near its path, the sun stays on it, so that only the hour changes.
     const stays = state.kind === 'season' || Math.abs(found.declination - declination(from)) < kAcross;
     return with_time(scene, state, stays ? from : day_of(found.declination, from), found.hour);
   };
@@ -137,7 +138,7 @@ function Sky(props: SunActions): ReactElement {
   );
 }
 
-/// The ways of the sun: those of the year's turns thin, that of the scene's day with its hours.
+/// The paths of the sun: thin at the solstices and equinoxes, and with hours for the scene's day.
 function Ways({ state, latitude }: { state: SunState; latitude: number }): ReactElement {
   const hours = Array.from({ length: 25 }, (_, hour) => hour);
   const season = state.days ? [...state.days] : [];
@@ -179,7 +180,7 @@ function sky_place(x: number, y: number): SkyPlace {
   return { azimuth: ((Math.atan2(x, -y) * 180) / Math.PI + 360) % 360, altitude: Math.max(kDeepest, 90 - (90 * Math.hypot(x, y)) / kRadius) };
 }
 
-/// Above the horizon.
+/// Returns the part of the path above the horizon.
 function way_of(latitude: number, day: number): string {
   let path = '';
   let is_broken = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the sun stands, by the library's own formula (meristem/scene/light/sun.cpp), and the way back from a place of
-// the sky to day and hour. Degrees; azimuth from north over east; hours of true solar time.
+// The position of the sun, by the library's formula (meristem/scene/light/sun.cpp), and the inverse from a position to
+// day and hour. Degrees; azimuth from north over east; hours of true solar time.
 
 export interface SkyPlace {
   azimuth: number;
@@ -30,7 +30,7 @@ function place_at(latitude: number, sun: number, hour: number): SkyPlace {
   return { azimuth: (Math.atan2(east, north) / kRadians + 360) % 360, altitude: Math.asin(Math.min(1, Math.max(-1, up))) / kRadians };
 }
 
-/// Hours of sunrise and sunset; null where it does not rise, 0 to 24 where it does not set.
+/// Returns the hours of sunrise and sunset. Returns null if the sun does not rise, and 0 to 24 if it does not set.
 export function daylight(latitude: number, day: number): [number, number] | null {
   const cosine = -Math.tan(latitude * kRadians) * Math.tan(declination(day) * kRadians);
   if (cosine >= 1) return null;
@@ -39,7 +39,7 @@ export function daylight(latitude: number, day: number): [number, number] | null
   return [12 - half, 12 + half];
 }
 
-/// The hour at which the sun of some day stands over or under a place of the sky, and that day's declination.
+/// Returns the hour at which the sun of some day stands at or below a position of the sky, and that day's declination.
 export function hour_and_declination(latitude: number, { azimuth, altitude }: SkyPlace): { hour: number; declination: number } {
   const [phi, a, h] = [latitude * kRadians, azimuth * kRadians, altitude * kRadians];
   const [east, north, up] = [Math.cos(h) * Math.sin(a), Math.cos(h) * Math.cos(a), Math.sin(h)];
@@ -49,7 +49,7 @@ export function hour_and_declination(latitude: number, { azimuth, altitude }: Sk
   return { hour: Math.min(24, Math.max(0, hour)), declination: Math.asin(Math.min(1, Math.max(-1, toward_pole))) / kRadians };
 }
 
-/// The day with this declination, or the nearest to it, in the same half of the year as another day.
+/// Returns the day with this declination, or the nearest one, in the same half of the year as another day.
 export function day_of(sun: number, near: number): number {
   const wanted = Math.min(kGreatestDeclination, Math.max(-kGreatestDeclination, sun));
   const rises = near <= kSolstices.summer || near > kSolstices.winter;
@@ -63,7 +63,7 @@ export function day_of(sun: number, near: number): number {
   return best < 1 ? best + kDaysOfYear : best;
 }
 
-/// Day of the year of a date such as 2026-06-21; null where it is none.
+/// Returns the day of the year of a date such as 2026-06-21, or null for other texts.
 export function day_of_date(date: string): number | null {
   const found = /^(\d{4})-(\d{2})-(\d{2})$/.exec(date);
   if (!found) return null;
@@ -75,18 +75,18 @@ export function date_of_day(day: number, year: number): string {
   return new Date(Date.UTC(year, 0, Math.round(day))).toISOString().slice(0, 10);
 }
 
-/// "21 June", of a year without a leap day.
+/// Returns a day as text: "21 June", in a year without a leap day.
 export function day_text(day: number): string {
   return new Date(Date.UTC(2025, 0, Math.round(day))).toLocaleDateString('en', { day: 'numeric', month: 'long', timeZone: 'UTC' });
 }
 
-/// "15:30".
+/// Returns an hour as text: "15:30".
 export function hour_text(hour: number): string {
   const minutes = Math.round(hour * 60) % 1440;
   return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}`;
 }
 
-/// The hour that a number, or a text such as "15:30", says; null where it says none.
+/// Returns the hour of a number or of a text such as "15:30". Returns null for other values.
 export function hour_of(value: unknown): number | null {
   if (typeof value === 'number') return value;
   const found = typeof value === 'string' ? /^(\d{1,2}):(\d{2})(?::(\d{2}))?$/.exec(value) : null;

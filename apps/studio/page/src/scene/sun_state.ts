@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun as the scene says it, and what a hand on the dial writes.
+// The sun in the scene, and the values that the dial writes.
 import { rounded } from '../document/arithmetic.ts';
 import type { Json } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
@@ -7,18 +7,18 @@ import type { SkyPlace } from './sun_math.ts';
 import { date_of_day, day_of_date, hour_of, hour_text } from './sun_math.ts';
 
 export interface SunState {
-  /// fixed: a position; day: of a day; season: of several days; clock: by a local clock; none: nothing is said; other:
-  /// expressions stand in it.
+  /// fixed: a position; day: an hour of a day; season: several days; clock: by a local clock; none: without a sun;
+  /// other: with expressions.
   kind: 'fixed' | 'day' | 'season' | 'clock' | 'none' | 'other';
   latitude: number | null;
-  place: SkyPlace | null; // of a fixed one
-  day: number; // the middle one of a season
-  days: [number, number] | null; // first and last of a season
+  place: SkyPlace | null; // position of a fixed sun
+  day: number; // for a season, its middle day
+  days: [number, number] | null; // first and last day of a season
   hour: number;
-  every_hours: number | null; // between the positions of a day, where light counts all day
+  every_hours: number | null; // hours between positions of a day, if the light of the whole day counts
 }
 
-export const kNoLatitude = 50; // degrees, shown until one is given
+export const kNoLatitude = 50; // degrees; shown until a latitude is given
 
 export function sun_state(scene: Json | undefined): SunState {
   const sun = member_of(scene, 'sun');
@@ -47,13 +47,13 @@ export function sun_state(scene: Json | undefined): SunState {
   return { ...state, kind: day !== null && (hour === undefined || hour_of(hour) !== null) ? 'day' : 'other' };
 }
 
-/// A season may go on into the next year.
+/// Returns the middle day of a season, which may continue into the next year.
 function middle_of([first, last]: [number, number]): number {
   const end = last < first ? last + 365 : last;
   return ((Math.round((first + end) / 2) - 1) % 365) + 1;
 }
 
-/// The values that put the sun to another day and hour, as the scene says them.
+/// Returns the values that set the day and the hour of the sun, in the form of the scene.
 export function with_time(scene: Json | undefined, state: SunState, day: number, hour: number): Record<string, Json> {
   const sun = member_of(scene, 'sun');
   const held = Math.min(24, Math.max(0, hour));
@@ -68,7 +68,7 @@ export function with_time(scene: Json | undefined, state: SunState, day: number,
   return values;
 }
 
-/// The values that put a fixed sun elsewhere.
+/// Returns the values that set the position of a fixed sun.
 export function with_place({ azimuth, altitude }: SkyPlace): Record<string, Json> {
   return { 'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5), 'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5) };
 }

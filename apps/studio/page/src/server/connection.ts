@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one WebSocket: requests with their answers, news, scene packets; connects again where it was lost.
+// The WebSocket of the page: requests with their answers, messages, scene packets. It connects again if the connection
+// is lost.
 import type { PacketArrays } from './packet.ts';
 import { is_answer, read_packed } from './packet.ts';
 import type { News } from './protocol.ts';
@@ -9,7 +10,7 @@ type Answer = { is: string; re?: number; message?: string; limit?: string; array
 type Waiting = { resolve: (answer: never) => void; reject: (fault: Error) => void };
 
 export interface Listener {
-  /// The server said hello.
+  /// Called after the server's `hello`.
   on_news(news: News): void;
   on_packet(bytes: ArrayBuffer): void;
   on_lost(): void;
@@ -18,7 +19,7 @@ export interface Listener {
 const kPauses = [100, 250, 500, 1000, 2000];
 const kLimitPause = 150;
 
-/// A request that is answered later, and that can be cancelled by itself.
+/// A request that is answered later and can be cancelled on its own.
 export interface Job<T> {
   answer: Promise<T>;
   cancel: () => void;
@@ -28,7 +29,7 @@ export interface Job<T> {
 export class Lost extends Error {}
 
 export class Connection {
-  /// What has crossed, for the bottom line and tests.
+  /// Counts of messages and bytes, for the bottom line and for tests.
   readonly counts = { sent: 0, packets: 0, packet_bytes: 0, last_packet_bytes: 0 };
   private socket_: WebSocket | null = null;
   private next_id_ = 1;
@@ -42,7 +43,7 @@ export class Connection {
     private readonly listener_: Listener,
   ) {}
 
-  /// Ends it for good; what is awaited is lost.
+  /// Closes the connection finally. Open requests are lost.
   close(): void {
     this.is_closed_ = true;
     this.socket_?.close();
@@ -57,18 +58,18 @@ export class Connection {
     socket.onclose = () => this.lose(socket);
   }
 
-  /// True once the server has said hello: what is sent then comes behind the request that opens the document.
+  /// True after the server's `hello`. Later messages follow the request that opens the document.
   get is_open(): boolean {
     return this.is_greeted_ && this.socket_?.readyState === WebSocket.OPEN;
   }
 
-  /// Rejects with a Refusal, or with Lost.
+  /// Sends a request. Rejects with a Refusal, or with Lost.
   async request<T = object>(what: string, members: object = {}, numbered: (id: number) => void = () => undefined): Promise<T> {
     for (;;) {
       try {
         return await this.request_once<T>(what, members, numbered);
       } catch (fault) {
-        // Too many a second: the message was not acted upon, so it is said again.
+        // There were too many messages per second. The refused message had no effect, so it is sent again.
         if (!(fault instanceof Refusal) || fault.facts.limit !== 'messages_per_second') throw fault;
         await new Promise((done) => setTimeout(done, kLimitPause));
       }
@@ -83,7 +84,7 @@ export class Connection {
     return { answer, cancel: () => this.tell('cancel', { re }) };
   }
 
-  /// A request whose answer nobody waits for.
+  /// Sends a request without waiting for its answer.
   tell(what: string, members: object = {}): void {
     this.request(what, members).catch(() => undefined);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the server tells of files below its folder.
+// Messages about files below the server's folder.
 import type { Reading } from './protocol.ts';
 
 export interface ListedFile {
@@ -8,11 +8,11 @@ export interface ListedFile {
   bytes: number;
 }
 
-/// The answer to `save`. The reading and the files are there if the path is another one than before.
+/// The answer to `save`. It has the reading and the files only if the path has changed.
 export interface Saved extends Partial<Reading> {
   path: string;
   name: string;
   saved: string;
-  copied?: string[]; // files that the document names, copied to its new place
-  omitted?: { file: string; reason: string }[]; // and those that were not copied
+  copied?: string[]; // files that the document names and that were copied to its new place
+  omitted?: { file: string; reason: string }[]; // files that were not copied
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the server tells of growth: shoots, what operations have done, and what is shown over the plant.
+// Messages about growth: shoots, acts of operations, and overlays.
 import type { Json } from '../document/json.ts';
 import type { ArrayPlace } from './packet.ts';
 import type { FoundInstance } from './protocol.ts';
 
-/// A shoot by its name, and the metamer at a place on it.
+/// A shoot by its name, and the metamer at a position on it.
 export interface ShootName {
   stem: number;
   tree: number;
@@ -12,16 +12,16 @@ export interface ShootName {
   metamer: number;
 }
 
-/// From one shoot to another along the tree.
+/// A step from one shoot to another along the tree.
 export type ShootWay = 'parent' | 'child' | 'next' | 'previous';
 
-/// A shoot that operations could act on.
+/// A shoot on which operations can act.
 export type FoundShoot = FoundInstance & ShootName & { course: number[]; metamers: number[]; iteration: number };
 
-/// Path of an operation, iteration after which it acted, what it did, how often.
+/// Path of an operation, iteration after which it acted, kind of the act, and count.
 export type OperationAct = [string, number, string, number];
 
-/// One thing that an operation did.
+/// One act of an operation.
 export interface OperationPlace {
   act: string;
   iteration: number;
@@ -29,25 +29,25 @@ export interface OperationPlace {
   shoot: string;
   metamer: number;
   position: [number, number, number];
-  metamers: number; // that it took away
-  course: [number, number, number][]; // of the shoot as it stands now
+  metamers: number; // number of metamers that were removed
+  course: [number, number, number][]; // course of the shoot in its present state
 }
 
-/// What operations have done to the trees of a component.
+/// The effects of operations on the trees of a component.
 export interface ToldOperations {
   iteration: number | null;
-  training: Json[] | null; // operations that a training stands for
+  training: Json[] | null; // operations of a training
   acts: OperationAct[];
-  places: OperationPlace[]; // of the operation that was asked for
-  left: number; // places that are not told
+  places: OperationPlace[]; // positions of the requested operation
+  left: number; // number of positions that were left out
 }
 
-/// What may be shown over the plant.
+/// An overlay that can be shown on the plant.
 export interface OverlayPart {
   name: string;
   title: string;
   doc: string;
-  recorded: boolean; // growth must be recorded for it
+  recorded: boolean; // true: needs recorded growth
 }
 
 /// Positions (three floats each) and colours (four bytes each) in the answer's arrays.
@@ -56,7 +56,7 @@ export interface ToldPlaces {
   colours: ArrayPlace;
 }
 
-/// One overlay; lines and arrows have two places each.
+/// One overlay. Lines and arrows have two positions each.
 export interface ToldLayer {
   part: string;
   points: ToldPlaces;
@@ -67,6 +67,6 @@ export interface ToldLayer {
 }
 
 export interface OverlayLayers {
-  step: number; // of growth, that they belong to
+  step: number; // growth step of the layers
   layers: ToldLayer[];
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sends what changes fast: one message at a time, and of all that came while one was answered the newest only.
+// Sends values that change fast: one message at a time. When it is answered, only the newest value is sent.
 
-const kPictureTime = 16; // ms; no more than one message a picture, however fast the hand
+const kPictureTime = 16; // ms; limits messages to one per picture
 
 export class LatestSender {
   private is_sending_ = false;
   private waits_ = false;
 
-  /// `send` sends what is newest when it is called.
+  /// `send` sends the newest value at the time of the call.
   constructor(private readonly send_: () => Promise<unknown>) {}
 
   ask(): void {
@@ -15,7 +15,7 @@ export class LatestSender {
     void this.run();
   }
 
-  /// What waits is not sent any more.
+  /// Drops the value that waits.
   drop(): void {
     this.waits_ = false;
   }

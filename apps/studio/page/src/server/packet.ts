@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packets: a head in JSON, and arrays that are used where they lie. A scene packet shows what has grown; an answer that
-// holds arrays comes as a packet, too.
+// Packets: a head in JSON, and arrays that are used in place. A scene packet shows a plant. An answer with arrays is
+// also sent as a packet.
 import type { Vec } from '../base/vec.ts';
 
-/// First byte, counted from the first array, and how many numbers.
+/// Position of the first byte, counted from the first array, and number of elements.
 export type ArrayPlace = [number, number];
 
 export interface PacketPicture {
@@ -63,9 +63,9 @@ export interface PacketSkeleton {
   radii: ArrayPlace;
 }
 
-/// What surrounds plants and is no mesh.
+/// Parts of the scene other than meshes.
 export interface PacketScene {
-  sun: Vec; // unit vector to it
+  sun: Vec; // unit vector to the sun
   lamps: { position: Vec; strength: number }[];
   supports: { name: string; points: ArrayPlace }[];
 }
@@ -76,7 +76,7 @@ export interface PacketHead {
   fit?: boolean;
   hash: string;
   draft?: boolean;
-  share?: number; // of all triangles, that was asked of the meshes
+  share?: number; // share of all triangles that was requested
   triangles: number;
   instances: number;
   of: { triangles: number; instances: number; nodes: number };
@@ -99,7 +99,7 @@ export interface PacketHead {
   };
 }
 
-/// Where arrays lie.
+/// The buffer and the position of its arrays.
 export interface PacketArrays {
   buffer: ArrayBuffer;
   first: number; // byte of the first array
@@ -115,16 +115,16 @@ const kDecoder = new TextDecoder();
 
 const letters_of = (buffer: ArrayBuffer): number => (buffer.byteLength < 8 ? 0 : new DataView(buffer).getUint32(0, true));
 
-/// Whether the bytes are the answer to a request.
+/// Returns true if the bytes are the answer to a request.
 export const is_answer = (buffer: ArrayBuffer): boolean => letters_of(buffer) === kAnswer;
 
-/// Throws where the bytes are no scene packet.
+/// Reads a scene packet. Throws an error for other bytes.
 export function read_packet(buffer: ArrayBuffer): Packet {
   if (letters_of(buffer) !== kScene) throw new Error('these bytes are no scene packet');
   return read_packed<PacketHead>(buffer);
 }
 
-/// A packet of any kind.
+/// Reads a packet of any kind.
 export function read_packed<Head>(buffer: ArrayBuffer): PacketArrays & { head: Head } {
   const length = new DataView(buffer).getUint32(4, true);
   return { head: JSON.parse(kDecoder.decode(new Uint8Array(buffer, 8, length))) as Head, buffer, first: 8 + length };

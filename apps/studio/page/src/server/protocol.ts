@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page and the server tell each other, as apps/studio/protocol.md defines it.
+// The messages between page and server, as apps/studio/protocol.md defines them.
 import type { Json } from '../document/json.ts';
 import type { PlainPatch } from '../document/patch.ts';
 import type { OverlayPart } from './growth_protocol.ts';
@@ -27,21 +27,21 @@ export interface Variable {
   private: boolean;
 }
 
-/// A link that stands in no text: a component places another one itself.
+/// A link that is not in the text: a component places another one itself.
 export interface ImpliedLink {
   from: string;
   to: string;
 }
 
-/// What reading a text says of it.
+/// The facts that reading a text gives.
 export interface Reading {
   good: boolean;
   faults: Fault[];
   tree: Json;
   variables: Variable[];
-  implied: ImpliedLink[]; // of the last text without errors
+  implied: ImpliedLink[]; // links of the last text without errors
   notes: Record<string, string>; // comments of the document, by component
-  superseded?: boolean; // the text was not read, since a newer one had come: nothing of the above is there
+  superseded?: boolean; // true: a newer text came, so the text was not read and the other members are missing
 }
 
 export type Edit =
@@ -54,7 +54,7 @@ export type Edit =
   | { note: string; text: string }
   | { paste: string; names: Record<string, string>; index: number; link_index?: number };
 
-/// What a page asks for with `open`.
+/// The members of an `open` request.
 export interface OpenWish {
   path?: string | null;
   model?: string;
@@ -63,7 +63,7 @@ export interface OpenWish {
 
 export interface Opened extends Reading {
   path: string | null;
-  model: string | null; // the shipped one's name
+  model: string | null; // name of the shipped model
   name: string;
   text: string;
   hash: string;
@@ -76,7 +76,7 @@ export interface Edited extends Reading {
   hash: string;
 }
 
-/// The components of a document that parts can be taken from.
+/// The components of a document from which parts can be copied.
 export interface ReadParts {
   tree: Json;
   implied: ImpliedLink[];
@@ -85,7 +85,7 @@ export interface ReadParts {
 /// An instance of a component, with the values that differ from instance to instance.
 export interface FoundInstance {
   component: string;
-  key: string; // tells it from all others
+  key: string; // identifies the instance among all others
   i: number;
   n: number;
   u: number;
@@ -94,15 +94,15 @@ export interface FoundInstance {
   position: [number, number, number];
   values: { path: string; value: number }[];
   shoot: string | null; // label of the axis that was pointed at
-  stem?: number; // whose axis it is, among the stems of the component
-  tree?: number; // and among the trees of that stem
-  metamer?: number; // at the place that was pointed at, counted from the axis's base
-  course?: number[]; // three numbers for each node of the axis, with the one that it springs from
+  stem?: number; // number of its stem among the component's stems
+  tree?: number; // number of its tree among that stem's trees
+  metamer?: number; // metamer at the position that was pointed at, counted from the axis's base
+  course?: number[]; // three numbers for each node of the axis, including the node from which it branches off
   metamers?: number[]; // number of the metamer that ends at each of these nodes
-  iteration: number | null; // of growth, after which operations on it would act; null where none could
+  iteration: number | null; // growth iteration after which operations on it would act; null if none can
 }
 
-/// Clocks that instances of a component have begun: when each starts, and how fast it runs.
+/// Clocks that instances of a component have begun: the start and the speed of each.
 export interface BegunClocks {
   component: string;
   count: number;
@@ -133,34 +133,34 @@ export interface ExportOptions {
   samples?: number;
   transparent?: boolean;
   camera?: { position: number[]; target: number[]; field_of_view: number };
-  frames?: { from: number; to: number; step: number }; // of a film, or of pictures of several times
+  frames?: { from: number; to: number; step: number }; // frames of a film, or of pictures of several times
 }
 
-/// A small picture of a state of the document; without one where the state has faults.
+/// A small picture of a state of the document. A state with faults has no picture.
 export interface Still {
   picture?: string; // base 64 of a PNG
   faults?: Fault[];
 }
 
-/// What a grammar has derived; `text` alone, and null, where the component has no instance.
+/// The derivation of a grammar. If the component has no instance, there is only `text`, and it is null.
 export interface Derivation {
   text: string | null;
-  instance?: { number: number; of: number; key: string }; // which of the component's instances it is
-  steps: number; // of the component
-  step: number; // that was asked for
-  interpreted: boolean; // whether rules of interpretation are applied before drawing
-  count: number; // of the word's modules
-  counts: [string, number][]; // of modules by symbol
-  first: number; // index of the first module told
+  instance?: { number: number; of: number; key: string }; // the instance among the component's instances
+  steps: number; // number of steps of the component
+  step: number; // requested step
+  interpreted: boolean; // true: rules of interpretation are applied before drawing
+  count: number; // number of modules of the word
+  counts: [string, number][]; // number of modules by symbol
+  first: number; // index of the first module in the answer
   modules: string[];
-  places: number[]; // seven for each module that was drawn: its index, from where, to where
+  places: number[]; // seven numbers for each drawn module: its index, its beginning and its end
 }
 
 export interface MadeFile {
   name: string;
   bytes: number;
   address: string;
-  holds: string[]; // of an archive
+  holds: string[]; // names of the files in an archive
 }
 
 export interface Hello {
@@ -168,7 +168,7 @@ export interface Hello {
   protocol: number;
   version: string;
   root: string;
-  root_key: string; // tells the folder from others of its name
+  root_key: string; // identifies the folder among folders of its name
   document: string | null;
   model: string | null;
   formats: Format[];
@@ -197,9 +197,9 @@ export interface Grown {
   components: Record<string, { instances: number; triangles: number }> | null;
   /// Instances of each component; null in a drag.
   placed: Record<string, number> | null;
-  step: number; // of growth, that is shown
-  steps: number | null; // that growth took, of the plants that the step is for; null where it is not recorded
-  growing: Record<string, number> | null; // steps that the plants of each component take
+  step: number; // growth step that is shown
+  steps: number | null; // number of steps of the plants that the step is for; null if growth is not recorded
+  growing: Record<string, number> | null; // number of steps of each component's plants
 }
 
 export interface Failed {
@@ -209,10 +209,10 @@ export interface Failed {
   faults: Fault[];
   message: string;
   limit?: string;
-  continues?: boolean; // the work reached its time limit, and `continue` goes on with it
+  continues?: boolean; // true: the work reached its time limit, and `continue` continues it
 }
 
-/// How many other tabs and programs have the file open.
+/// The number of other tabs and programs that have the file open.
 export interface Elsewhere {
   is: 'elsewhere';
   path: string;
@@ -221,7 +221,7 @@ export interface Elsewhere {
 
 export type News = Hello | Working | Grown | Failed | Elsewhere;
 
-/// Why the server would not do it.
+/// The reason why the server refused a request.
 export class Refusal extends Error {
   constructor(
     message: string,
@@ -230,7 +230,7 @@ export class Refusal extends Error {
     super(message);
   }
 
-  /// Faults of the text, or the message as one: what was refused always has a reason.
+  /// The faults of the text, or else the message as a fault. There is always at least one.
   get reasons(): Fault[] {
     const own: Fault = { severity: 'error', message: this.message, path: '', line: null, column: null, offset: null, text: this.message };
     return this.facts.faults?.length ? this.facts.faults : [own];

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rows hold at a path of a document.
+// Finds the rows at a path of a document.
 import type { Json, JsonNode } from '../document/json.ts';
 import { member_of, path_below, path_of, steps_of, value_at } from '../document/path.ts';
 import type { Row, RowGroup, Tables } from './tables.ts';
 import { component_groups, document_groups, document_parts, link_groups, table_of } from './tables.ts';
 
-/// The groups of rows of what can be chosen: a component, a link, a part of the document, "" for its top level.
+/// Returns the groups of rows of a part that can be chosen: a component, a link, a part of the document, or "" for its
+/// top level.
 export function groups_at(tables: Tables, tree: JsonNode | null, path: string): RowGroup[] {
   const [head, second] = steps_of(path);
   if (head === 'components' && second !== undefined) return component_groups(tables, text_at(tree, path, 'type'));
@@ -14,7 +15,8 @@ export function groups_at(tables: Tables, tree: JsonNode | null, path: string): 
   return document_groups(tables, typeof head === 'string' && document_parts(tables).includes(head) ? head : '');
 }
 
-/// What is chosen with a value at this path: its component, its link, its part of the document; null for none.
+/// Returns the part that is chosen with a value at this path: its component, its link, or its part of the document.
+/// Returns null if there is no such part.
 export function chosen_with(tables: Tables, path: string): string | null {
   const [head, second] = steps_of(path);
   if (head === 'components' || head === 'links') return second === undefined ? null : path_of([head, second]);
@@ -26,13 +28,14 @@ function text_at(tree: JsonNode | null, path: string, name: string): string {
   return typeof value === 'string' ? value : '';
 }
 
-/// Short links and those without a kind place their child where the parent ends.
+/// Returns the kind of a link. Short links and links without a kind are child links.
 export function link_kind(link: Json | undefined): string {
   const kind = member_of(link, 'kind');
   return typeof kind === 'string' ? kind : '';
 }
 
-/// All rows that an object at this path may have, for completion; also below what can be chosen.
+/// Returns all rows that an object at this path may have, for completion. The path may lie below a part that can be
+/// chosen.
 export function rows_at(tables: Tables, tree: JsonNode | null, path: string): Row[] {
   const steps = steps_of(path);
   const head = steps[0];
@@ -60,7 +63,7 @@ export function rows_at(tables: Tables, tree: JsonNode | null, path: string): Ro
   return rows;
 }
 
-/// The rows of what a row holds; of lists of several kinds, those of the kind that the value says.
+/// Returns the rows of the table within a row. For lists with several kinds, returns the rows of the value's kind.
 export function nested_rows(tables: Tables, row: Row, value: Json | undefined): Row[] {
   if (row.table !== undefined) return table_of(tables, row.table).rows;
   if (!row.kinds) return [];
@@ -70,7 +73,8 @@ export function nested_rows(tables: Tables, row: Row, value: Json | undefined): 
   return names.flatMap((one) => table_of(tables, one).rows);
 }
 
-/// Returns the row of the parameter at a path, which may begin with the name of a component; null if there is none.
+/// Returns the row of the parameter at a path, which may begin with the name of a component. Returns null if the row
+/// does not exist.
 export function row_at(tables: Tables, tree: JsonNode | null, path: string): Row | null {
   for (const whole of [path, `components.${path}`]) {
     const steps = steps_of(whole);

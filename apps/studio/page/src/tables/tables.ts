@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameter tables as `meristem components --json` prints them: all that the page knows of parameters.
+// The parameter tables as `meristem components --json` prints them. The page knows parameters only from these tables.
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
@@ -17,16 +17,16 @@ export interface Row extends NumberRange {
   doc: string;
   unit?: string;
   usual?: [number, number];
-  second?: NumberRange & { usual: [number, number] }; // of the second numbers of points, if it is another range
+  second?: NumberRange & { usual: [number, number] }; // range of the second numbers of points, if it differs
   varies?: 'instance' | 'child';
   choices?: string[];
   names?: string[];
   count?: number;
   table?: string;
   kinds?: { key: string; doc: string; tables: Record<string, string> };
-  /// What points and positions are together: line, polygon, silhouette, or apart.
+  /// How points and positions are joined: line, polygon, silhouette, or apart.
   together?: string;
-  /// What the row says of space: position, shift, turn, direction, radii, radius, height, width, profile.
+  /// Geometric role of the row: position, shift, turn, direction, radii, radius, height, width, profile.
   in_space?: string;
   required?: boolean;
   keyed?: boolean; // whether it can have keys
@@ -62,7 +62,7 @@ export interface Tables {
   tables: Record<string, ParameterTable>;
 }
 
-/// Rows under a heading.
+/// Rows with a heading.
 export interface RowGroup {
   title: string;
   table: ParameterTable;
@@ -78,22 +78,23 @@ function group(tables: Tables, name: string, title: string, without: ReadonlySet
   return { title, table, rows: table.rows.filter((row) => !without.has(row.name)) };
 }
 
-/// Names at the top of documents beside the rows of the document's table, as the library has them.
+/// Names at the top level of documents that the document's table does not have, as in the library.
 const kSections = ['variables', 'components', 'links', 'animation', 'limits'];
-const kLists: ReadonlySet<string> = new Set(['variables', 'components', 'links']); // their elements are chosen one by one
+// Their elements are chosen one by one
+const kLists: ReadonlySet<string> = new Set(['variables', 'components', 'links']);
 
-/// All names at the top of documents.
+/// Returns all names at the top level of documents.
 export function document_names(tables: Tables): string[] {
   return [...table_of(tables, tables.document).rows.map((row) => row.name), ...kSections];
 }
 
-/// Names at the top of documents of what is chosen as a whole, such as "scene".
+/// Returns the top-level names of parts that are chosen as a whole, such as "scene".
 export function document_parts(tables: Tables): string[] {
   const objects = table_of(tables, tables.document).rows.filter((row) => row.table !== undefined);
   return [...objects.map((row) => row.name), ...kSections.filter((name) => !kLists.has(name))];
 }
 
-/// The rows of a component: its type's own, and those of all.
+/// Returns the rows of a component: its type's own rows, and the rows of all components.
 export function component_groups(tables: Tables, type: string): RowGroup[] {
   const facts = tables.components[type];
   if (!facts) return [];
@@ -102,7 +103,7 @@ export function component_groups(tables: Tables, type: string): RowGroup[] {
   return [group(tables, facts.table, type), group(tables, tables.all_components, 'Every component', without)];
 }
 
-/// The rows of a link of this kind.
+/// Returns the rows of a link of this kind.
 export function link_groups(tables: Tables, kind: string): RowGroup[] {
   const groups = [group(tables, tables.link, 'Link')];
   const placement = tables.links[kind];
@@ -110,7 +111,7 @@ export function link_groups(tables: Tables, kind: string): RowGroup[] {
   return groups;
 }
 
-/// The rows of a part of the document's top level, such as "scene"; of "" those that are no tables themselves.
+/// Returns the rows of a top-level part of the document, such as "scene". For "", returns the rows that are not tables.
 export function document_groups(tables: Tables, part: string): RowGroup[] {
   const head = table_of(tables, tables.document);
   if (part === 'limits') return [group(tables, tables.limits, 'Limits')];
@@ -121,40 +122,40 @@ export function document_groups(tables: Tables, part: string): RowGroup[] {
   return [{ title: 'Document', table: head, rows: plain }];
 }
 
-/// Whether a row means something beside the other values of its table.
+/// Returns true if a row has an effect beside the other values of its table.
 export function has_meaning(table: ParameterTable, row: string, value: Json | undefined): boolean {
   const rules = table.only_where?.filter((rule) => rule.rows.includes(row)) ?? [];
   return rules.every((rule) => rule.any_of.some((giver) => gives(table, giver, value)));
 }
 
 function gives(table: ParameterTable, giver: { row: string; values?: Json[] }, value: Json | undefined): boolean {
-  // A giver may lie deeper: "sun.day".
+  // A giver may be in a nested table: "sun.day".
   const said = giver.row.split('.').reduce<Json | undefined>(member_of, value);
   if (!giver.values) return said !== undefined;
   const held = said ?? table.rows.find((row) => row.name === giver.row)?.default;
   return giver.values.some((one) => JSON.stringify(one) === JSON.stringify(held));
 }
 
-/// The range that a slider spans: the usual one, widened to hold the value.
+/// Returns the range of a slider: the usual range, widened to include the value.
 export function slider_range(row: Row, value: number | null): [number, number] {
   const [low, high] = row.usual ?? [row.min ?? row.above ?? 0, row.max ?? 1];
   if (value === null || !Number.isFinite(value)) return [low, high];
   return [Math.min(low, value), Math.max(high, value)];
 }
 
-/// The least and the greatest legal number.
+/// Returns the least and the greatest legal number.
 export function hard_range({ min, above, max }: NumberRange): { low: number; high: number } {
   const low = min ?? (above !== undefined ? above + Math.max(1e-6, Math.abs(above) * 1e-6) : -Infinity);
   return { low, high: max ?? Infinity };
 }
 
-/// The nearest number that the row allows.
+/// Returns the nearest number that the row allows.
 export function within_hard_range(row: NumberRange, value: number): number {
   const { low, high } = hard_range(row);
   return Math.min(Math.max(value, low), high);
 }
 
-/// A value to begin with where a row is given for the first time.
+/// Returns the first value of a row that was not given before.
 export function first_value(tables: Tables, row: Row): Json {
   if (row.default !== undefined) return row.default;
   if (row.kind === 'choice') return row.choices?.[0] ?? '';
@@ -190,7 +191,7 @@ function first_number(row: Row): number {
   return row.kind === 'integer' || row.kind === 'integers' ? Math.round(middle) : Number(middle.toPrecision(2));
 }
 
-/// An object with all that its table demands.
+/// Returns an object with everything that its table requires.
 export function first_object(tables: Tables, name: string): Json {
   const table = table_of(tables, name);
   const made: { [name: string]: Json } = {};
@@ -202,7 +203,7 @@ export function first_object(tables: Tables, name: string): Json {
   return made;
 }
 
-/// The members of a value that stands for an object, also where its shorthand is written.
+/// Returns the members of a value that stands for an object, including the shorthand form.
 export function as_object(table: ParameterTable, value: Json | undefined): { [name: string]: Json } {
   if (is_object(value)) return value;
   if (value === undefined || table.shorthand === undefined) return {};

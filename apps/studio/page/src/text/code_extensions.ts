@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all editors of code have, whatever its language: lines, faults, search, brackets, and the keys of all of these.
+// Parts that all code editors share: lines, faults, search, brackets, and their keys.
 import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, indentWithTab } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
@@ -8,10 +8,10 @@ import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/sea
 import { EditorState, type Extension } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 
-/// `label` is what the editor is called where it is read aloud.
+/// `label` is the editor's name for screen readers.
 export function code_extensions(label: string): Extension {
   return [
-    // Only \n ends a line here, so that \r\n comes back as it was; see with_line_ends.
+    // Only \n ends a line, so that \r\n is preserved; see with_line_ends.
     EditorState.lineSeparator.of('\n'),
     lineNumbers(),
     lintGutter(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may stand at the cursor, by the parameter tables.
+// Completion at the cursor, from the parameter tables.
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
 
 import { is_object, write_json } from '../document/json.ts';
@@ -56,7 +56,7 @@ function object_at(tree: JsonNode | null, name: string): object {
   return is_object(value) ? value : {};
 }
 
-/// For the editor.
+/// Returns the completion source for the editor.
 export function completion_source(tables: Tables, tree: () => JsonNode | null): (context: CompletionContext) => CompletionResult | null {
   return (context) => {
     const word = context.matchBefore(/"?[\w-]*/);

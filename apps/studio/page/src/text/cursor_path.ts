@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in a document a cursor stands, also while the text around it is no whole JSON yet: read from the beginning,
-// bracket by bracket.
+// Finds the path at the cursor. The text is read from the beginning, bracket by bracket, because it may be incomplete
+// JSON.
 import type { PathStep } from '../document/path.ts';
 
 export interface CursorPosition {
-  steps: PathStep[]; // of the object or list around the cursor
+  steps: PathStep[]; // steps to the object or list around the cursor
   is_list: boolean;
-  name: string | null; // of the member whose value is being written; null where a name is expected
+  name: string | null; // name of the member whose value is being written; null if a name is expected
   given: string[]; // members before the cursor in that object
-  word_start: number; // where the word under the cursor begins, its quote included
+  word_start: number; // beginning of the word under the cursor, including its quote
 }
 
 interface Level {

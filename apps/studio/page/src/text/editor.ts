@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The editor of the whole text. Its undo list is the document's, so it has none of its own.
+// The editor of the whole text. It has no undo list of its own, because the document has one.
 import { autocompletion, completionKeymap } from '@codemirror/autocomplete';
 import { indentUnit } from '@codemirror/language';
 import type { Diagnostic } from '@codemirror/lint';
@@ -17,13 +17,13 @@ import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
 import { with_line_ends } from './line_ends.ts';
 
-const kContext = 200; // pixels of a line that are seen beside what comes into view
+const kContext = 200; // pixels of context beside a line that is scrolled into view
 const kFromDocument = Annotation.define<boolean>();
 
 export class TextEditor {
   private readonly view_: EditorView;
   private readonly stop_: (() => void)[];
-  private is_choosing_ = false; // by the cursor, which is where it should be
+  private is_choosing_ = false; // true: chosen by the cursor, which must not move
 
   constructor(
     parent: HTMLElement,
@@ -40,7 +40,7 @@ export class TextEditor {
     this.view_.destroy();
   }
 
-  /// Shows an offset and puts the cursor there.
+  /// Shows an offset and moves the cursor there.
   reveal(offset: number): void {
     const at = Math.min(offset, this.view_.state.doc.length);
     this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center', xMargin: kContext }) });
@@ -76,7 +76,7 @@ export class TextEditor {
     this.is_choosing_ = false;
   }
 
-  /// What was chosen elsewhere comes into view; the cursor is in it already where it was chosen here.
+  /// Scrolls to a part that was chosen elsewhere. If it was chosen here, the cursor is already in it.
   private show_chosen(): void {
     const { tree, text } = this.studio_.document.state.get();
     const node = node_at(tree, this.studio_.chosen.get());
@@ -85,9 +85,9 @@ export class TextEditor {
     this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center', xMargin: kContext }), annotations: kFromDocument.of(true) });
   }
 
-  /// The document has changed, here or elsewhere.
+  /// Called when the document has changed, here or elsewhere.
   private follow(): void {
-    // What is typed and not yet in the text stays under the hand.
+    // Typed text that is not in the document yet stays in the editor.
     if (this.studio_.document.awaits_typed) return;
     const patch = patch_between(this.view_.state.doc.toString(), this.studio_.document.state.get().text);
     const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));

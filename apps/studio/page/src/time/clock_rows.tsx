@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sequences as blocks: for each clock that a component begins, from when it starts. A hand moves all of a component by
-// its delay, where that is a number or a range of numbers.
+// Sequences as blocks: one block for each clock that a component begins, from its start. A drag moves all blocks of a
+// component by its delay, if that is a number or a range of numbers.
 import type { PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef, useState } from 'react';
 
@@ -17,7 +17,7 @@ import { percent, time_under } from './lane.ts';
 import { tidy_time } from './keys.ts';
 
 const kStill = 3; // pixels within which a press is a click
-const kMostRows = 6; // blocks side by side; further ones lie over them
+const kMostRows = 6; // blocks in separate rows; further ones overlap
 
 export function ClockRows(): ReactElement {
   const studio = use_studio();
@@ -26,7 +26,7 @@ export function ClockRows(): ReactElement {
   const { length } = studio.bench.time.animation;
   const [clocks, set_clocks] = useState<BegunClocks[]>([]);
   const hash = grown?.dragged === false ? grown.hash : null;
-  const nothing_has_grown = grown === null; // of this document
+  const nothing_has_grown = grown === null; // nothing of this document has grown
   useEffect(() => {
     if (nothing_has_grown) {
       set_clocks([]);
@@ -41,7 +41,7 @@ export function ClockRows(): ReactElement {
         set_clocks(answer.clocks);
         studio.bench.time.clocks.set(answer.clocks.map((one) => one.component));
       })
-      .catch(() => undefined); // what has not grown has no clocks
+      .catch(() => undefined); // a document that has not grown has no clocks
     return () => {
       is_wanted = false;
     };
@@ -55,7 +55,7 @@ export function ClockRows(): ReactElement {
   );
 }
 
-/// The delay with all of its numbers later by `by` seconds; null where it is an expression.
+/// Returns the delay with all its numbers increased by `by` seconds, or null if it is an expression.
 export function moved_delay(delay: Json | undefined, by: number): Json | null {
   const later = (one: Json): Json | null => (typeof one === 'number' ? Number((one + by).toFixed(3)) : null);
   if (delay === undefined) return later(0);

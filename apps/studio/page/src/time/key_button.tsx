@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diamond before a row: full where a key stands at the time that the view shows, half where the row has others.
+// The diamond before a row: filled if there is a key at the view's time, half filled if the row has other keys.
 import type { ReactElement } from 'react';
 
 import { use_part } from '../base/store.ts';
@@ -15,7 +15,7 @@ import { toggle_key, use_keyed } from './use_keyed.ts';
 
 const kHeads = new Set(['components', 'links', 'scene']);
 
-/// Whether what stands at a path can have keys.
+/// Returns true if the value at a path can have keys.
 export function can_have_keys(row: Row, path: string): boolean {
   return row.keyed === true && kHeads.has(String(steps_of(path)[0]));
 }
@@ -26,7 +26,7 @@ export function RowKeyButton({ row, path, value }: { row: Row; path: string; val
   const label = row.name.replaceAll('_', ' ');
   const { time: model } = studio.bench;
   const element = use_part(studio.document.state, () => (keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined));
-  // Keys of a vector as a whole cannot stand beside those of its elements.
+  // A vector with keys as a whole cannot have keys of single elements.
   if (element) {
     const show = (): void => {
       if (!model.state.get().is_open) model.toggle();
@@ -41,7 +41,7 @@ interface KeyButtonProps {
   label: string;
   path: string;
   keyed: Keyed | null;
-  value: () => Json; // that a new key has
+  value: () => Json; // returns the value of a new key
 }
 
 export function KeyButton({ label, path, keyed, value }: KeyButtonProps): ReactElement {
@@ -62,8 +62,8 @@ function Diamond({ label, state, tip, press }: { label: string; state: 'none' | 
   );
 }
 
-/// The value that a first key takes over: of an expression the number that a row begins with, of a range that is
-/// applied to something the range alone.
+/// Returns the value of the first key: the first number of the row for an expression, and the range for a range with an
+/// expression.
 function first_key_value(value: Json | undefined, row: Row, first: Json): Json {
   const plain = value ?? row.default;
   if (plain === undefined || plain === null) return first;

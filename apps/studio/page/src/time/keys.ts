@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of a document's animation: which parameters have some, and edits of them. The text says them by short names,
-// "stem.length", as --set does; rows have the paths of the text, "components.stem.length".
+// The keys of a document's animation, and edits of them. The text uses short names such as "stem.length", like --set.
+// Rows have full paths such as "components.stem.length".
 import type { Json } from '../document/json.ts';
 import { is_object } from '../document/json.ts';
 import { member_of, path_below, path_of, steps_of } from '../document/path.ts';
@@ -9,8 +9,8 @@ import type { Key, Way } from './track.ts';
 import { kWays } from './track.ts';
 
 export interface Track {
-  name: string; // as the animation says it
-  path: string; // of the value in the text
+  name: string; // name in the animation
+  path: string; // path of the value in the text
   keys: Key[];
 }
 
@@ -21,8 +21,8 @@ export interface AnimationFacts {
 
 export const kKeysPath = 'animation.keys';
 const kUsual: AnimationFacts = { length: 10, fps: 25 };
-const kNear = 1e-4; // seconds within which two times are one
-const kBetween = 0.01; // seconds that keys stay apart when a hand moves them
+const kNear = 1e-4; // two times within this many seconds count as equal
+const kBetween = 0.01; // minimum distance of keys in seconds when they are dragged
 
 export function animation_of(document: Json | undefined): AnimationFacts | null {
   const said = member_of(document, 'animation');
@@ -31,7 +31,7 @@ export function animation_of(document: Json | undefined): AnimationFacts | null 
   return { length: number('length'), fps: number('fps') };
 }
 
-/// The path in the text of what an animation, or --set, calls by a name.
+/// Returns the path in the text of a name in an animation or in --set.
 export function path_of_name(document: Json | undefined, tops: ReadonlySet<string>, name: string): string {
   const steps = steps_of(name);
   const is_key = tops.has(String(steps[0]));
@@ -40,7 +40,7 @@ export function path_of_name(document: Json | undefined, tops: ReadonlySet<strin
   return is_object(variables) && name in variables ? path_below('variables', name) : name;
 }
 
-/// How an animation names what stands at a path of the text.
+/// Returns the name in an animation of the value at a path of the text.
 export function name_of_path(tops: ReadonlySet<string>, path: string): string {
   const [head, second, ...rest] = steps_of(path);
   if (head === 'variables' && second !== undefined) return String(second);
@@ -48,7 +48,7 @@ export function name_of_path(tops: ReadonlySet<string>, path: string): string {
   return path;
 }
 
-/// All parameters with keys, in the order of the text. What is not well written is left out.
+/// Returns all parameters with keys, in the order of the text. Omits keys that are not well formed.
 export function tracks_of(document: Json | undefined, tops: ReadonlySet<string>, keys = member_of(member_of(document, 'animation'), 'keys')): Track[] {
   if (!is_object(keys)) return [];
   return Object.entries(keys).flatMap(([name, said]) => {
@@ -64,7 +64,7 @@ function key_of(said: Json): Key | null {
   return { time: said[0], value: said[1] ?? null, way: kWays.find((one) => one === way) ?? null };
 }
 
-/// The keys as the text says them.
+/// Returns the keys in the form of the text.
 export function written_keys(keys: readonly Key[]): Json {
   return keys.map(({ time, value, way }) => (way === null ? [time, value] : [time, value, way]));
 }
@@ -73,12 +73,12 @@ export function track_path(name: string): string {
   return path_below(kKeysPath, name);
 }
 
-/// The key at a time; -1 where there is none.
+/// Returns the index of the key at a time, or -1.
 export function key_at(keys: readonly Key[], time: number): number {
   return keys.findIndex((one) => Math.abs(one.time - time) < kNear);
 }
 
-/// With this value at a time: the key there has it, or a new one does, which is come to as the one before it.
+/// Returns the keys with this value at a time. A new key is interpolated like the key before it.
 export function with_key(keys: readonly Key[], time: number, value: Json): Key[] {
   const at = key_at(keys, time);
   if (at >= 0) return keys.map((one, k) => (k === at ? { ...one, value } : one));
@@ -88,7 +88,7 @@ export function with_key(keys: readonly Key[], time: number, value: Json): Key[]
   return [...keys.slice(0, index), { time: tidy_time(time), value, way }, ...keys.slice(index)];
 }
 
-/// With a key at another time, between its neighbours and within `end`.
+/// Returns the keys with one key moved in time, between its neighbours and within `end`.
 export function with_time(keys: readonly Key[], index: number, time: number, end: number): Key[] {
   const low = (keys[index - 1]?.time ?? -kBetween) + kBetween;
   const high = (keys[index + 1]?.time ?? end + kBetween) - kBetween;
@@ -100,7 +100,7 @@ export function with_way(keys: readonly Key[], index: number, way: Way): Key[] {
   return keys.map((one, k) => (k === index ? { ...one, way } : one));
 }
 
-/// Has a parameter have these keys; none: no keys any more. A document without an animation gets one.
+/// Sets the animation keys of a parameter. An empty list removes its keys. A document without an animation gets one.
 export function keys_edits(document: Json | undefined, name: string, keys: readonly Key[]): Edit[] {
   const animation = member_of(document, 'animation');
   const all = member_of(animation, 'keys');
@@ -115,7 +115,7 @@ export function keys_edits(document: Json | undefined, name: string, keys: reado
   return [set];
 }
 
-/// All keys of a document with those of some parameters, by their names, in place of their own, as a drag shows them.
+/// Returns all keys of a document, with the keys of some parameters replaced, for a drag.
 export function dragged_keys(document: Json | undefined, keys: Readonly<Record<string, readonly Key[]>>): Record<string, Json> {
   const animation = member_of(document, 'animation');
   const all = member_of(animation, 'keys');

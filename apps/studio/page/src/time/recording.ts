@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film or a still that the server makes, whether its window is open or not.
+// A film or a still that the server makes. It continues when its window is closed.
 import { Store } from '../base/store.ts';
 import type { ExportWish } from '../copy_command.ts';
 import type { Job } from '../server/connection.ts';
@@ -12,7 +12,7 @@ export class Recording {
   readonly is_busy = new Store(false);
   private job_: Job<{ file: MadeFile }> | null = null;
 
-  /// `takes`: the browser stores what is made at once.
+  /// If `takes`, the browser downloads the result at once.
   constructor(
     private readonly studio_: Studio,
     private readonly takes_: boolean,
@@ -37,13 +37,13 @@ export class Recording {
       .finally(() => this.is_busy.set(false));
   }
 
-  /// This one alone; all else that the server has in hand goes on.
+  /// Cancels only this job; all other jobs of the server continue.
   cancel(): void {
     this.job_?.cancel();
   }
 }
 
-/// Has the browser store a file that the server has made.
+/// Downloads a file that the server has made.
 export function take_file(file: MadeFile): void {
   const link = document.createElement('a');
   link.href = file.address;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seconds over the timeline, to scrub along by hand and by keys.
+// The seconds above the timeline, for scrubbing with the pointer and with keys.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef } from 'react';
 
@@ -9,7 +9,7 @@ import { fitting_step, rounded } from '../document/arithmetic.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import { percent, time_under, to_frame } from './lane.ts';
 
-const kMarks = 10; // about as many numbers over the whole length
+const kMarks = 10; // approximate count of numbers over the whole length
 
 export function Ruler(): ReactElement {
   const studio = use_studio();

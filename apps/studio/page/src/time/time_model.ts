@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time that the view shows: scrubbed by hand and played. While it moves, the server is asked for few triangles, and
-// for the newest time only; at rest for as many as ever.
+// The time that the view shows, which the user scrubs or plays. While it moves, the server is asked only for few
+// triangles and for the newest time. At rest it is asked for full detail.
 import { Store } from '../base/store.ts';
 import type { Json } from '../document/json.ts';
 import { LatestSender } from '../server/latest_sender.ts';
@@ -13,20 +13,20 @@ import { animation_of, tidy_time, tracks_of } from './keys.ts';
 export interface TimeState {
   time: number; // seconds of the document
   is_playing: boolean;
-  is_open: boolean; // the timeline is seen
-  track: string | null; // name of the one whose keys are edited
-  key: number; // of the chosen one
+  is_open: boolean; // whether the timeline is visible
+  track: string | null; // name of the track whose keys are edited
+  key: number; // index of the chosen key
 }
 
 const kAtStart: TimeState = { time: 0, is_playing: false, is_open: false, track: null, key: 0 };
-const kStill = 150; // ms after the last move until all detail is asked for
-const kLongestWait = 400; // ms for a picture, while playing
+const kStill = 150; // ms after the last move until full detail is requested
+const kLongestWait = 400; // ms to wait for a picture while playing
 
 export class TimeModel {
   readonly state = new Store<TimeState>(kAtStart);
   readonly clocks = new Store<readonly string[]>([]); // components that begin clocks
   private readonly sender_ = new LatestSender(() => this.send());
-  private moves_until_ = 0; // a timer; 0: the time rests
+  private moves_until_ = 0; // a timer; 0: the time does not move
   private known_: { document: Json | undefined; tracks: Track[] } = { document: undefined, tracks: [] };
 
   constructor(private readonly studio_: Studio) {}
@@ -39,24 +39,24 @@ export class TimeModel {
     return this.studio_.document.state.get().tree?.value;
   }
 
-  /// The document's animation; a usual one where it has none.
+  /// The document's animation, or a default one.
   get animation(): AnimationFacts {
     return animation_of(this.document) ?? { length: 10, fps: 25 };
   }
 
-  /// Names at the top of documents, which components' names must not be taken for.
+  /// Names at the top level of documents, which must not be confused with component names.
   get tops(): ReadonlySet<string> {
     return new Set(document_names(this.studio_.tables));
   }
 
-  /// Worked out once per text.
+  /// Computed once per text.
   get tracks(): Track[] {
     const { document } = this;
     if (this.known_.document !== document) this.known_ = { document, tracks: tracks_of(document, this.tops) };
     return this.known_.tracks;
   }
 
-  /// What the server is told of the view besides its budgets.
+  /// The members of the `view` request, except its budgets.
   get wish(): { time: number } {
     return { time: this.time };
   }
@@ -92,7 +92,7 @@ export class TimeModel {
     if (this.moves_until_ === 0) this.rest();
   }
 
-  /// Another document will be opened: its time begins anew. Gives the state that was left.
+  /// Resets the time for another document. Returns the previous state.
   leave(): TimeState {
     clearTimeout(this.moves_until_);
     this.moves_until_ = 0;
@@ -103,13 +103,13 @@ export class TimeModel {
     return left;
   }
 
-  /// The other document could not be opened: the time that was left is shown again.
+  /// Restores the previous time if the other document could not be opened.
   come_back(left: TimeState): void {
     this.state.set({ ...left, is_playing: false });
     if (left.time !== 0) this.rest();
   }
 
-  /// Shows the time that it is, as soon as each picture is there, round and round.
+  /// Shows the present time again and again, as soon as each picture is ready. At the end it begins anew.
   private async run(begin: number): Promise<void> {
     const start = performance.now();
     while (this.state.get().is_playing) {
@@ -120,7 +120,7 @@ export class TimeModel {
     }
   }
 
-  /// When the next packet is shown, or none has come for a while.
+  /// Resolves when the next packet is shown, or after a while without a packet.
   private next_picture(): Promise<void> {
     return new Promise((done) => {
       const known = this.studio_.growth.get().shown;
@@ -146,7 +146,7 @@ export class TimeModel {
     this.sender_.ask();
   }
 
-  /// The time moves no more: all detail is asked for.
+  /// The time has stopped: requests full detail.
   private rest(): void {
     this.studio_.view?.move_time(false);
     this.sender_.ask();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document over time, below the view: its tracks with their keys, clocks as blocks, and the time that is shown.
+// The timeline below the view: tracks with their keys, clocks as blocks, and the shown time.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';

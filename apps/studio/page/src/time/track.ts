@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value over time, given by keys, as the library works it out: the server alone grows by it, this draws it.
+// A value over time, given by keys and computed as in the library. It is used only for drawing; the server grows by its
+// own.
 //
 // Based on: F. N. Fritsch, J. Butland: A method for constructing local monotone piecewise cubic interpolants (1984),
 // for smooth keys.
@@ -12,7 +13,7 @@ export const kWays: readonly Way[] = ['linear', 'smooth', 'step'];
 export interface Key {
   time: number; // seconds
   value: Json;
-  way: Way | null; // how the value comes to it from the key before; null: the text does not say
+  way: Way | null; // interpolation from the previous key; null: not given in the text
 }
 
 interface NumberKey {
@@ -21,13 +22,14 @@ interface NumberKey {
   way: Way;
 }
 
-/// The keys as numbers by `part`; null where a value is no number there.
+/// Returns the keys as numbers by `part`, or null if a value is no number there.
 function numbers_of(keys: readonly Key[], part: (value: Json) => number | null): NumberKey[] | null {
   const made = keys.map(({ time, value, way }) => ({ time, value: part(value), way: way ?? 'linear' }));
   return made.every((one): one is NumberKey => one.value !== null) ? made : null;
 }
 
-/// The slope at a key between two segments: the harmonic mean of theirs, by their lengths, and 0 where the values turn.
+/// Returns the slope at a key between two segments: the weighted harmonic mean of their slopes, or 0 if the values
+/// turn.
 function middle_slope(before: number, after: number, length_before: number, length_after: number): number {
   if (before * after <= 0) return 0;
   const [one, other] = [2 * length_after + length_before, length_after + 2 * length_before];
@@ -41,7 +43,7 @@ function slope_at(keys: readonly NumberKey[], k: number): number {
   return middle_slope((at.value - before.value) / first, (after.value - at.value) / second, first, second);
 }
 
-/// The number at a time: the first key's before it, the last key's after it.
+/// Returns the number at a time. Before the first key and after the last key it is constant.
 export function number_at(keys: readonly NumberKey[], time: number): number {
   const [first, last] = [keys[0], keys.at(-1)];
   if (!first || !last) return 0;
@@ -66,7 +68,7 @@ const channel = (k: number) => (value: Json): number | null => {
   return colour === null ? null : parseInt(colour.slice(1 + 2 * k, 3 + 2 * k), 16);
 };
 
-/// The value at a time. What has no values between its keys is that of the last key so far.
+/// Returns the value at a time. A value without interpolation is the value of the last key so far.
 export function value_at_time(keys: readonly Key[], time: number): Json {
   const plain = numbers_of(keys, as_number);
   if (plain) return tidy(number_at(plain, time));
@@ -82,17 +84,17 @@ export function value_at_time(keys: readonly Key[], time: number): Json {
   return keys.reduce<Json>((last, one) => (one.time <= time ? one.value : last), first);
 }
 
-/// Whether there are values between keys: numbers, lists of them, colours.
+/// Returns true if values can be interpolated: numbers, lists of numbers, colours.
 export function has_values_between(keys: readonly Key[]): boolean {
   return keys.every(({ value }) => typeof value === 'number' || Array.isArray(value) || (typeof value === 'string' && full_colour(value) !== null));
 }
 
-/// Points of the curve that the numbers of keys make up to `end`; null where they are no plain numbers.
+/// Returns points of the curve of numeric keys up to `end`, or null if the values are no plain numbers.
 export function curve_of(keys: readonly Key[], end: number, count = 160): [number, number][] | null {
   const plain = numbers_of(keys, as_number);
   if (!plain) return null;
   const times = Array.from({ length: count + 1 }, (_, k) => (end * k) / count);
-  // Jumps stand where they are, on both sides.
+  // Jumps get a point on both sides.
   for (const { time } of plain) times.push(time - 1e-9, time);
   return times.filter((one) => one >= 0).sort((a, b) => a - b).map((time) => [time, number_at(plain, time)]);
 }

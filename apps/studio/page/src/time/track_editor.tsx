@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of one parameter, large: its curve with points that hands move, and the time, the value and the way of the
-// chosen key. A gesture is one step.
+// A large editor for the keys of one parameter: its curve with movable points, and the time, the value and the
+// interpolation of the chosen key. A gesture is one step.
 import type { ReactElement } from 'react';
 import { useRef } from 'react';
 
@@ -70,10 +70,10 @@ export function TrackEditor({ track: written }: { track: Track }): ReactElement 
 interface KeysProps {
   label: string;
   keys: readonly Key[];
-  index: number; // of the chosen key
-  length: number; // of the animation, seconds
-  legal: (value: Json) => Json; // the nearest value that the row allows
-  range: Range; // of legal numbers
+  index: number; // index of the chosen key
+  length: number; // length of the animation, seconds
+  legal: (value: Json) => Json; // returns the nearest value that the row allows
+  range: Range; // range of legal numbers
   choose: (which: number) => void;
   add: (time: number, value: Json) => void;
   remove: (which: number) => void;
@@ -82,7 +82,7 @@ interface KeysProps {
   cancel: () => void;
 }
 
-/// The curve of keys that are numbers; others have none.
+/// The curve of numeric keys; other keys have none.
 function KeyCurve({ label, keys, index, length, legal, range, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
   const root = useRef<HTMLDivElement>(null);
   const { snaps } = use_snapping();
@@ -179,7 +179,7 @@ function KeyValue({ label, value, legal, drag, commit, cancel }: KeyValueProps):
     try {
       commit(typeof value === 'string' ? text : (JSON.parse(text) as Json));
     } catch {
-      commit(text); // the server says what is wrong with it
+      commit(text); // the server reports what is wrong
     }
   };
   return <TextField label={label} value={typeof value === 'string' ? value : write_json(value)} commit={take} is_code />;

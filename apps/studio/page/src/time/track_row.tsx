@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A parameter's keys in its lane: chosen by a click, moved by a drag and by the arrow keys, taken away by Delete.
+// The keys of a parameter in its lane: chosen by a click, moved by a drag and by the arrow keys, removed by Delete.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -23,7 +23,7 @@ const kStill = 3; // pixels within which a press is a click
 
 interface HeldKey {
   index: number;
-  keys: Key[]; // as they were when the hand took hold
+  keys: Key[]; // keys before the drag
   now: Key[];
   x: number;
   moved: boolean;
@@ -45,7 +45,7 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
   const has_own_clock = use_own_clock(path);
   const label = name.replaceAll('_', ' ');
   useEffect(() => {
-    // The editor that opens below takes room.
+    // The editor that opens below needs space.
     if (is_chosen) row.current?.scrollIntoView({ block: 'nearest' });
   }, [is_chosen]);
   const choose = (index: number): void => {
@@ -61,7 +61,7 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
     event.stopPropagation();
     lane.current?.setPointerCapture(event.pointerId);
     model.stop();
-    // The editor below opens when the hand lets go, so that nothing moves under it.
+    // The editor below opens at the end of the drag, so that nothing moves under the pointer.
     held.set({ index, keys: track.keys, now: track.keys, x: event.clientX, moved: false });
   };
   const move = (event: PointerEvent): void => {
@@ -119,7 +119,7 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
   );
 }
 
-/// Whether what stands at a path lives by clocks of its own: those that a component above it begins.
+/// Returns true if the value at a path follows clocks of its own, which a component above it begins.
 function use_own_clock(path: string): boolean {
   const studio = use_studio();
   const clocks = use_store(studio.bench.time.clocks);
@@ -127,7 +127,7 @@ function use_own_clock(path: string): boolean {
   return component !== null && clocks.some((clock) => clock !== component && standing_on(studio.board.actions.graph, clock).has(component));
 }
 
-/// What the keys give over time, behind them: a curve, or a band of colours.
+/// The values of the keys over time, drawn behind them: a curve, or a band of colours.
 function TrackPicture({ keys, length }: { keys: readonly Key[]; length: number }): ReactElement | null {
   const curve = curve_of(keys, length, 80);
   if (curve) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row that has keys: the value that they give now, and edits that are made at the time that the view shows.
+// A row with keys: its value at the view's time, and edits at that time.
 import { useSyncExternalStore } from 'react';
 
 import { without } from '../base/lists.ts';
@@ -14,19 +14,19 @@ import type { Key } from './track.ts';
 import { value_at_time } from './track.ts';
 
 export interface Keyed {
-  track: Track; // as a hand has it now
+  track: Track; // track, including a present drag
   value: Json;
-  index: number; // of the key at this time; -1: there is none
+  index: number; // index of the key at this time; -1: no key
 }
 
 const kNothing: Record<string, Json> = {};
 
-/// Variables have keys as a whole.
+/// Returns the path that can have keys. Variables have keys as a whole.
 export function keyed_path(path: string): string {
   return path.startsWith('variables.') ? path.replace(/\.value$/, '') : path;
 }
 
-/// Null where nothing at the path has keys.
+/// Returns the keys at a path, or null if it has no keys.
 export function use_keyed(path: string): Keyed | null {
   const studio = use_studio();
   const { time: model } = studio.bench;
@@ -39,7 +39,7 @@ export function use_keyed(path: string): Keyed | null {
   return { track, value: value_at_time(track.keys, time), index: key_at(track.keys, time) };
 }
 
-/// The same track with the keys that a hand gives it for a while.
+/// Returns the track with the temporary keys of a drag.
 export function with_dragged(track: Track, dragged: Record<string, Json>, document: Json | undefined, tops: ReadonlySet<string>): Track {
   const own = dragged[track_path(track.name)];
   const all = dragged[kKeysPath] ?? member_of(dragged['animation'], 'keys');
@@ -56,7 +56,7 @@ export function drag_keys(studio: Studio, name: string, keys: readonly Key[]): v
   studio.drag(dragged_keys(studio.bench.time.document, { [name]: keys }));
 }
 
-/// Puts a key where the view's time is, or takes the one there away.
+/// Adds a key at the view's time, or removes the key there.
 export function toggle_key(studio: Studio, path: string, keyed: Keyed | null, value: Json): void {
   const { time: model } = studio.bench;
   const name = keyed?.track.name ?? name_of_path(model.tops, keyed_path(path));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has keys is seen and edited at the time that the view shows: a value that a hand means for a path becomes keys
-// of what has some there, and is the value of the text where nothing has.
+// Values with keys are shown and edited at the view's time. A new value at a path becomes a key if the path has keys,
+// and the value in the text otherwise.
 import type { Json } from '../document/json.ts';
 import { steps_of } from '../document/path.ts';
 import type { PathStep } from '../document/path.ts';
@@ -15,18 +15,18 @@ import { keyed_path, with_dragged } from './use_keyed.ts';
 
 export type Values = Readonly<Record<string, Json>>;
 
-/// The same values, parted: those of the text, and the keys of tracks, by their names.
+/// Values separated into values of the text and keys of tracks, by their names.
 export interface PartedValues {
   plain: Record<string, Json>;
   keys: Record<string, readonly Key[]>;
 }
 
-/// Tracks may stand at a path, below it (of an element of a vector), or above it.
+/// A track may be at a path, below it (for an element of a vector), or above it.
 export function parted(values: Values, tracks: readonly Track[], time: number): PartedValues {
   const made: PartedValues = { plain: {}, keys: {} };
   const keys_of = (track: Track): readonly Key[] => made.keys[track.name] ?? track.keys;
   const put = (track: Track, value: Json, is_part = false): void => {
-    // An element of a vector that a hand means as a whole gets no further key where it stays as its keys have it.
+    // If a vector is edited as a whole, elements whose value does not change get no new key.
     if (is_part && JSON.stringify(value) === JSON.stringify(value_at_time(keys_of(track), time))) return;
     made.keys[track.name] = with_key(keys_of(track), time, value);
   };
@@ -51,7 +51,7 @@ function is_below(steps: readonly PathStep[], above: readonly PathStep[]): boole
   return steps.length > above.length && above.every((step, k) => steps[k] === step);
 }
 
-/// The value at a path as it is shown: that under the hand, else with what keys give at the view's time.
+/// Returns the value at a path as shown: of a drag, else with the values of keys at the view's time.
 export function value_now(studio: Studio, path: string, value: Json | undefined): Json | undefined {
   const { time } = studio.bench;
   const dragged = studio.dragged.get();
@@ -64,25 +64,25 @@ export function value_now(studio: Studio, path: string, value: Json | undefined)
   return with_values(value, steps, { ...keyed, ...dragged });
 }
 
-/// Whether something below a path has keys of its own, as an element of a vector may.
+/// Returns true if a part below a path has keys of its own, for example an element of a vector.
 export function has_keys_below(tracks: readonly Track[], path: string): boolean {
   return tracks.some((one) => is_below(steps_of(one.path), steps_of(path)));
 }
 
-/// Grows with these values for a while, as `drag` of the studio does.
+/// Grows with these values temporarily, like `drag` of the studio.
 export function drag_values(studio: Studio, values: Values): void {
   studio.drag(dragged_values(studio, values));
 }
 
-/// What a drag says of these values.
+/// Returns the members of a drag with these values.
 export function dragged_values(studio: Studio, values: Values): Record<string, Json> {
   const { time } = studio.bench;
   const { plain, keys } = parted(values, time.tracks, time.time);
   return Object.keys(keys).length > 0 ? { ...plain, ...dragged_keys(time.document, keys) } : plain;
 }
 
-/// Gives these values as one step, and takes what never stands beside them. A label "Set ..." says "Key ..." where keys
-/// alone are written.
+/// Sets these values as one step, and removes excluded ones. The label "Set ..." becomes "Key ..." if only keys are
+/// written.
 export function set_values(studio: Studio, values: Values, label: string, excluded: readonly string[] = []): void {
   const { time } = studio.bench;
   const { plain, keys } = parted(values, time.tracks, time.time);
@@ -91,7 +91,7 @@ export function set_values(studio: Studio, values: Values, label: string, exclud
   give(studio, [...edits, ...edits_of_keys(studio, keys)], label, excluded);
 }
 
-/// Gives something and takes what never stands beside it, as one step.
+/// Makes edits and removes excluded values, as one step.
 export function give(studio: Studio, edits: Edit[], label: string, excluded: readonly string[]): void {
   void studio.edit([...edits, ...excluded.map((path) => ({ unset: path }))], label);
   if (excluded.length > 0) studio.tell(`Removed ${excluded.map(last_name).join(' and ')}, which cannot stand beside it`);

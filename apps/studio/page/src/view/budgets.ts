@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many triangles a view draws, while hands move and at rest: fewer where a processor draws them.
+// The number of triangles that a view draws, during movements and at rest. It is smaller if a processor draws them.
 
 export interface Budgets {
   drag_triangles: number;
@@ -13,7 +13,7 @@ export function budgets_of(view: { is_software: boolean } | null): Budgets {
   return view?.is_software === false ? kByCard : kBySoftware;
 }
 
-/// Whether a processor draws in place of a graphics card.
+/// Returns true if a processor draws, and not a graphics card.
 export function draws_by_software(): boolean {
   const context = document.createElement('canvas').getContext('webgl2');
   if (!context) return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Owns what lies on the graphics card: meshes and sets of instances by their keys, and the batches that draw one with
-// the other. Arrays are those of the packets, in place where a mesh is needed once; three uploads them once, and again
-// after a lost context.
+// Owns the data on the graphics card: meshes and sets of instances by their keys, and the batches that draw them.
+// Arrays of packets are used in place if a mesh is needed only once. three uploads arrays once, and again after a lost
+// context.
 import * as three from 'three';
 
 import type { Packet, PacketInstances, PacketMesh } from '../server/packet.ts';
@@ -10,7 +10,7 @@ import type { Placing } from './instances.ts';
 import { copies_for, frames_texture, tints_texture } from './instances.ts';
 import { Solid } from './ray.ts';
 
-/// Arrays that several batches may draw from: copies of a mesh.
+/// Arrays that several batches may share: copies of a mesh.
 interface Arrays {
   attributes: Record<string, three.BufferAttribute>;
   index: three.BufferAttribute;
@@ -37,7 +37,7 @@ export interface Batch extends Placing {
   mesh: string;
   instances_of: string;
   tint_scale: three.Color;
-  solid: Solid; // its mesh, for rays
+  solid: Solid; // mesh of the batch, for rays
 }
 
 const kWhite: [number, number, number] = [1, 1, 1];
@@ -46,7 +46,8 @@ export class Buffers {
   private readonly meshes_ = new Map<string, Mesh>();
   private readonly sets_ = new Map<string, InstanceSet>();
   private readonly batches_ = new Map<string, Batch>();
-  // Without tints one white serves all of a view. What views share would keep all of them that have ever drawn it.
+  // One white texture serves all sets without tints of a view. A texture that views share would keep all these views in
+  // memory.
   private readonly no_tints_ = tints_texture(new Uint8Array([255, 255, 255, 255]), 1);
 
   get counts(): { meshes: number; instance_sets: number; batches: number; bytes: number } {
@@ -56,7 +57,7 @@ export class Buffers {
     return { meshes: this.meshes_.size, instance_sets: this.sets_.size, batches: this.batches_.size, bytes: sum };
   }
 
-  /// Triangles of a batch, all its instances together.
+  /// Returns the triangles of all instances of a batch.
   triangles_of(batch: Batch): number {
     return (this.meshes_.get(batch.mesh)?.triangles ?? 0) * batch.instances;
   }
@@ -86,20 +87,20 @@ export class Buffers {
     this.put_set(set.key, { frames, tints, count: set.count, tint_scale: set.tint_scale ?? kWhite });
   }
 
-  /// Three rows of the matrix of an instance; none where the set never came.
+  /// Returns three rows of the matrix of an instance. Returns an empty list if the set is unknown.
   frame_of(set_key: string, instance: number): number[] {
     const rows = this.sets_.get(set_key)?.frames.image.data;
     return rows instanceof Float32Array ? [...rows.slice(12 * instance, 12 * instance + 12)] : [];
   }
 
-  /// A set of one instance of another.
+  /// Adds a set with one instance of another set.
   add_single(key: string, set_key: string, instance: number): void {
     const frame = this.frame_of(set_key, instance);
     if (frame.length === 0) return;
     this.put_set(key, { frames: frames_texture(new Float32Array(frame), 1), tints: this.no_tints_, count: 1, tint_scale: kWhite });
   }
 
-  /// Draws the mesh once for each instance of the set, in place of what the batch drew before.
+  /// Draws the mesh once for each instance of the set. Replaces what the batch drew before.
   add_batch(key: string, mesh_key: string, set_key: string): Batch {
     this.remove_batch(key);
     const mesh = this.meshes_.get(mesh_key);
@@ -118,7 +119,8 @@ export class Buffers {
     return batch;
   }
 
-  /// three frees all arrays of a geometry that is disposed of, so those that others still draw are taken out before.
+  /// three frees all arrays of a geometry that is disposed of. Arrays that other batches use are therefore detached
+  /// first.
   remove_batch(key: string): void {
     const batch = this.batches_.get(key);
     if (!batch) return;
@@ -137,7 +139,7 @@ export class Buffers {
     batch.geometry.dispose();
   }
 
-  /// Forgets arrays; batches of them are gone already.
+  /// Removes arrays. Their batches must be removed already.
   remove(meshes: string[], sets: string[]): void {
     for (const key of meshes) this.meshes_.delete(key);
     for (const key of sets) this.remove_set(key);
@@ -162,7 +164,7 @@ export class Buffers {
   }
 }
 
-/// The arrays of this number of copies of a mesh, one copy after the other.
+/// Returns the arrays with this number of copies of a mesh, one copy after the other.
 function arrays_of(mesh: Mesh, copies: number): Arrays {
   const known = mesh.copied.get(copies);
   if (known) return known;
@@ -176,7 +178,7 @@ function arrays_of(mesh: Mesh, copies: number): Arrays {
     attributes[name] = new three.BufferAttribute(repeated, itemSize, normalized);
   }
   const corners = mesh.once.index.array;
-  const indices = new Uint16Array(corners.length * copies); // few enough vertices, or there would be no copies
+  const indices = new Uint16Array(corners.length * copies); // a mesh with copies has few vertices
   for (let k = 0; k < copies; k += 1) {
     for (let c = 0; c < corners.length; c += 1) indices[k * corners.length + c] = (corners[c] ?? 0) + k * mesh.vertices;
   }

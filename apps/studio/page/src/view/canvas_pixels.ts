@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many pixels the canvas of a view has. A processor draws a quarter of them while something moves, in less than half
-// the time. At rest it draws four for each, as long as they are not too many: several samples per pixel, which cards have,
-// would make each triangle three times as dear while hands move too.
+// The number of pixels of a view's canvas. A processor draws a quarter of the pixels during movements, which takes less
+// than half the time. At rest it draws four pixels for each, unless these are too many. Multisampling, which cards
+// offer, would make each triangle three times as slow, during movements too.
 import type * as three from 'three';
 
 const kCoarse = 0.5;
@@ -10,7 +10,7 @@ const kFinePixels = 4e6;
 
 export class CanvasPixels {
   private frame_: [number, number] = [1, 1]; // pixels of the page
-  private made_ = ''; // for what the canvas was made
+  private made_ = ''; // the sizes for which the canvas was made
 
   constructor(
     private readonly renderer_: three.WebGLRenderer,
@@ -21,8 +21,8 @@ export class CanvasPixels {
     this.frame_ = [width, height];
   }
 
-  /// Just before a picture is drawn, since it clears the last one, and since a canvas whose size changes waits for the
-  /// card: up to seconds where a processor draws. Until then the last picture is stretched.
+  /// Called just before a picture is drawn, because it clears the previous one. A canvas that changes its size waits
+  /// for the card, up to seconds if a processor draws. Until then the previous picture is stretched.
   suit(moves: boolean): void {
     const [width, height] = this.frame_;
     const ratio = this.ratio(moves);
@@ -35,7 +35,8 @@ export class CanvasPixels {
   private ratio(moves: boolean): number {
     if (!this.is_software_) return Math.min(2, window.devicePixelRatio);
     const [width, height] = this.frame_;
-    const shown = Math.min(1, window.devicePixelRatio); // a page that is zoomed out is shown on fewer pixels than it has
+    // A page that is zoomed out is shown on fewer pixels than it has
+    const shown = Math.min(1, window.devicePixelRatio);
     return moves ? kCoarse * shown : Math.min(kFine * shown, Math.sqrt(kFinePixels / Math.max(1, width * height)));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things of the world stand in the canvas, and what of the world lies under a pixel.
+// Converts positions of the world into pixels of the canvas, and pixels into lines of sight.
 import * as three from 'three';
 
 import type { Ray, Vec } from './gizmo/space_math.ts';
@@ -11,7 +11,7 @@ export class Eye {
     private readonly canvas_: HTMLCanvasElement,
   ) {}
 
-  /// Where a point of the world stands, in pixels of the canvas; null behind the eye.
+  /// Returns the pixel of a point of the world, or null if it is behind the camera.
   project([x, y, z]: Vec): [number, number] | null {
     const { camera } = this.orbit_;
     const point = new three.Vector4(x, y, z, 1).applyMatrix4(camera.matrixWorldInverse).applyMatrix4(camera.projectionMatrix);
@@ -19,13 +19,13 @@ export class Eye {
     return [((point.x / point.w + 1) / 2) * this.canvas_.clientWidth, ((1 - point.y / point.w) / 2) * this.canvas_.clientHeight];
   }
 
-  /// Whether a point of the world stands within the canvas.
+  /// Returns true if a point of the world is within the canvas.
   sees(place: Vec): boolean {
     const at = this.project(place);
     return at !== null && at[0] >= 0 && at[1] >= 0 && at[0] <= this.canvas_.clientWidth && at[1] <= this.canvas_.clientHeight;
   }
 
-  /// The line of sight through a pixel of the canvas.
+  /// Returns the line of sight through a pixel of the canvas.
   ray_at(x: number, y: number): Ray {
     const { camera } = this.orbit_;
     const [across, up] = [(2 * x) / Math.max(1, this.canvas_.clientWidth) - 1, 1 - (2 * y) / Math.max(1, this.canvas_.clientHeight)];
@@ -33,7 +33,7 @@ export class Eye {
     return { origin: camera.position.toArray(), way: way.toArray() };
   }
 
-  /// Unit vectors of the world to the right of the screen and toward the eye.
+  /// Unit vectors of the world: to the right of the screen, and toward the camera.
   get sides(): { right: Vec; toward: Vec } {
     const [right, up, toward] = [new three.Vector3(), new three.Vector3(), new three.Vector3()];
     this.orbit_.camera.matrixWorld.extractBasis(right, up, toward);

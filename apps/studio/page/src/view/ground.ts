@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground: a disc with a grid that fades, and a soft shade below the plant.
+// The ground: a disc with a grid that fades, and a soft shadow below the plant.
 import * as three from 'three';
 
 import { kGroundFragment, kGroundVertex } from './plant_shader.ts';
@@ -30,7 +30,7 @@ export class Ground {
     this.mesh.renderOrder = -1;
   }
 
-  /// To the size of what stands on it.
+  /// Adapts the size of the ground to the plants.
   suit(box: three.Box3): void {
     const size = box.getSize(new three.Vector3());
     const wide = Math.max(size.x, size.z, 0.3 * size.y, 0.02);

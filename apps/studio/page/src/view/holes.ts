@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the pictures of leaves have holes, as the processor can ask: their alpha, kept while the picture is.
+// The holes in the pictures of leaves, for picking by the processor. Their alpha is kept as long as the picture.
 import type * as three from 'three';
 
 import type { IsHole } from './ray.ts';
 
-const kMost = 512; // pixels on a side that are kept
+const kMost = 512; // largest number of pixels per side that are kept
 
 export class Holes {
   private readonly known_ = new WeakMap<object, IsHole>();
 
-  /// Whether a picture is less than half there at (u, v), of which each period shows the whole picture.
+  /// Returns a function that is true if a picture's alpha at (u, v) is below one half. The picture repeats with period
+  /// 1.
   of(picture: three.Texture): IsHole | null {
     const image = picture.image as ImageBitmap | null;
     if (!image) return null;

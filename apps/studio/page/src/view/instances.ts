@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where instances stand, for the shaders that draw them. A mesh of a few triangles lies several times in its arrays, and
-// one instance of the card draws all of these copies: cards, and processors in their place, take long over each instance
-// and not over its triangles (an oak's 14,000 leaves of 12 triangles by software: 9 times as long one by one).
+// Positions of instances for the shaders. A mesh with few triangles is stored several times in its arrays, and one
+// instance of the card draws all of these copies. Cards and processors need much time for each instance and little for
+// its triangles. In software, an oak's 14,000 leaves of 12 triangles take 9 times as long one by one.
 import * as three from 'three';
 
-/// Vertices of a geometry that one instance of the card draws; a mesh that has more is there once.
+/// Vertices that one instance of the card draws. A mesh with more vertices is stored once.
 const kVerticesAtOnce = 4096;
 const kRowBits = 9;
 const kRow = 1 << kRowBits; // instances per row of a texture of frames or tints
 
-/// For vertex shaders: `instance()` is the number of the instance, `placed(local)` a point of it in the
-/// scene, `projected(place)` such a point in the picture, `tint()` the instance's tint. Rows are found by shifts: processors
-/// divide whole numbers one by one.
+/// For vertex shaders: `instance()` is the number of the instance, `placed(local)` a point of it in the scene,
+/// `projected(place)` this point in the picture, and `tint()` the instance's tint. Rows are found by shifts, because
+/// processors divide whole numbers one by one.
 export const kInstanceShader = /* glsl */ `
 uniform highp sampler2D frames;
 uniform lowp sampler2D tints;
@@ -32,7 +32,7 @@ vec4 projected(vec3 place) {
 }
 `;
 
-/// What a batch tells the shaders: how many instances there are, and how many one instance of the card draws.
+/// The data of a batch for the shaders: the number of instances, and the number that one instance of the card draws.
 export interface Placing {
   frames: three.DataTexture;
   tints: three.DataTexture;
@@ -44,20 +44,21 @@ type PlacingUniforms = { [key in keyof Placing]: three.IUniform<Placing[key] | n
 
 export type PlacingMaterial = three.ShaderMaterial & { uniforms: PlacingUniforms };
 
-/// Uniforms that every material of batches has.
+/// Returns the uniforms that every material of batches has.
 export function placing_uniforms(): PlacingUniforms {
   return { frames: { value: null }, tints: { value: null }, instances: { value: 0 }, copies: { value: 1 }, tinted: { value: 0 } };
 }
 
-/// Copies of a mesh of this many vertices for this number of instances: a power of two.
+/// Returns the number of copies of a mesh with this many vertices for this number of instances: a power of two.
 export function copies_for(vertices: number, instances: number): number {
   const most = Math.min(kVerticesAtOnce / Math.max(vertices, 1), instances);
   return most <= 1 ? 1 : 2 ** Math.floor(Math.log2(most));
 }
 
-/// Draws the mesh with what `placing` says, and with what `more` sets. Materials serve many meshes, one after the other.
+/// Sets the uniforms of a mesh from `placing` and `more` before each drawing. Materials serve many meshes, one after
+/// the other.
 export function place(mesh: three.Mesh, placing: Placing, more?: (uniforms: three.ShaderMaterial['uniforms']) => void): void {
-  mesh.frustumCulled = false; // instances stand elsewhere than their mesh
+  mesh.frustumCulled = false; // instances are elsewhere than their mesh
   mesh.matrixAutoUpdate = false;
   mesh.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) => {
     const shader = material as PlacingMaterial;
@@ -69,7 +70,7 @@ export function place(mesh: three.Mesh, placing: Placing, more?: (uniforms: thre
   };
 }
 
-/// A texture of the rows of 3x4 frames; takes the array itself where it is one row of the texture.
+/// Returns a texture of the rows of 3x4 frames. Uses the array in place if it fits one row of the texture.
 export function frames_texture(frames: Float32Array, count: number): three.DataTexture {
   const [width, height] = [3 * Math.min(Math.max(count, 1), kRow), Math.max(1, Math.ceil(count / kRow))];
   let texels = frames;
@@ -80,7 +81,7 @@ export function frames_texture(frames: Float32Array, count: number): three.DataT
   return texture_of(texels, width, height, three.FloatType);
 }
 
-/// A texture of one tint per instance.
+/// Returns a texture of one tint per instance.
 export function tints_texture(tints: Uint8Array, count: number): three.DataTexture {
   const [width, height] = [Math.min(Math.max(count, 1), kRow), Math.max(1, Math.ceil(count / kRow))];
   let texels = tints;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One instance that is marked: drawn once more, over itself.
+// The mark of one instance, which is drawn once more over itself.
 import * as three from 'three';
 
 import type { Batch, Buffers } from './buffers.ts';
@@ -18,7 +18,7 @@ export class Mark {
     private readonly buffers_: Buffers,
   ) {}
 
-  /// The batch whose instance is marked.
+  /// The batch of the marked instance.
   get of(): Batch | null {
     return this.of_;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One instance once more, over itself.
+// The shader that draws one instance once more over itself.
 import { kInstanceShader } from './instances.ts';
 
 export const kMarkVertex = /* glsl */ `

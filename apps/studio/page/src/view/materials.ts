@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials by their index, and pictures by their keys; those are decoded once, beside the drawing.
+// Materials by their index, and pictures by their keys. Pictures are decoded once, in parallel with the drawing.
 import * as three from 'three';
 
 import type { Packet, PacketMaterial, PacketPicture } from '../server/packet.ts';
@@ -7,14 +7,14 @@ import { bytes } from '../server/packet.ts';
 import { placing_uniforms } from './instances.ts';
 import { kPlantFragment, kPlantVertex, kWireFragment, kWireVertex } from './plant_shader.ts';
 
-/// What all materials see of the sky.
+/// The light that all materials share.
 export interface Light {
   sun: three.IUniform<three.Vector3>;
   sun_colour: three.IUniform<three.Color>;
   sky_colour: three.IUniform<three.Color>;
   ground_colour: three.IUniform<three.Color>;
   crown_centre: three.IUniform<three.Vector3>;
-  crown_size: three.IUniform<three.Vector3>; // half of the box that holds the plant
+  crown_size: three.IUniform<three.Vector3>; // half of the box around the plant
 }
 
 interface Picture {
@@ -35,11 +35,12 @@ export class Materials {
   private readonly said_: PacketMaterial[] = [];
   private readonly made_ = new Map<string, three.ShaderMaterial>();
   private readonly pictures_ = new Map<string, Picture>();
-  private readonly white_ = new three.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1); // of this view alone
+  // Belongs to this view only
+  private readonly white_ = new three.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
 
   constructor(
     private readonly light_: Light,
-    private readonly anisotropy_: number, // samples along where a picture is seen from the side
+    private readonly anisotropy_: number, // number of samples for pictures at a flat angle
     private readonly changed_: () => void,
   ) {
     this.white_.needsUpdate = true;
@@ -59,7 +60,7 @@ export class Materials {
     this.said_.length = Math.min(this.said_.length, count);
   }
 
-  /// The look of one batch: its tint scale stands in the material, and whether what the person has chosen is emphasised.
+  /// Returns the material of one batch. It has the batch's tint scale, and emphasises the chosen component.
   material_for(index: number, tint_scale: three.Color, is_emphasised: boolean): three.ShaderMaterial {
     const key = `${index}/${tint_scale.getHexString()}/${tint_scale.r.toFixed(4)}/${is_emphasised}`;
     const known = this.made_.get(key);
@@ -69,7 +70,7 @@ export class Materials {
     return made;
   }
 
-  /// The picture in whose holes a material is not there; null where it has none, or not yet.
+  /// Returns the picture whose holes cut a material. Returns null if it has none, or if it is not loaded yet.
   holes_of(index: number): three.Texture | null {
     const said = this.said_[index];
     const texture = said?.masked && said.picture !== undefined ? this.pictures_.get(said.picture)?.texture : undefined;
@@ -79,7 +80,7 @@ export class Materials {
   add_picture(packet: Packet, picture: PacketPicture): void {
     const texture = new three.Texture();
     texture.wrapS = texture.wrapT = three.RepeatWrapping;
-    texture.flipY = false; // turned where it is decoded
+    texture.flipY = false; // pictures are flipped when they are decoded
     texture.anisotropy = this.anisotropy_;
     this.pictures_.set(picture.key, { texture, width: picture.width, height: picture.height });
     const blob = new Blob([bytes(packet, picture.bytes)], { type: picture.type });
@@ -126,7 +127,7 @@ export class Materials {
       vertexShader: kPlantVertex,
       fragmentShader: kPlantFragment,
       defines,
-      side: three.DoubleSide, // frames may be mirrored, which turns the winding
+      side: three.DoubleSide, // frames may be mirrored, which reverses the winding
       uniforms: {
         ...this.light_,
         ...placing_uniforms(),

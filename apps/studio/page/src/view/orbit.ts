@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera that circles a point. Angles in degrees: azimuth from north over east where the eye stands, altitude over
-// the horizon.
+// A camera that orbits a point. Angles in degrees: azimuth of the camera from north over east, altitude above the
+// horizon.
 import * as three from 'three';
 
 export interface CameraState {
@@ -8,12 +8,12 @@ export interface CameraState {
   altitude: number;
   distance: number;
   target: [number, number, number];
-  field_of_view?: number; // vertical angle, degrees; the usual one where it is not said
+  field_of_view?: number; // vertical angle, degrees; missing: the default
 }
 
 export const kFieldOfView = 32;
 const kRadians = Math.PI / 180;
-const kCrownReach = 0.72; // how far a round crown reaches toward the corners of its box
+const kCrownReach = 0.72; // extent of a round crown toward the corners of its box
 
 export class Orbit {
   readonly camera = new three.PerspectiveCamera(kFieldOfView, 1, 0.01, 1000);
@@ -21,13 +21,13 @@ export class Orbit {
   private altitude_ = 12;
   private distance_ = 10;
   private field_of_view_ = kFieldOfView;
-  private shows_corners_ = false; // of what it was fitted to last
+  private shows_corners_ = false; // true: the last fit included the corners of the box
   private readonly target_ = new three.Vector3(0, 1, 0);
 
   get state(): CameraState {
     return { azimuth: this.azimuth_, altitude: this.altitude_, distance: this.distance_, target: this.target_.toArray(), field_of_view: this.field_of_view_ };
   }
-  /// As documents and exports write a camera.
+  /// The camera in the form of documents and exports.
   get as_document(): { position: number[]; target: number[]; field_of_view: number } {
     return { position: this.camera.position.toArray(), target: this.target_.toArray(), field_of_view: this.field_of_view_ };
   }
@@ -40,12 +40,12 @@ export class Orbit {
   get target(): three.Vector3 {
     return this.target_;
   }
-  /// Height of the picture at the point that it looks at, metres.
+  /// Height of the picture at the point that the camera looks at, metres.
   get height_at_target(): number {
     return 2 * this.distance_ * this.slope;
   }
 
-  /// Looks as another one does. Whether that changed anything.
+  /// Takes over the pose of another camera. Returns true if this changed anything.
   follow(other: Orbit): boolean {
     if (JSON.stringify(other.state) === JSON.stringify(this.state)) return false;
     [this.azimuth_, this.altitude_, this.distance_, this.field_of_view_] = [other.azimuth_, other.altitude_, other.distance_, other.field_of_view_];
@@ -54,14 +54,14 @@ export class Orbit {
     return true;
   }
 
-  /// Looks as it did in that state.
+  /// Restores a pose.
   look(state: CameraState): void {
     [this.azimuth_, this.altitude_, this.distance_] = [state.azimuth, Math.min(89.5, Math.max(-89.5, state.altitude)), state.distance];
     this.target_.fromArray(state.target);
     this.open_to(state.field_of_view ?? kFieldOfView);
   }
 
-  /// Takes another field of view; the eye stays where it is.
+  /// Sets the field of view; the camera stays in place.
   open_to(field_of_view: number): void {
     this.field_of_view_ = Math.min(150, Math.max(1, field_of_view));
     this.place();
@@ -89,7 +89,7 @@ export class Orbit {
     this.place();
   }
 
-  /// By shares of the picture's height.
+  /// Moves the camera sideways by shares of the picture's height.
   pan(right: number, up: number): void {
     const height = this.height_at_target;
     const [x, y] = [new three.Vector3(), new three.Vector3()];
@@ -98,8 +98,8 @@ export class Orbit {
     this.place();
   }
 
-  /// So that the box fills the picture, with its corners or without those that are empty about crowns; the way the eye
-  /// looks stays.
+  /// Moves the camera until the box fills the picture. The corners of the box around a crown are empty and may be left
+  /// out. The direction of view stays.
   fit(box: three.Box3, shows_corners = this.shows_corners_): void {
     if (box.isEmpty()) return;
     this.shows_corners_ = shows_corners;
@@ -109,17 +109,17 @@ export class Orbit {
     this.place();
   }
 
-  /// How far from its middle the eye stands where the box fills the picture.
+  /// Returns the distance from the middle of the box at which it fills the picture.
   distance_for(box: three.Box3, shows_corners = false): number {
-    // Seen as the camera is turned, wherever it stands, so that fitting again changes nothing.
+    // The box is projected by the camera's rotation only, so that a repeated fit changes nothing.
     const inverse = new three.Matrix4().lookAt(this.way_to_eye(), new three.Vector3(), this.camera.up).transpose();
     const tan_y = this.slope * 0.94;
     const tan_x = tan_y * this.camera.aspect;
-    // The corners of the box about a crown are empty; those about a field or a row of trees are not.
+    // The corners of the box around a crown are empty; the corners of the box around a field or a row of trees are not.
     const half = box.getSize(new three.Vector3()).multiplyScalar(0.5);
     const reach = !shows_corners && half.y > 0.6 * Math.max(half.x, half.z) ? kCrownReach : 1;
     let distance = 0.01;
-    // Round crowns reach to the box's sides at half their height.
+    // Round crowns reach the sides of the box at half their height.
     const girth = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(Math.cos(k * 45 * kRadians), 0, Math.sin(k * 45 * kRadians)));
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(k & 1 ? reach : -reach, k & 2 ? 1 : -1, k & 4 ? reach : -reach));
     for (const share of [...corners, ...girth]) {
@@ -129,12 +129,12 @@ export class Orbit {
     return distance;
   }
 
-  /// Half of the picture's height, one metre before the eye.
+  /// Half of the picture's height, one metre before the camera.
   private get slope(): number {
     return Math.tan((this.field_of_view_ / 2) * kRadians);
   }
 
-  /// The unit vector from the target to the eye. North is -z and east +x.
+  /// Returns the unit vector from the target to the camera. North is -z and east +x.
   private way_to_eye(): three.Vector3 {
     const [azimuth, altitude] = [this.azimuth_ * kRadians, this.altitude_ * kRadians];
     return new three.Vector3(Math.cos(altitude) * Math.sin(azimuth), Math.sin(altitude), -Math.cos(altitude) * Math.cos(azimuth));

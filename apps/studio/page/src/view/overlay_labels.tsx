@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The labels of all overlays, where the camera sees them.
+// The labels of all overlays, at their pixels.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours are those of the screen already; nothing lights an overlay.
+// The shaders of overlays. Colours are screen colours, and no light affects them.
 
 export const kOverlayVertex = `
 attribute vec4 colour;
@@ -26,7 +26,7 @@ void main() {
   gl_PointSize = size * pixel_ratio;
 }`;
 
-// A disc with a darker rim, so that points of one colour stay apart.
+// A disc with a darker rim, so that points of one colour can be distinguished.
 export const kOverlayPointFragment = `
 varying vec4 v_colour;
 void main() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn over the plant and is no part of it: points, lines, arrows and labels, in layers that are put and taken
-// away by name. One layer costs at most two pictures' calls, however much it holds.
+// Overlays on the plant: points, lines, arrows and labels, in layers that are added and removed by name. A layer needs
+// at most two draw calls per picture.
 import * as three from 'three';
 
 import type { Vec } from '../base/vec.ts';
@@ -35,12 +35,12 @@ export interface OverlayLayer {
   lines?: OverlayLines;
   arrows?: readonly OverlayArrow[];
   labels?: readonly OverlayLabel[];
-  /// Seen through what stands before it.
+  /// True: visible through parts in front of it.
   is_in_front?: boolean;
 }
 
-const kHead = 0.18; // of an arrow's length
-const kHeadWidth = 0.4; // of the head's length
+const kHead = 0.18; // share of an arrow's length
+const kHeadWidth = 0.4; // share of the head's length
 
 interface DrawnLayer {
   objects: (three.Points | three.LineSegments)[];
@@ -65,7 +65,7 @@ export class Overlays {
     this.materials_ = { points: [material(true, false), material(true, true)], lines: [material(false, false), material(false, true)] };
   }
 
-  /// Puts a layer in place of the one of that name; null takes it away.
+  /// Adds a layer and replaces the layer of that name. Null removes the layer.
   put(name: string, layer: OverlayLayer | null): void {
     this.remove(name);
     if (layer) this.layers_.set(name, this.made(layer));
@@ -77,7 +77,7 @@ export class Overlays {
     return this.layers_.has(name);
   }
 
-  /// The labels of all layers, in the order in which they were put.
+  /// The labels of all layers, in the order of adding.
   get labels(): OverlayLabel[] {
     return [...this.layers_.values()].flatMap((layer) => [...layer.labels]);
   }
@@ -140,7 +140,7 @@ function geometry_of({ positions, colours }: { positions: Float32Array; colours:
   return geometry;
 }
 
-/// Lines, and those of arrows: a shaft, and a head of four.
+/// Returns the lines together with the lines of arrows. An arrow has a shaft, and four lines as its head.
 function joined(lines: OverlayLines | undefined, arrows: readonly OverlayArrow[]): OverlayLines {
   if (arrows.length === 0) return lines ?? { positions: new Float32Array(), colours: new Uint8Array() };
   const positions = [...(lines?.positions ?? [])];
@@ -154,7 +154,7 @@ function joined(lines: OverlayLines | undefined, arrows: readonly OverlayArrow[]
   return { positions: new Float32Array(positions), colours: new Uint8Array(colours) };
 }
 
-/// The segments that draw an arrow.
+/// Returns the segments that draw an arrow.
 export function arrow_lines(from: Vec, to: Vec): [Vec, Vec][] {
   const tip = new three.Vector3(...to);
   const way = tip.clone().sub(new three.Vector3(...from));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen at a pixel: which batch, and which of its instances. A ray through the pixel is followed here and not on
-// the card, from which one pixel would take as long to read as a whole picture to draw. Leaves are not there where their
-// picture has holes.
+// Finds the batch and the instance at a pixel by a ray. The ray is followed here and not on the card: reading one pixel
+// from the card would take as long as drawing a whole picture. Rays pass through the holes of leaf pictures.
 import * as three from 'three';
 
 import type { Batch } from './buffers.ts';
@@ -9,7 +8,7 @@ import { Holes } from './holes.ts';
 import type { Ray } from './ray.ts';
 import { first_hit } from './ray.ts';
 
-/// A batch as it is drawn; `picture` where its holes count.
+/// A drawn batch; `picture` is set if its holes count.
 export interface PickTarget {
   batch: Batch;
   picture: three.Texture | null;
@@ -17,14 +16,14 @@ export interface PickTarget {
 
 export interface Picked {
   target: number; // index into the targets
-  instance: number; // along the batch
-  position: [number, number, number]; // of what was hit, in the world
+  instance: number; // number of the instance in the batch
+  position: [number, number, number]; // position of the hit in the world
 }
 
 export class Picker {
   private readonly holes_ = new Holes();
 
-  /// `x` and `y` are pixels of a picture of this width and height, from its upper left corner.
+  /// `x` and `y` are pixels from the upper left corner of a picture with this width and height.
   pick(targets: readonly PickTarget[], camera: three.PerspectiveCamera, [x, y]: [number, number], [width, height]: [number, number]): Picked | null {
     const ray = ray_through(camera, (2 * (x + 0.5)) / width - 1, 1 - (2 * (y + 0.5)) / height);
     let found: Picked | null = null;
@@ -40,7 +39,8 @@ export class Picker {
   }
 }
 
-/// From the camera through a place of its picture, both from -1 to 1; shares of it are distances along the view.
+/// Returns the ray from the camera through a point of its picture, with coordinates from -1 to 1. Shares of it are
+/// distances along the view.
 function ray_through(camera: three.PerspectiveCamera, x: number, y: number): Ray {
   camera.updateMatrixWorld();
   const from = new three.Vector3().setFromMatrixPosition(camera.matrixWorld);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// When pictures are drawn: asked often, drawn once, and never before the card has finished the last one, so that a hand
-// never waits for pictures of what is over.
+// Decides when pictures are drawn. Many requests make one picture. A picture waits until the card has finished the
+// previous one, so that the user never waits for outdated pictures.
 
 export class PictureQueue {
-  private readonly listeners_: (() => void)[] = []; // who waits until all is drawn
-  private waiting_ = 0; // for the next picture; -1: until the card has finished the last
-  private is_drawing_ = false; // the card has not finished the last picture
-  private is_gone_ = false; // nothing is drawn any more
+  private readonly listeners_: (() => void)[] = []; // callbacks that wait until everything is drawn
+  private waiting_ = 0; // timer of the next picture; -1: waiting for the card
+  private is_drawing_ = false; // true: the card has not finished the last picture
+  private is_gone_ = false; // true: nothing is drawn any more
 
   constructor(
     private readonly context_: WebGL2RenderingContext,
     private readonly draw_: () => void,
   ) {}
 
-  /// A picture at the next chance.
+  /// Requests a picture.
   ask(): void {
     if (this.waiting_ !== 0 || this.is_gone_) return;
     this.waiting_ = requestAnimationFrame(() => {
@@ -26,18 +26,18 @@ export class PictureQueue {
     });
   }
 
-  /// When a person can see what was asked for until now.
+  /// Resolves when everything requested so far is visible.
   drawn(): Promise<void> {
     this.ask();
     return new Promise((resolve) => this.listeners_.push(resolve));
   }
 
-  /// No further picture is drawn.
+  /// Stops drawing.
   stop(): void {
     this.is_gone_ = true;
   }
 
-  /// Called when a picture's commands have been given: looks when the card has carried them out.
+  /// Called after a picture's commands were sent. Waits until the card has carried them out.
   watch_card(): void {
     const context = this.context_;
     const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn of the plant, kept up to date by scene packets.
+// The drawn plant, kept up to date by scene packets.
 import * as three from 'three';
 
 import type { Packet, PacketBatch, PacketSkeleton } from '../server/packet.ts';
@@ -43,34 +43,34 @@ export class PlantScene {
     this.materials = new Materials(light, anisotropy, changed);
   }
 
-  /// Component by component, what is in the scene.
+  /// The components in the scene.
   get components(): string[] {
     return [...new Set([...this.drawn_.values()].map((one) => one.said.component))];
   }
 
-  /// All that is drawn as surfaces now.
+  /// All batches that are drawn as surfaces now.
   get seen(): SeenBatch[] {
     return [...this.drawn_].filter(([, one]) => one.mesh.visible).map(([key, { said, batch }]) => ({ key, component: said.component, batch, picture: this.materials.holes_of(said.material) }));
   }
 
-  /// Triangles of what is drawn as surfaces now.
+  /// The number of triangles that are drawn as surfaces now.
   get triangles(): number {
     return this.seen.reduce((sum, { batch }) => sum + this.buffers.triangles_of(batch), 0);
   }
 
-  /// Three rows of the matrix that places an instance of a batch.
+  /// Returns three rows of the matrix of an instance of a batch.
   frame_of(key: string, instance: number): number[] {
     const drawn = this.drawn_.get(key);
     return drawn ? this.buffers.frame_of(drawn.batch.instances_of, instance) : [];
   }
 
-  /// The same of the first instance of a component that is drawn; null where none is.
+  /// Returns the matrix of the first drawn instance of a component, or null.
   first_frame(component: string): number[] | null {
     const key = [...this.drawn_.keys()].find((one) => this.drawn_.get(one)?.said.component === component);
     return key === undefined ? null : this.frame_of(key, 0);
   }
 
-  /// Marks one instance of a batch until it is drawn otherwise; of null none is marked.
+  /// Marks one instance of a batch. Null removes the mark.
   mark(key: string | null, instance: number): void {
     const drawn = key === null ? undefined : this.drawn_.get(key);
     if (drawn) this.mark_.put(drawn.batch, instance, this.materials.holes_of(drawn.said.material));
@@ -155,7 +155,7 @@ export class PlantScene {
     }
   }
 
-  /// Gives each batch the material that it is shown in.
+  /// Sets the material of each batch.
   private dress(): void {
     for (const { said, batch, mesh } of this.drawn_.values()) {
       mesh.visible = this.drawing_ !== 'skeleton' && !this.hidden_.has(said.component);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How plants are drawn: sky and ground as a hemisphere, one sun, light that passes through leaves, holes by alpha. Frames
-// of instances are three rows of a 3x4 matrix; they may be skewed or mirrored, so normals go by cofactors.
+// The shader of plants: sky and ground as a hemisphere, one sun, light through leaves, holes by alpha. Frames of
+// instances are three rows of a 3x4 matrix. They may be skewed or mirrored, so normals use cofactors.
 
 import { kInstanceShader } from './instances.ts';
 
@@ -124,7 +124,7 @@ void main() {
 }
 `;
 
-// Orders from the trunk outward: brown, ochre, green, teal, blue, violet.
+// Colours by order, from the trunk outward: brown, ochre, green, teal, blue, violet.
 export const kLineFragment = /* glsl */ `
 varying float v_order;
 void main() {
@@ -144,7 +144,7 @@ void main() {
 }
 `;
 
-// A grid that fades toward the rim and where its lines would crowd, and a soft shade where the plant stands.
+// A grid that fades toward the rim and where its lines get too dense, and a soft shadow below the plant.
 export const kGroundFragment = /* glsl */ `
 varying vec2 v_place;
 uniform float reach;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hands do in the view: left button turns, right or middle button or Shift moves, wheel and pinch zoom; keys too.
+// Pointer and keys in the view: the left button turns, the right or middle button or Shift moves, the wheel and
+// pinching zoom.
 import type { Orbit } from './orbit.ts';
 
 export interface ViewActions {
   moved(): void;
   fit(): void;
-  /// Enter, while the view has the keyboard.
+  /// Enter was pressed while the view has the focus.
   entered(): void;
-  /// Pressed and let go at one place, in pixels of the canvas.
+  /// A button was pressed and released at one place, in pixels of the canvas.
   clicked(x: number, y: number): void;
-  /// Not moved for a while, with no button pressed; then moved on.
+  /// The pointer has not moved for a while, with no button pressed; it then moves again.
   rested(x: number, y: number): void;
   went_on(): void;
 }
 
-const kStill = 4; // pixels within which a click may move
+const kStill = 4; // largest movement of a click, pixels
 const kRest = 160; // ms
 
 const kKeys: Record<string, (orbit: Orbit) => void> = {
@@ -37,7 +38,7 @@ const kShiftKeys: Record<string, (orbit: Orbit) => void> = {
 export function listen(canvas: HTMLCanvasElement, orbit: Orbit, actions: ViewActions): void {
   const pointers = new Map<number, { x: number; y: number }>();
   let spread = 0;
-  let pressed: { x: number; y: number } | null = null; // where a click may begin
+  let pressed: { x: number; y: number } | null = null; // position where a click may begin
   let rest = 0;
 
   const go_on = (): void => {

@@ -11,7 +11,7 @@ interface ProjectedLineProps {
   className: string;
 }
 
-/// Broken where it passes behind the eye.
+/// The line is interrupted where it passes behind the camera.
 export function ProjectedLine({ view, places, className }: ProjectedLineProps): ReactElement | null {
   let path = '';
   let is_broken = true;

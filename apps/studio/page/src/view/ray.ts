@@ -1,42 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a ray meets first among the instances of a mesh: spheres around the instances leave few of them, whose triangles
-// are tried one by one. Numbers stay in arrays, since a plant has hundreds of thousands of instances.
+// Finds the first hit of a ray among the instances of a mesh. Spheres around the instances exclude most of them, and
+// the triangles of the others are tested one by one. Numbers stay in arrays, since a plant has hundreds of thousands of
+// instances.
 
-/// What is tried of a mesh.
+/// The data of a mesh that rays need.
 export class Solid {
   private sphere_: readonly [number, number, number, number] | null = null;
 
   constructor(
     readonly positions: Float32Array, // x, y, z per vertex
     readonly corners: ArrayLike<number>, // three vertices per triangle
-    readonly uv: ((vertex: number) => readonly [number, number]) | null, // where its picture lies on it
+    readonly uv: ((vertex: number) => readonly [number, number]) | null, // texture coordinates of a vertex
   ) {}
 
-  /// A sphere around all vertices, about the middle of their box: x, y, z and its radius.
+  /// A sphere around all vertices, about the middle of their box: x, y, z and radius.
   get sphere(): readonly [number, number, number, number] {
     this.sphere_ ??= sphere_around(this.positions);
     return this.sphere_;
   }
 }
 
-/// From `from` on, through `from + along`.
+/// A ray from `from` through `from + along`.
 export interface Ray {
   from: readonly [number, number, number];
   along: readonly [number, number, number];
-  nearest: number; // shares of `along` between which hits count
+  nearest: number; // range of shares of `along` in which hits count
   farthest: number;
 }
 
-/// Whether a picture has a hole at a place of it.
+/// Returns true if a picture has a hole at a position.
 export type IsHole = (u: number, v: number) => boolean;
 
 export interface Hit {
   instance: number;
-  share: number; // of the ray's `along`
+  share: number; // share of the ray's `along`
 }
 
-/// The first of `count` instances that the ray meets; each has three rows of four numbers in `frames`. Where `is_hole`
-/// holds for the place of a picture, there is nothing.
+/// Returns the first of `count` instances that the ray hits; each has three rows of four numbers in `frames`. Positions
+/// for which `is_hole` is true are not hit.
 export function first_hit(solid: Solid, frames: Float32Array, count: number, ray: Ray, is_hole: IsHole | null): Hit | null {
   const [cx, cy, cz, radius] = solid.sphere;
   const [ox, oy, oz] = ray.from;
@@ -57,7 +58,7 @@ export function first_hit(solid: Solid, frames: Float32Array, count: number, ray
     const x = a * cx + b * cy + c * cz + (frames[at + 3] ?? 0) - ox;
     const y = d * cx + e * cy + f * cz + (frames[at + 7] ?? 0) - oy;
     const z = g * cx + h * cy + i * cz + (frames[at + 11] ?? 0) - oz;
-    // No matrix stretches by more than the root of the sum of its squares.
+    // A matrix stretches by at most the root of the sum of its squares.
     const stretch = a * a + b * b + c * c + d * d + e * e + f * f + g * g + h * h + i * i;
     const reach = radius * radius * stretch;
     const on = (x * dx + y * dy + z * dz) / length;
@@ -91,12 +92,12 @@ function sphere_around(positions: Float32Array): readonly [number, number, numbe
   return [...centre, Math.sqrt(most)];
 }
 
-/// Three rows of a matrix, four numbers each.
+/// Three rows of a matrix, with four numbers each.
 type Rows = [number, number, number, number, number, number, number, number, number, number, number, number];
 
 type Six = [number, number, number, number, number, number];
 
-/// The ray's beginning and direction as the mesh has them; null where its instance is flat.
+/// Returns the ray's origin and direction in the frame of the mesh, or null if its instance is flat.
 function seen_from(frame: Float32Array, { from, along }: Ray): Six | null {
   const [a, b, c, tx, d, e, f, ty, g, h, i, tz] = [...frame] as Rows;
   const [A, B, C] = [e * i - f * h, f * g - d * i, d * h - e * g];
@@ -112,7 +113,7 @@ function seen_from(frame: Float32Array, { from, along }: Ray): Six | null {
   return [...back(from[0] - tx, from[1] - ty, from[2] - tz), ...back(along[0], along[1], along[2])];
 }
 
-/// The share of the ray at the first triangle that it meets between two shares, from either side.
+/// Returns the share of the ray at the first triangle that it hits between two shares, from either side.
 function first_triangle({ positions, corners, uv }: Solid, [ox, oy, oz, dx, dy, dz]: Six, nearest: number, farthest: number, is_hole: IsHole | null): number | null {
   let best: number | null = null;
   for (let k = 0; k + 2 < corners.length; k += 3) {

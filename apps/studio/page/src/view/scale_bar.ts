@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bar of 1, 2 or 5 times a power of ten that is 60 to 160 pixels long.
+// A scale bar for 1, 2 or 5 times a power of ten metres, 60 to 160 pixels long.
 
 export function scale_bar(metres_per_pixel: number): { pixels: number; text: string } {
   const longest = 150 * metres_per_pixel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scene is no mesh: poles and wires as lines, lamps as points.
+// Parts of a scene other than meshes: poles and wires as lines, lamps as points.
 import type { Packet, PacketScene } from '../server/packet.ts';
 import { floats } from '../server/packet.ts';
 import type { Overlays } from './overlays.ts';
@@ -16,7 +16,7 @@ export class Surroundings {
 
   constructor(private readonly overlays_: Overlays) {}
 
-  /// What the last packet that has told of it says; null before.
+  /// The scene of the last packet that has one; null before.
   get said(): PacketScene | null {
     return this.said_;
   }
@@ -58,7 +58,7 @@ export class Surroundings {
   }
 }
 
-/// The pieces between the points of a line.
+/// Returns the pieces between the points of a line.
 function pieces_of(line: Float32Array): number[] {
   const pieces: number[] = [];
   for (let k = 3; k < line.length; k += 3) pieces.push(...line.subarray(k - 3, k + 3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The 3D view: one canvas, drawn when something has changed and not otherwise.
+// The 3D view: one canvas, which is drawn only when something has changed.
 import * as three from 'three';
 
 import type { Vec } from '../base/vec.ts';
@@ -22,7 +22,7 @@ import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
 export type { SeenInstance, ViewEvents, ViewFacts };
 
-const kAfterMove = 200; // ms without a move of the camera until all pixels are drawn
+const kAfterMove = 200; // ms without a camera movement until all pixels are drawn
 
 export class View {
   readonly orbit = new Orbit();
@@ -36,15 +36,16 @@ export class View {
   private readonly scene_ = new three.Scene();
   readonly surroundings = new Surroundings(this.overlays);
   private readonly ground_ = new Ground();
-  readonly bounds = new three.Box3(); // around all that is shown
-  private readonly fitted_ = new three.Box3(); // what the camera was fitted to; empty once a hand has moved it
+  readonly bounds = new three.Box3(); // box around everything that is shown
+  // Box to which the camera was fitted; empty after the user has moved the camera
+  private readonly fitted_ = new three.Box3();
   private readonly picker_ = new Picker();
   private readonly queue_: PictureQueue;
   private readonly pixels_: CanvasPixels;
   private readonly sizes_ = new ResizeObserver(() => this.resize());
   private is_draft_ = false;
   private time_moves_ = false;
-  private moves_until_ = 0; // a timer; 0: the camera rests
+  private moves_until_ = 0; // a timer; 0: the camera does not move
 
   constructor(
     private readonly canvas_: HTMLCanvasElement,
@@ -75,7 +76,7 @@ export class View {
     this.resize();
   }
 
-  /// What three holds on the card, for tests.
+  /// Objects of three on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
     return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts, overlays: this.overlays.counts };
@@ -121,18 +122,18 @@ export class View {
     this.ask();
   }
 
-  /// No instance is marked any more.
+  /// Removes the mark.
   unmark(): void {
     this.plant.mark(null, 0);
     this.ask();
   }
 
-  /// How far the eye stands where all is seen.
+  /// The distance at which the camera sees everything.
   get fitting_distance(): number {
     return this.orbit.distance_for(this.bounds);
   }
 
-  /// The plant, with what is beside it, fills the view, also when its frame changes, until a hand moves the camera.
+  /// Fits the plant and `beside` to the view, also when the view changes its size, until the user moves the camera.
   fit(beside: readonly Vec[] = []): void {
     this.fitted_.copy(this.bounds);
     for (const place of beside) this.fitted_.expandByPoint(new three.Vector3(...place));
@@ -145,37 +146,37 @@ export class View {
     this.ask();
   }
 
-  /// Looks with this vertical angle, degrees.
+  /// Sets the vertical field of view, degrees.
   open_to(field_of_view: number): void {
     this.orbit.open_to(field_of_view);
     this.ask();
   }
 
-  /// Whether the time that is shown moves: then what is seen changes with each packet.
+  /// Sets whether the shown time moves, so that each packet changes the picture.
   move_time(moves: boolean): void {
     if (moves === this.time_moves_) return;
     this.time_moves_ = moves;
     if (this.is_software) this.ask();
   }
 
-  /// Looks as a camera did before.
+  /// Restores a pose of the camera.
   look(state: CameraState): void {
     this.fitted_.makeEmpty();
     this.orbit.look(state);
     this.ask();
   }
 
-  /// A picture at the next chance; asked often, drawn once.
+  /// Requests a picture. Many requests make one picture.
   ask(): void {
     this.queue_.ask();
   }
 
-  /// When a person can see what was asked for until now.
+  /// Resolves when everything requested so far is visible.
   drawn(): Promise<void> {
     return this.queue_.drawn();
   }
 
-  /// A picture now; `ask` is for all but measuring.
+  /// Draws a picture now. Only measurements need this; others use `ask`.
   draw(): void {
     this.sunlight_.place(this.orbit.azimuth, this.surroundings.said?.sun);
     this.pixels_.suit(this.is_draft_ || this.time_moves_ || this.moves_until_ !== 0);
@@ -185,19 +186,19 @@ export class View {
     this.queue_.watch_card();
   }
 
-  /// Whether it is lit by the sun of the document, where that stands over the horizon.
+  /// Sets whether the document's sun lights the plant if it is above the horizon.
   shine(is_sunlit: boolean): void {
     this.sunlight_.is_sunlit = is_sunlit;
     this.ask();
   }
 
-  /// Looks as another view does, and is fitted to what that one was fitted to.
+  /// Takes over the camera of another view, and what that view is fitted to.
   follow(other: View): void {
     this.fitted_.copy(other.fitted_);
     if (this.orbit.follow(other.orbit)) this.ask();
   }
 
-  /// Lets go what the view holds; it draws no more.
+  /// Releases everything that the view holds. It draws no more.
   destroy(): void {
     this.sizes_.disconnect();
     this.queue_.stop();
@@ -207,7 +208,7 @@ export class View {
     this.renderer_.forceContextLoss();
   }
 
-  /// The batch that is seen at a pixel of the canvas, and which of its instances.
+  /// Returns the batch and the instance at a pixel of the canvas.
   pick(x: number, y: number): (SeenBatch & { instance: number; position: [number, number, number] }) | null {
     const seen = this.plant.seen;
     const found = this.picker_.pick(seen, this.orbit.camera, [x, y], [this.canvas_.clientWidth, this.canvas_.clientHeight]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a view tells of itself and of hands.
+// Events of a view: pictures, and actions of the user.
 import type { CameraState } from './orbit.ts';
 
 export interface ViewFacts {
@@ -8,21 +8,21 @@ export interface ViewFacts {
 }
 
 export interface ViewEvents {
-  /// After each picture.
+  /// Called after each picture.
   drawn(facts: ViewFacts): void;
-  /// The graphics card has lost all, and has come back.
+  /// The graphics card has lost all data and is available again.
   restored(): void;
-  /// Somebody has clicked at a component, or at none.
+  /// The user has clicked on a component, or on nothing.
   clicked?(found: SeenInstance | null): void;
-  /// Enter, while the view has the keyboard.
+  /// Enter was pressed while the view has the focus.
   entered?(): void;
-  /// The pointer rests on a component, at pixels of the canvas; null: it has gone on.
+  /// The pointer rests on a component, at pixels of the canvas. Null: it has moved on.
   pointed?(at: { component: string; x: number; y: number } | null): void;
 }
 
-/// An instance that is seen at a pixel.
+/// An instance that is visible at a pixel.
 export interface SeenInstance {
   component: string;
   frame: number[]; // three rows of a 3x4 matrix, from its mesh to the world
-  position: [number, number, number]; // of what was hit, in the world
+  position: [number, number, number]; // position of the hit in the world
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view by itself, in a page that holds one plant and needs no server. The page's template has the bundle of this
-// file; who writes pages, such as the Python module, puts a scene packet and a title into the template.
+// The view alone, in a page that holds one plant and needs no server. The page's template contains the bundle of this
+// file. Programs that write pages, such as the Python module, insert a scene packet and a title.
 import { read_packet } from '../server/packet.ts';
 import { scale_bar } from '../view/scale_bar.ts';
 import type { ViewFacts } from '../view/view.ts';
@@ -8,7 +8,7 @@ import { View } from '../view/view.ts';
 
 const kNumbers = new Intl.NumberFormat('en');
 
-/// Has a number only after the first picture; tests wait for it.
+/// `viewer` is the view, set once the packet is applied. Tests wait for it.
 declare global {
   interface Window {
     viewer?: View;
@@ -38,7 +38,7 @@ function leave_the_wheel(canvas: HTMLCanvasElement): void {
   canvas.addEventListener('wheel', leave, { capture: true, passive: true });
 }
 
-/// The hint goes with the first touch; F fits.
+/// Hides the hint at the first touch; F fits the plant.
 function listen_to_hands(view: View, canvas: HTMLCanvasElement): void {
   const touch = () => (element('hint').hidden = true);
   for (const kind of ['pointerdown', 'keydown'] as const) canvas.addEventListener(kind, touch);
@@ -77,5 +77,5 @@ function open_page(bytes: ArrayBuffer): void {
   window.viewer = view;
 }
 
-/// Called by the page's own script with what it has unpacked.
+/// Called by the page's own script with the unpacked data.
 Object.assign(window, { open_page });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grips of numbers that are written as expressions: what a hand means for them is said as the document can write it, and
-// grips that an expression holds say so before a hand tries.
+// Grips of numbers that are written as expressions. A drag changes the document where this is possible. Grips that an
+// expression blocks show this before a drag.
 import type { Json } from '../../document/json.ts';
 import type { Expressed, MeantValues } from './expressions.ts';
 import { meant_values } from './expressions.ts';
@@ -8,10 +8,10 @@ import type { Amount, Grip, GripField, GripGroup, Values } from './grip.ts';
 import type { Vec } from './space_math.ts';
 import { dot, minus, times } from './space_math.ts';
 
-/// What expressions do to a grip or a field.
+/// The effect of expressions on a grip or a field.
 export interface Binding {
-  held: readonly Expressed[]; // that would have to give another number
-  moves: readonly string[]; // variables that move in the place of their names
+  held: readonly Expressed[]; // expressions that would have to give another number
+  moves: readonly string[]; // variables that move instead
 }
 
 export interface BoundGroup extends Omit<GripGroup, 'grips' | 'fields'> {
@@ -19,9 +19,9 @@ export interface BoundGroup extends Omit<GripGroup, 'grips' | 'fields'> {
   fields: (GripField & Binding)[];
 }
 
-const kProbe = 0.1; // metres, and the same share of a field's step or a few degrees
+const kProbe = 0.1; // metres, or an equal share of a field's step, or a few degrees
 
-/// `legal` gives values as their rows allow them.
+/// `legal` returns values as their rows allow them.
 export function bound_group(group: GripGroup, all: readonly Expressed[], written_at: (path: string) => Json | undefined, legal: (values: Values) => Values = (values) => values): BoundGroup {
   const meant = (values: Values): MeantValues => meant_values(legal(values), all, written_at);
   const binding = (tried: Values[]): Binding => {
@@ -37,14 +37,14 @@ export function bound_group(group: GripGroup, all: readonly Expressed[], written
   };
 }
 
-/// There and back by a little, so that a limit hides nothing.
+/// Small moves in both directions, so that a limit hides no expression.
 function probes_of({ motion, way }: Grip): Amount[] {
   const across: Vec = [kProbe, kProbe, kProbe];
   const by = motion === 'line' ? times(way, kProbe) : motion === 'plane' ? minus(across, times(way, dot(across, way))) : across;
   return [1, -1].map((sign): Amount => (motion === 'ring' ? { by: [0, 0, 0], degrees: 70 * kProbe * sign, step: 1e-6 } : { by: times(by, sign), degrees: 0, step: 1e-6 }));
 }
 
-/// What a step of the undo list is called: by what is moved, or by the variables where these alone are.
+/// Returns the label of a step in the undo list: the moved part, or the variables if only they are changed.
 export function step_label(group: { label: string }, values: Values, { moves }: Binding): string {
   const names = Object.keys(values);
   return `Set ${names.length > 0 && names.every((name) => moves.includes(name)) ? names.join(', ').replaceAll('_', ' ') : group.label}`;

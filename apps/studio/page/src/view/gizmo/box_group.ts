@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A box: moved as a whole, sized by its faces, turned about its middle where its table has turns.
+// The grips of a box: it is moved as a whole, sized by its faces, and turned about its middle if its table has turns.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Row } from '../../tables/tables.ts';
@@ -14,9 +14,9 @@ import { add, length, point_in, times, unit, vector_out } from './space_math.ts'
 
 const kAxes = ['x', 'y', 'z'] as const;
 const kSizes = ['width', 'height', 'depth'];
-const kThinnest = 1e-3; // metres that a box keeps when a face is pushed
+const kThinnest = 1e-3; // minimum size of a box, metres
 
-/// `base` is the frame that the pose of the table speaks of.
+/// `base` is the frame before the pose of the table.
 export function box_group(spot: Spot, row: Row, base: Frame3): GripGroup | null {
   const said = spot.value[row.name];
   const [a, b] = Array.isArray(said) ? [vec_of(said[0]), vec_of(said[1])] : [null, null];
@@ -42,7 +42,7 @@ function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Grip[] {
   const grips: Grip[] = [];
   for (const axis of [0, 1, 2] as const) {
     for (const side of [-1, 1] as const) {
-      // Corners may stand in any order: the upper one along this axis is moved by the upper face.
+      // Corners may be in any order: the upper face moves the corner that is upper along this axis.
       const of_a = (a[axis] >= b[axis]) === (side > 0);
       const [moved, other] = of_a ? [a, b] : [b, a];
       const centre = times(add(a, b), 0.5).map((one, k) => (k === axis ? moved[axis] : one)) as unknown as Vec;
@@ -77,7 +77,7 @@ function fields_of(a: Vec, b: Vec, corners: (one: number[], other: number[]) => 
     const sized = (to: number): Values => {
       const grow = (to - size) / 2;
       const up = (b[axis] ?? 0) >= (a[axis] ?? 0) ? 1 : -1;
-      // What stands on something keeps its lower side.
+      // The size grows upward from the lower side, so that a box stays on its ground.
       const [low, high] = axis === 1 ? [0, 2 * grow] : [-grow, grow];
       return corners(a.map((one, k) => (k === axis ? rounded(one + (up > 0 ? low : high), 1e-6) : one)), b.map((one, k) => (k === axis ? rounded(one + (up > 0 ? high : low), 1e-6) : one)));
     };

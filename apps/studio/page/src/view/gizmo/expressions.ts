@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of a part of the document that are written as something else: as expressions, or as ranges over instances.
-// Grips stand where these come to now. A hand moves the variable where one is written alone; other expressions hold.
+// Numbers of a document that are written as expressions, or as ranges over instances. Grips stand at their present
+// values. A drag moves a variable that stands alone; other expressions block the grip.
 import type { Json } from '../../document/json.ts';
 import { path_below, steps_of } from '../../document/path.ts';
 import { value_within, with_value, with_values } from '../../document/put_values.ts';
@@ -10,15 +10,15 @@ import { as_object } from '../../tables/tables.ts';
 import type { Values } from './grip.ts';
 import { nested_objects } from './nested_objects.ts';
 
-/// The place of a number in the document at which something else is written.
+/// The path of a number in the document with an expression instead.
 export interface Expressed {
   path: string;
   written: Json;
-  value: number; // that it comes to
-  variable: Variable | null; // that is written alone
+  value: number; // present value
+  variable: Variable | null; // the variable, if it stands alone
 }
 
-/// Values as they can be written, and what holds some of them back.
+/// Values as they can be written, and expressions that block some of them.
 export interface MeantValues {
   values: Values;
   held: Expressed[];
@@ -26,10 +26,10 @@ export interface MeantValues {
 
 const kNumbers: ReadonlySet<string> = new Set(['number', 'integer']);
 const kVectors: ReadonlySet<string> = new Set(['vector', 'facing', 'box', 'positions', 'points']);
-const kMost = 1000; // that one question to the server may hold
-const kStill = 1e-9; // a number that differs by less has not moved
+const kMost = 1000; // maximum number of expressions in one request
+const kStill = 1e-9; // a smaller difference counts as no movement
 
-/// What is written at the places of numbers of an object that are none, by their paths.
+/// Returns the expressions that an object has instead of numbers, by their paths.
 export function expressions_in(tables: Tables, row_tables: readonly ParameterTable[], value: Json | undefined, path: string): Map<string, Json> {
   const found = new Map<string, Json>();
   const note = (one: Json | undefined, at: string): void => {
@@ -54,8 +54,8 @@ export function expressions_in(tables: Tables, row_tables: readonly ParameterTab
   return found;
 }
 
-/// The same with the numbers that they come to; without those of which that is not known yet. `value_of` is a
-/// variable's value now, `told` what the server has told of others.
+/// Returns the expressions with their present values, except unknown ones. `value_of` returns a variable's present
+/// value; `told` has the values from the server.
 export function expressed(found: ReadonlyMap<string, Json>, told: Readonly<Record<string, number>>, variables: readonly Variable[], value_of: (variable: Variable) => number): Expressed[] {
   return [...found].flatMap(([path, written]): Expressed[] => {
     const variable = variables.find((one) => one.name === written && one.expression === null) ?? null;
@@ -64,13 +64,13 @@ export function expressed(found: ReadonlyMap<string, Json>, told: Readonly<Recor
   });
 }
 
-/// The object with numbers in these places.
+/// Returns the object with numbers at these paths.
 export function with_numbers(value: Json | undefined, path: string, all: readonly Expressed[]): Json | undefined {
   return with_values(value, steps_of(path), Object.fromEntries(all.map((one) => [one.path, one.value])));
 }
 
-/// What values mean for the document: what has not moved stays as it is written, and variables move in the place of
-/// their names. `written_at` gives what the document says at a path.
+/// Returns the values for the document. Numbers that have not moved stay as they are written, and variables move
+/// instead of their names. `written_at` returns the document's value at a path.
 export function meant_values(values: Values, all: readonly Expressed[], written_at: (path: string) => Json | undefined): MeantValues {
   const meant: MeantValues = { values: {}, held: [] };
   for (const [path, value] of Object.entries(values)) {
@@ -87,7 +87,7 @@ export function meant_values(values: Values, all: readonly Expressed[], written_
   return meant;
 }
 
-/// One variable cannot be two numbers at once.
+/// A variable cannot have two values at once.
 function move(one: Expressed, number: number, meant: MeantValues): void {
   const { variable } = one;
   const wanted = variable && Math.min(Math.max(variable.max, one.value), Math.max(Math.min(variable.min, one.value), number));
@@ -95,7 +95,7 @@ function move(one: Expressed, number: number, meant: MeantValues): void {
   else meant.held.push(one);
 }
 
-/// What stands in the way of a hand, in words.
+/// Returns the expressions that block a grip, as text.
 export function said_of_held(held: readonly Expressed[]): string {
   const said = held.map(({ path, written }) => `${path.slice(path.indexOf('.') + 1)} is ${typeof written === 'string' ? `the expression “${written}”` : JSON.stringify(written)}`);
   return `${said.slice(0, 2).join(', ')}${said.length > 2 ? `, and ${said.length - 2} more` : ''}`;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grips of what is chosen: found from the document and the tables, in the frame in which it stands, at the numbers
-// that its expressions come to.
+// The grips of the chosen part. They are found from the document and the tables, in the frame of the part, at the
+// present values of its expressions.
 import { Newest } from '../../base/newest.ts';
 import { Store } from '../../base/store.ts';
 import type { Json } from '../../document/json.ts';
@@ -25,15 +25,15 @@ const kNothing: Readonly<Record<string, number>> = {};
 export class Gizmo {
   readonly active = new Store<string | null>(null); // key of the group whose grips are shown
   readonly stand = new Store<{ component: string; frame: Frame3 } | null>(null);
-  readonly told = new Store<Readonly<Record<string, number>>>({}); // what expressions come to, by their paths
-  /// What holds the grip that a hand has tried last; of the group with this key.
+  readonly told = new Store<Readonly<Record<string, number>>>({}); // values of expressions, by their paths
+  /// The expressions that block the last tried grip, and the key of its group.
   readonly refused = new Store<{ group: string; held: readonly Expressed[] } | null>(null);
   private readonly newest_ = new Newest();
   private readonly newest_numbers_ = new Newest();
 
   constructor(private readonly studio_: Studio) {}
 
-  /// Another document is opened.
+  /// Resets the grips for another document.
   forget(): void {
     this.newest_.drop();
     this.newest_numbers_.drop();
@@ -43,12 +43,12 @@ export class Gizmo {
     this.told.set(kNothing);
   }
 
-  /// Shows the grips of a part of what is chosen, as soon as it has some: those whose key begins with the path.
+  /// Shows the grips of a part of the chosen object once it has some: the groups whose keys begin with the path.
   show(path: string): void {
     this.active.set(path);
   }
 
-  /// Asks where the first instance of a component stands, as it has grown last.
+  /// Requests the position of a component's first instance in the last grown plant.
   ask(component: string): void {
     const counts = this.newest_.begin();
     this.studio_.connection
@@ -59,7 +59,7 @@ export class Gizmo {
       .catch(() => undefined);
   }
 
-  /// Asks what the expressions of a component or of the scene come to in what has grown last.
+  /// Requests the values of the expressions of a component or of the scene in the last grown plant.
   ask_numbers(object: string): void {
     const counts = this.newest_numbers_.begin();
     const variables = new Set<Json>(this.variables.map((one) => one.name));
@@ -74,7 +74,7 @@ export class Gizmo {
       .catch(() => undefined);
   }
 
-  /// The groups of what is chosen, with the values under the hand and of keys.
+  /// Returns the groups of the chosen part, with values of drags and keys.
   groups(sight: Sight): BoundGroup[] {
     const studio = this.studio_;
     const object = object_of(studio.chosen.get());
@@ -102,7 +102,7 @@ export class Gizmo {
     return expressions_in(tables, row_tables, this.value_of(object), object);
   }
 
-  /// The value of a variable, under the hand or by its keys.
+  /// Returns the value of a variable: of a drag, or of its keys.
   private number_of({ name, value }: Variable): number {
     const held = this.studio_.dragged.get()[name] ?? value_now(this.studio_, path_of(['variables', name]), undefined);
     return typeof held === 'number' ? held : value;
@@ -115,7 +115,7 @@ export class Gizmo {
   }
 }
 
-/// The component or the scene that a path leads into; null for all else, which stands nowhere.
+/// Returns the component or the scene of a path. Returns null for all other parts, which have no position.
 export function object_of(path: string): string | null {
   const steps = steps_of(path);
   if (steps[0] === 'scene') return 'scene';

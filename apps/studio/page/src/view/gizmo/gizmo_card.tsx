@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of the grips that are shown, and the list of all things that have grips.
+// The numbers of the shown grips, and the list of all parts with grips.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../../base/store.ts';
@@ -52,7 +52,7 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
   );
 }
 
-/// The button is gone then, so the keyboard goes to the view.
+/// The button disappears then, so the focus moves to the view.
 function look_at({ view }: Studio, group: BoundGroup): void {
   view?.fit(places_of(group));
   document.querySelector<HTMLElement>('.centre .view canvas')?.focus();
@@ -62,12 +62,12 @@ function places_of({ at, lines }: BoundGroup): Vec[] {
   return [at, ...lines.flat()];
 }
 
-/// Whether some of it lies beyond the edges of the view.
+/// Returns true if a part of the group is beyond the edges of the view.
 function is_out_of_sight({ view }: Studio, group: BoundGroup): boolean {
   return view !== null && places_of(group).some((place) => !view.eye.sees(place));
 }
 
-/// Why the grip that a hand has tried last does not move, and what would free it.
+/// The reason why the last tried grip does not move, and a way to free it.
 function Refused({ group }: { group: BoundGroup }): ReactElement | null {
   const studio = use_studio();
   const { refused } = studio.bench.gizmo;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grips over the view. A hand or the arrow keys move them; one gesture is one step, and Escape puts back.
+// Grips over the view. They are moved with the pointer or the arrow keys. A gesture is one step, and Escape restores.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
@@ -31,7 +31,7 @@ export function GizmoOverlay(): ReactElement | null {
   const { gizmo } = studio.bench;
   use_document();
   use_store(studio.dragged);
-  use_store(studio.bench.time.state); // what has keys moves with the time
+  use_store(studio.bench.time.state); // values with keys move with the time
   use_store(gizmo.stand);
   use_store(gizmo.told);
   use_store(studio.view_facts); // the camera may have moved
@@ -55,13 +55,13 @@ export function GizmoOverlay(): ReactElement | null {
   );
 }
 
-/// Asks anew where the chosen component stands, and what expressions come to, when it has grown.
+/// Requests the position of the chosen component and the values of expressions after each growth.
 function use_stand(studio: Studio): void {
   const object = object_of(use_store(studio.chosen));
   const { shown } = use_store(studio.growth);
   const component = object === null || object === 'scene' ? null : String(steps_of(object)[1]);
   useEffect(() => {
-    // In a drag the frame stays, so that nothing moves under the hand.
+    // During a drag the frame stays, so that nothing moves under the pointer.
     if (object === null || !shown || Object.keys(studio.dragged.get()).length > 0) return;
     if (component !== null) studio.bench.gizmo.ask(component);
     studio.bench.gizmo.ask_numbers(object);
@@ -72,7 +72,7 @@ function sight_of(view: View): Sight {
   return { ...view.eye.sides, reach: kReach * view.eye.metres_per_pixel };
 }
 
-/// A group that is not shown in full; the keyboard chooses it in the list beside.
+/// A group that is not shown in full. The keyboard chooses it in the list beside the view.
 function Dot({ view, group, press }: { view: View; group: GripGroup; press: () => void }): ReactElement | null {
   const at = view.eye.project(group.at);
   if (!at) return null;
@@ -187,7 +187,7 @@ function said_of_binding({ held, moves }: Binding): string {
   return moves.length > 0 ? `; moves ${moves.join(' and ')}` : '';
 }
 
-/// What is small lies over what is large, so that hands can take hold of it.
+/// Returns grips in drawing order: small ones above large ones, so that all can be grabbed.
 function in_order<Any extends Grip>(grips: readonly Any[]): Any[] {
   const looks: readonly Grip['look'][] = ['ring', 'square', 'arrow', 'dot', 'face'];
   return [...grips].sort((a, b) => looks.indexOf(a.look) - looks.indexOf(b.look));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grips of the view: what a hand or the arrow keys move, and which values of the document that means.
+// Grips of the view: their movement by the pointer or the arrow keys, and the resulting values of the document.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Ray, Vec } from './space_math.ts';
@@ -8,27 +8,27 @@ import { add, along_line, angle_about, minus, on_plane, times } from './space_ma
 /// Values by their paths.
 export type Values = Record<string, Json>;
 
-/// How far a grip was moved.
+/// The movement of a grip.
 export interface Amount {
   by: Vec; // metres in the world
-  degrees: number; // of a ring
-  step: number; // to which values are rounded: metres or degrees
+  degrees: number; // turn of a ring
+  step: number; // step to which values are rounded: metres or degrees
 }
 
 export interface Grip {
-  key: string; // within its group
+  key: string; // key within its group
   label: string;
-  motion: 'line' | 'plane' | 'ring' | 'free'; // free: across the line of sight
+  motion: 'line' | 'plane' | 'ring' | 'free'; // free: perpendicular to the line of sight
   look: 'arrow' | 'square' | 'ring' | 'dot' | 'face';
-  at: Vec; // in the world
-  way: Vec; // unit: of the line, the normal of the plane, the axis of the ring
-  centre?: Vec; // of a ring
-  said: string; // its value in words
-  now: number; // its value as one number
+  at: Vec; // position in the world
+  way: Vec; // unit vector: the line, the normal of the plane, or the axis of the ring
+  centre?: Vec; // centre of a ring
+  said: string; // value as text
+  now: number; // value as one number
   values: (amount: Amount) => Values;
 }
 
-/// A number beside the view.
+/// A field for a number beside the view.
 export interface GripField {
   label: string;
   unit: string;
@@ -38,21 +38,21 @@ export interface GripField {
   values: (value: number) => Values;
 }
 
-/// The grips of one thing: of a box, a lamp, a point of a wire.
+/// The grips of one object: of a box, a lamp, a point of a wire.
 export interface GripGroup {
   key: string; // path of its first row
   label: string;
   at: Vec;
   grips: Grip[];
   fields: GripField[];
-  lines: Vec[][]; // its outline in the world
+  lines: Vec[][]; // outline in the world
 }
 
-/// What the view looks like, for grips that lie across the line of sight.
+/// The camera's directions, for grips that move perpendicular to the line of sight.
 export interface Sight {
-  right: Vec; // of the screen, level
-  toward: Vec; // the eye
-  reach: number; // metres from the middle of a group to its outer grips
+  right: Vec; // to the right of the screen, level
+  toward: Vec; // toward the camera
+  reach: number; // distance from the middle of a group to its outer grips, metres
 }
 
 export interface Hold {
@@ -60,7 +60,7 @@ export interface Hold {
   start: Ray;
 }
 
-/// How far the hand has moved a grip that it took hold of at `hold.start`; null where that cannot be told.
+/// Returns the movement of a grip that was grabbed at `hold.start`, or null if it is undefined.
 export function amount_of({ grip, start }: Hold, now: Ray, toward: Vec, step: number): Amount | null {
   const still: Amount = { by: [0, 0, 0], degrees: 0, step };
   if (grip.motion === 'line') {
@@ -79,7 +79,7 @@ export function amount_of({ grip, start }: Hold, now: Ray, toward: Vec, step: nu
   return from && to ? { ...still, by: minus(to, from) } : null;
 }
 
-/// What an arrow key moves: along its line, about its ring, or to the right and up on its plane.
+/// Returns the movement by an arrow key: along the grip's line, about its ring, or to the right and up in its plane.
 export function amount_of_key(grip: Grip, [right, up]: readonly [number, number], sight: Sight, step: number): Amount {
   const still: Amount = { by: [0, 0, 0], degrees: 0, step };
   if (grip.motion === 'line') return { ...still, by: times(grip.way, (right + up) * step) };
@@ -91,7 +91,7 @@ export function amount_of_key(grip: Grip, [right, up]: readonly [number, number]
   return { ...still, by: add(times(across, right * step), times(upward, (up * step) / long)) };
 }
 
-/// The way within a plane that runs most to the right.
+/// Returns the direction within a plane that points most to the right.
 function across_of(normal: Vec, right: Vec): Vec {
   const away = right[0] * normal[0] + right[1] * normal[1] + right[2] * normal[2];
   const within = minus(right, times(normal, away));
@@ -99,7 +99,7 @@ function across_of(normal: Vec, right: Vec): Vec {
   return long > 1e-6 ? times(within, 1 / long) : right;
 }
 
-/// A list of numbers, moved and rounded where they were moved.
+/// Returns a list of numbers, moved and rounded where they have moved.
 export function moved_vector(from: Vec, by: Vec, step: number): number[] {
   return from.map((one, axis) => (Math.abs(by[axis] ?? 0) > 1e-12 ? rounded(one + (by[axis] ?? 0), step) : one));
 }

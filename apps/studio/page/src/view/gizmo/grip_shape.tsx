@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What grips look like: an arrow, a square of a plane, a ring, a dot, the middle of a side. Each has a wider reach
-// that cannot be seen.
+// The shapes of grips: an arrow, a square of a plane, a ring, a dot, the middle of a face. Each has a wider invisible
+// area for grabbing.
 import type { ReactElement } from 'react';
 
 import { ProjectedLine } from '../projected_line.tsx';
@@ -9,10 +9,10 @@ import type { Grip } from './grip.ts';
 import type { Vec } from './space_math.ts';
 import { add, beside, cross, times } from './space_math.ts';
 
-const kShortest = 10; // pixels; an arrow that points at the eye is not drawn
+const kShortest = 10; // pixels; a shorter arrow, which points at the camera, is not drawn
 const kRing = 1.25; // radius of rings, in reaches
 const kTip = 9; // pixels
-const kSquare = { from: 0.24, to: 0.44 }; // of a reach, along both ways of a plane
+const kSquare = { from: 0.24, to: 0.44 }; // share of a reach, along both directions of a plane
 
 interface GripShapeProps {
   view: View;

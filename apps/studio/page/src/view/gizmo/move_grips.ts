@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves something: an arrow along each axis, a square for each plane, a dot across the line of sight.
+// Grips that move an object: an arrow along each axis, a square for each plane, a dot for the plane of the screen.
 import type { Amount, Grip, Values } from './grip.ts';
 import type { Frame3, Vec } from './space_math.ts';
 import { cross, unit } from './space_math.ts';
 
 const kAxes = ['x', 'y', 'z'] as const;
 
-/// Along the axes of a frame.
+/// Returns grips along the axes of a frame.
 export function move_grips(at: Vec, frame: Frame3, said: string, values: (amount: Amount) => Values): Grip[] {
   const ways = frame.axes.map((axis) => unit(axis)) as [Vec, Vec, Vec];
   const common = { at, said, now: 0, values };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The objects that a row of a table holds: one, a list of them, or several by name.
+// The objects that a row of a table holds: one object, a list, or several by name.
 import type { Json } from '../../document/json.ts';
 import { is_object } from '../../document/json.ts';
 import { path_below } from '../../document/path.ts';
@@ -10,7 +10,7 @@ export interface NestedObject {
   table: ParameterTable;
   value: { [name: string]: Json };
   path: string;
-  step: string | number | null; // of a list or a map
+  step: string | number | null; // index or name in a list or a map
   path_of: (row: string) => string;
 }
 

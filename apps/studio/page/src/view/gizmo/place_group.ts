@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Something that stands at a position, with what its table says of its direction and size: a lamp, a ball, a cone, the
-// axis of a vortex, a control point.
+// Grips of an object at a position, with its direction and size from its table: a lamp, a ball, a cone, the axis of a
+// vortex, a control point.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Row } from '../../tables/tables.ts';
@@ -15,7 +15,7 @@ import type { Vec } from './space_math.ts';
 import { add, beside, cross, dot, length, minus, point_in, times, unit, vector_in, vector_out } from './space_math.ts';
 
 const kAxes = ['x', 'y', 'z'] as const;
-const kRoundness = 48; // pieces of a circle
+const kRoundness = 48; // number of pieces of a circle
 
 interface Parts {
   lines: Vec[][];
@@ -23,8 +23,8 @@ interface Parts {
   fields: GripField[];
 }
 
-/// Nothing where its table has no position, or expressions stand in it. Defaults count in objects that are written.
-/// Directions and sizes are those of the first position.
+/// Returns the groups of an object's positions. Returns an empty list if its table has no position, or if there are
+/// expressions. Defaults are used for objects that are written. Directions and sizes belong to the first position.
 export function place_groups(spot: Spot, sight: Sight): GripGroup[] {
   const rows = spot.table.rows.filter((row) => row.in_space !== undefined);
   const value_of = (row: Row): Json | undefined => spot.value[row.name] ?? (spot.is_given ? row.default : undefined);
@@ -50,12 +50,12 @@ function place_group(spot: Spot, rows: readonly Row[], position: Row | undefined
   const axis = unit(way ? vector_in(spot.frame, way) : vector_in(spot.frame, [0, 1, 0]));
   for (const row of rows) add_size(parts, spot, row, value_of(row), place, axis);
   const first = position ?? direction;
-  // Rows of a component itself are called by their own names.
+  // Rows of a component itself are labelled with their own names.
   const label = spot.is_given && rows.length > 0 ? spot.title : (first?.name ?? spot.title).replaceAll('_', ' ');
   return { key: spot.path_of(first?.name ?? ''), label, at, ...parts };
 }
 
-/// The tip of an arrow as long as grips reach; the length of what is written stays.
+/// Adds a grip at the tip of an arrow with the reach of grips. The length of the written vector stays.
 function add_direction(parts: Parts, spot: Spot, path: string, at: Vec, way: Vec, sight: Sight): void {
   const long = length(way);
   const shown = unit(vector_in(spot.frame, way));
@@ -111,7 +111,7 @@ function add_size(parts: Parts, spot: Spot, row: Row, value: Json | undefined, p
   }
 }
 
-/// A grip `share` of a length away from a place; `way` is as long as a metre of the document is.
+/// Adds a grip at `share` of a length away from a position. `way` has the length of a metre of the document.
 function push_length(parts: Parts, name: string, at: Vec, way: Vec, value: number, share: number, set: (value: number, step: number) => Record<string, Json>, row: Row): void {
   const [along, scale] = [unit(way), length(way) || 1];
   const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`.replaceAll('_', ' ');
@@ -129,7 +129,7 @@ function push_length(parts: Parts, name: string, at: Vec, way: Vec, value: numbe
   parts.fields.push({ label, unit: 'm', value, step: 0.05, limit: (one) => within_hard_range(row, one), values: (one) => set(one, 1e-6) });
 }
 
-/// A closed line through what `of` makes of cosines and sines.
+/// Returns a closed line through the points that `of` computes from cosines and sines.
 function ring_points(of: (cosine: number, sine: number) => Vec): Vec[] {
   return Array.from({ length: kRoundness + 1 }, (_, k) => of(Math.cos((2 * Math.PI * k) / kRoundness), Math.sin((2 * Math.PI * k) / kRoundness)));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions of a list, each moved by itself; and the profile of a crown, whose points lie in the plane across the view.
+// Grips of the positions of a list, each moved separately, and of the profile of a crown, whose points lie in a plane
+// facing the view.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import { line_of, shape_of } from '../../editors/shape.ts';
@@ -14,8 +15,8 @@ import type { Vec } from './space_math.ts';
 import { add, cross, dot, length, point_in, times, unit, vector_in, vector_out } from './space_math.ts';
 
 const kAxes = ['x', 'y', 'z'] as const;
-const kMostPoints = 64; // of a list; longer ones are edited in their rows
-const kLeastRise = 1e-3; // metres from one point of a profile to the next
+const kMostPoints = 64; // points of a list; longer lists are edited in their rows
+const kLeastRise = 1e-3; // minimum height between points of a profile, metres
 
 export function points_groups(spot: Spot, row: Row): GripGroup[] {
   const said = spot.value[row.name];
@@ -35,7 +36,7 @@ export function points_groups(spot: Spot, row: Row): GripGroup[] {
   });
 }
 
-/// `spot` is on the root.
+/// `spot` is at the root.
 export function profile_group(spot: Spot, row: Row, sight: Sight): GripGroup | null {
   const shape = shape_of(spot.value[row.name], 'profile');
   if (!shape) return null;
@@ -45,7 +46,7 @@ export function profile_group(spot: Spot, row: Row, sight: Sight): GripGroup | n
   const normal = unit(cross(across, up));
   const scale = length(vector_in(spot.frame, [0, 1, 0])) || 1;
   const place = (radius: number, height: number): Vec => add(spot.frame.origin, add(times(across, radius * scale), times(up, height * scale)));
-  // A spline over the height through all points, on both sides of the vertical.
+  // The spline runs over the height through all points, on both sides of the vertical.
   const spline = line_of(shape);
   const half = (side: number): Vec[] => spline.map(([radius, height]) => place(side * radius, height));
   const rings = shape.points.map(([radius, height]) => circle(place(0, height), across, normal, radius * scale));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shift and turns of something whose form the tables do not say: moved along the axes, turned by rings.
+// Grips for the translation and the rotation of an object without a known form: arrows along the axes, and rings.
 import { rounded } from '../../document/arithmetic.ts';
 import type { Json } from '../../document/json.ts';
 import type { Grip, GripField, GripGroup, Values } from './grip.ts';
@@ -16,14 +16,14 @@ const kStill: Vec = [0, 0, 0];
 
 function role_path(spot: Spot, role: string): { path: string; value: Vec | null } | null {
   const row = spot.table.rows.find((one) => one.in_space === role);
-  // Some rows are given beside others alone, as the pose of a file.
+  // Some rows are allowed only beside others, like the pose of a file.
   const is_free = row !== undefined && (spot.table.only_with ?? []).every(([name, other]) => name !== row.name || spot.value[other] !== undefined);
   if (!row || !is_free) return null;
   const said = spot.value[row.name];
   return { path: spot.path_of(row.name), value: said === undefined ? kStill : vec_of(said) };
 }
 
-/// The pose of what is written; nothing where expressions stand in it.
+/// Returns the group of a written pose, or null if it has expressions.
 export function pose_group(spot: Spot): GripGroup | null {
   const shift = role_path(spot, 'shift');
   if (!shift?.value || !spot.is_given || Object.keys(spot.value).length === 0) return null;
@@ -35,7 +35,7 @@ export function pose_group(spot: Spot): GripGroup | null {
   return { key: shift.path, label: spot.title === 'frame' ? 'frame' : `${spot.title}, place`, at, grips, fields: [...fields_of(from, shift.path, kAxes, 'm', 0.05), ...turn_fields(spot)], lines: [] };
 }
 
-/// Tables that may hold a file have a pose for it alone.
+/// Returns true if the pose has an object. In tables that may name a file, the pose belongs to the file.
 function poses_something({ table, value }: Spot): boolean {
   const file = table.rows.find((row) => row.kind === 'file');
   return !file || value[file.name] !== undefined;
@@ -57,7 +57,8 @@ export function fields_of(from: Vec, path: string, names: readonly string[], uni
   }));
 }
 
-/// Rings about the axes of the frame around the pose. `middle`, in the frame of what is posed, stays where it is.
+/// Returns rings about the axes of the frame around the pose. The point `middle`, in the frame of the object, stays in
+/// place.
 export function turn_grips(spot: Spot, middle: Vec, base: Frame3): Grip[] {
   const [turn, shift] = [role_path(spot, 'turn'), role_path(spot, 'shift')];
   if (!turn?.value || !shift?.value) return [];
@@ -68,7 +69,7 @@ export function turn_grips(spot: Spot, middle: Vec, base: Frame3): Grip[] {
     const about: Vec = [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
     const values = ({ degrees, step }: { degrees: number; step: number }): Values => {
       const axes = pose.axes.map((one) => turned(one, about, degrees)) as [Vec, Vec, Vec];
-      // What the turn leaves as it is keeps its digits.
+      // Angles that the rotation does not change keep their digits.
       const turns = turns_to(axes.map((one) => unit(one)) as [Vec, Vec, Vec]).map((one, k) => (Math.abs(one - (from[k] ?? 0)) < 1e-6 ? (from[k] ?? 0) : rounded(one, Math.min(step, 0.01))));
       const kept = minus(point_in(pose, middle), vector_in({ axes, origin: kStill }, middle));
       const is_moved = kept.some((one, k) => Math.abs(one - (origin[k] ?? 0)) > 1e-9);

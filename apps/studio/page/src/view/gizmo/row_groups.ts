@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which grips a part of the document has, found by what the parameter tables say of its rows in space.
+// Finds the grips of a part of the document, by the geometric roles of its rows in the parameter tables.
 import type { Json } from '../../document/json.ts';
 import { is_object } from '../../document/json.ts';
 import { path_below } from '../../document/path.ts';
@@ -15,21 +15,21 @@ import { place_groups } from './place_group.ts';
 import { points_groups, profile_group } from './points_groups.ts';
 
 const kMostGroups = 200;
-const kDeepest = 12; // levels of tables below the one that is chosen
+const kDeepest = 12; // levels of tables below the chosen one
 
 export function vec_of(value: Json | undefined): Vec | null {
   if (!Array.isArray(value) || value.length !== 3 || !value.every((one) => typeof one === 'number')) return null;
   return value as unknown as Vec;
 }
 
-/// One object of the document with its table, in the frame that its rows speak of.
+/// An object of the document with its table, in the frame of its rows.
 export interface Spot {
   table: ParameterTable;
   value: { [name: string]: Json };
   path: string;
-  title: string; // of the object, for people
+  title: string; // title of the object for users
   frame: Frame3;
-  is_given: boolean; // somebody has written the object, so that defaults of its rows count
+  is_given: boolean; // true: the object is in the document, so that defaults of its rows count
   path_of: (row: string) => string;
 }
 
@@ -39,8 +39,8 @@ interface Walk {
   groups: GripGroup[];
 }
 
-/// The groups of all rows of an object. `frame` is what the rows speak of; of a component that of the site on which it
-/// stands.
+/// Returns the groups of all rows of an object. `frame` is the frame of the rows; for a component it is the frame of
+/// its site.
 export function groups_of_object(tables: Tables, row_tables: readonly ParameterTable[], value: Json | undefined, path: string, title: string, frame: Frame3, sight: Sight): GripGroup[] {
   const walk: Walk = { tables, sight, groups: [] };
   const object = is_object(value) ? value : {};
@@ -52,14 +52,15 @@ export function groups_of_object(tables: Tables, row_tables: readonly ParameterT
   return walk.groups.slice(0, kMostGroups);
 }
 
-/// What a nested table with a shift and a turn, as the `frame` of components, does to all other rows.
+/// Returns the frame that a nested table with a translation and a rotation, such as the `frame` of components, gives to
+/// all other rows.
 function own_frame(tables: Tables, row_tables: readonly ParameterTable[], object: { [name: string]: Json }): Frame3 {
   const row = row_tables.flatMap(({ rows }) => rows).find((one) => one.name === 'frame' && one.table !== undefined);
   const said = row ? object[row.name] : undefined;
   return pose_of(row?.table === undefined ? null : table_of(tables, row.table), is_object(said) ? said : {});
 }
 
-/// The frame that the rows of a pose make: scale, then turn, then shift.
+/// Returns the frame of a pose: scale, then rotation, then translation.
 export function pose_of(table: ParameterTable | null, value: { [name: string]: Json }): Frame3 {
   const of = (role: string): Vec | null => vec_of(value[table?.rows.find((row) => row.in_space === role)?.name ?? '']);
   const said = value['scale'];
@@ -68,7 +69,7 @@ export function pose_of(table: ParameterTable | null, value: { [name: string]: J
   return { axes: [times(turn[0], scale[0]), times(turn[1], scale[1]), times(turn[2], scale[2])], origin: of('shift') ?? [0, 0, 0] };
 }
 
-/// `base` is the frame before a pose of the object's own.
+/// `base` is the frame before the object's own pose.
 function visit(walk: Walk, spot: Spot, base: Frame3, depth: number): void {
   if (walk.groups.length >= kMostGroups || depth > kDeepest) return;
   const { table, value, frame } = spot;
@@ -90,7 +91,7 @@ function push(walk: Walk, group: GripGroup | null): void {
   if (group) walk.groups.push(group);
 }
 
-/// What nested tables speak of stands on the first of the roots, where the table around them has some.
+/// Returns the frame at the first root, if the enclosing table has roots. Nested tables are relative to it.
 function below_root(spot: Spot): Spot {
   const roots = spot.value['roots'] ?? spot.table.rows.find((row) => row.name === 'roots')?.default;
   const first = Array.isArray(roots) ? vec_of(roots[0]) : null;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places and frames of the world, and what a line of sight meets. Turns are those of documents: roll about y, then pitch
-// about x, then yaw about z, in degrees.
+// Positions and frames of the world, and intersections with lines of sight. Rotations are as in documents: roll about
+// y, then pitch about x, then yaw about z, in degrees.
 
 import type { Vec } from '../../base/vec.ts';
 export type { Vec };
 
-/// Where things stand: the ways of x, y and z, which may scale, and the origin.
+/// A frame: its axes x, y and z, which may be scaled, and its origin.
 export interface Frame3 {
   axes: readonly [Vec, Vec, Vec];
   origin: Vec;
@@ -13,7 +13,7 @@ export interface Frame3 {
 
 export interface Ray {
   origin: Vec;
-  way: Vec; // unit
+  way: Vec; // unit vector
 }
 
 export const kWorld: Frame3 = { axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], origin: [0, 0, 0] };
@@ -30,7 +30,7 @@ export function unit(a: Vec, otherwise: Vec = [0, 1, 0]): Vec {
   return long > 1e-12 ? times(a, 1 / long) : otherwise;
 }
 
-/// A unit vector at right angles to another one, level where there is one.
+/// Returns a unit vector perpendicular to another one, horizontal if possible.
 export function beside(way: Vec): Vec {
   return Math.hypot(way[0], way[2]) < 1e-6 * length(way) ? [1, 0, 0] : unit(cross(way, [0, 1, 0]));
 }
@@ -43,7 +43,7 @@ export function point_in(frame: Frame3, point: Vec): Vec {
   return add(frame.origin, vector_in(frame, point));
 }
 
-/// The vector of a frame that is this one in the world.
+/// Returns a vector of the world as a vector of a frame.
 export function vector_out({ axes }: Frame3, v: Vec): Vec {
   const [x, y, z] = axes;
   const volume = dot(x, cross(y, z)) || 1;
@@ -54,7 +54,7 @@ export function framed(outer: Frame3, inner: Frame3): Frame3 {
   return { axes: [vector_in(outer, inner.axes[0]), vector_in(outer, inner.axes[1]), vector_in(outer, inner.axes[2])], origin: point_in(outer, inner.origin) };
 }
 
-/// The frame of twelve numbers, three rows of [axes, origin].
+/// Returns the frame of twelve numbers, three rows of [axes, origin].
 export function frame_of_rows(rows: readonly number[]): Frame3 {
   const at = (row: number, column: number): number => rows[4 * row + column] ?? 0;
   const column = (k: number): Vec => [at(0, k), at(1, k), at(2, k)];
@@ -64,28 +64,28 @@ export function frame_of_rows(rows: readonly number[]): Frame3 {
 const sine = (degrees: number): number => Math.sin((degrees * Math.PI) / 180);
 const cosine = (degrees: number): number => Math.cos((degrees * Math.PI) / 180);
 
-/// Turned about an axis through the origin, counter-clockwise against it.
+/// Returns a vector rotated about an axis through the origin, counter-clockwise seen against the axis.
 export function turned(v: Vec, axis: Vec, degrees: number): Vec {
   const [c, s] = [cosine(degrees), sine(degrees)];
   return add(add(times(v, c), times(cross(axis, v), s)), times(axis, dot(axis, v) * (1 - c)));
 }
 
-/// The ways of x, y and z after the turns of a document.
+/// Returns the axes x, y and z after the rotations of a document.
 export function turn_of([pitch, roll, yaw]: Vec): [Vec, Vec, Vec] {
   const of = (v: Vec): Vec => turned(turned(turned(v, [0, 1, 0], roll), [1, 0, 0], pitch), [0, 0, 1], yaw);
   return [of([1, 0, 0]), of([0, 1, 0]), of([0, 0, 1])];
 }
 
-/// The turns of a document that take x, y and z to these ways.
+/// Returns the rotations of a document that turn x, y and z to these axes.
 export function turns_to([x, y, z]: readonly [Vec, Vec, Vec]): Vec {
   const degrees = 180 / Math.PI;
   const pitch = Math.asin(Math.min(1, Math.max(-1, y[2])));
-  // Pitched straight up or down, roll and yaw are one turn: all of it is a yaw.
+  // At a pitch of straight up or down, roll and yaw turn about one axis; all of it is then a yaw.
   if (Math.abs(y[2]) > 1 - 1e-9) return [pitch * degrees, 0, Math.atan2(x[1], x[0]) * degrees];
   return [pitch * degrees, Math.atan2(-x[2], z[2]) * degrees, Math.atan2(-y[0], y[1]) * degrees];
 }
 
-/// How far along a line it comes nearest to a line of sight; null where both are nearly parallel.
+/// Returns the distance along a line to its nearest point to a line of sight. Returns null if both are nearly parallel.
 export function along_line(ray: Ray, at: Vec, way: Vec): number | null {
   const cosine_between = dot(ray.way, way);
   const apart = 1 - cosine_between * cosine_between;
@@ -94,7 +94,8 @@ export function along_line(ray: Ray, at: Vec, way: Vec): number | null {
   return (cosine_between * dot(ray.way, between) - dot(way, between)) / apart;
 }
 
-/// Where a line of sight meets a plane; null behind the eye, or where it nearly runs along the plane.
+/// Returns the point where a line of sight meets a plane. Returns null behind the camera, or if both are nearly
+/// parallel.
 export function on_plane(ray: Ray, at: Vec, normal: Vec): Vec | null {
   const falls = dot(ray.way, normal);
   if (Math.abs(falls) < 0.02) return null;
@@ -102,7 +103,7 @@ export function on_plane(ray: Ray, at: Vec, normal: Vec): Vec | null {
   return distance > 0 ? add(ray.origin, times(ray.way, distance)) : null;
 }
 
-/// Degrees about an axis at which a point stands, from the axis's own zero.
+/// Returns the angle of a point about an axis, degrees from the axis's own zero.
 export function angle_about(axis: Vec, centre: Vec, point: Vec): number {
   const zero = beside(axis);
   const side = cross(axis, zero);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requests of a page that jobs will answer, and how they are called off.
+// The requests of a page that jobs answer later, and their cancellation.
 #pragma once
 
 #include <map>
@@ -12,31 +12,32 @@
 
 namespace meristem::studio {
 
-/// A request from when it is asked until it is answered.
+/// A request, from its arrival until its answer.
 struct AskedJob {
-  double request = 0;           ///< its number
-  Progress* running = nullptr;  ///< while a worker has it in hand
-  bool is_over = false;         ///< answered, or called off before a worker took it
+  double request = 0;           ///< number of the request
+  Progress* running = nullptr;  ///< progress of the job while a worker runs it; else null
+  bool is_over = false;         ///< true: answered, or cancelled before a worker began
 };
 
-/// The jobs of one kind. Calls from any thread.
+/// The jobs of one kind. May be called from any thread.
 class AskedJobs {
  public:
   using Job = std::shared_ptr<AskedJob>;
 
   Job ask(double request);
-  /// Whether a worker may take the job, which it then ends; false where it was called off while it waited.
+  /// Returns true if a worker may begin the job, and must call end() later. Returns false if the job was cancelled
+  /// while it waited.
   bool begin(const Job& job, Progress& progress);
   void end(const Job& job);
-  /// Calls the job of a request off, or all. Those in hand end as soon as they look at their progress, and are answered
-  /// by their workers; gives the requests of those that waited, which nobody else answers.
+  /// Cancels the job of a request, or all jobs. Running jobs stop at their next check of the progress, and their
+  /// workers answer them. Returns the requests of waiting jobs, which the caller must answer.
   std::vector<double> cancel(std::optional<double> request = {});
-  /// Calls all off and lets none begin any more; nobody waits for answers.
+  /// Cancels all jobs and lets no job begin later. No answers are needed.
   void close();
 
  private:
   std::mutex mutex_;
-  std::multimap<double, Job> jobs_;  // a page may say a number twice
+  std::multimap<double, Job> jobs_;  // by request; a page may use a number twice
   bool is_closed_ = false;
 };
 

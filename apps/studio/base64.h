@@ -6,7 +6,7 @@
 
 namespace meristem::studio {
 
-/// Bytes as letters of the base 64, filled up with = to fours, as JSON can hold them (RFC 4648).
+/// Returns bytes in base 64, padded with = (RFC 4648).
 std::string base64(std::string_view bytes);
 
 }  // namespace meristem::studio

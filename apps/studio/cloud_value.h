@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The attraction points over which the outline of a crown is drawn, as protocol.md writes them.
+// The attraction points of a crown, which the page draws as its outline, in the form of protocol.md.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace meristem::studio {
 
-/// Null where the component fills no crown with points; positions go to the arrays. Throws what crown_cloud throws.
+/// Returns the attraction points of a component; positions go to the arrays. Returns null if the component fills no
+/// crown with points. Throws what crown_cloud throws.
 Value cloud_value(const LastGrown& last, const std::string& component, Progress& progress, PacketArrays& arrays);
 
 }  // namespace meristem::studio

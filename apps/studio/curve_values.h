@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves that a grass leaf is drawn from, as protocol.md writes them.
+// The curves from which a grass leaf is drawn, in the form of protocol.md.
 #pragma once
 
 #include "grower.h"
@@ -8,7 +8,7 @@
 
 namespace meristem::studio {
 
-/// Null where the component is no grass leaf. Throws InputError.
+/// Returns the curves. Returns null if the component is no grass leaf. Throws InputError.
 Value curves_value(const GrownWish& grown, const CurvesRequest& request);
 
 }  // namespace meristem::studio

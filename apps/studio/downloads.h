@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that were exported, until the page has fetched them.
+// Exported files, which the page can fetch.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,29 @@
 
 namespace meristem::studio {
 
-/// Keeps the files of the last exports in a folder of its own, which goes with it. Calls from any thread.
+/// Keeps the files of the last exports in a folder of its own, which is removed with this object. May be called from
+/// any thread.
 class Downloads {
  public:
   /// Removes the downloads that a killed studio has left.
   Downloads();
-  /// An empty folder for the files of one export while they are made; it goes with its owner.
+  /// An empty folder for the files of one export while they are written. It is removed with its owner.
   using Draft = ScratchFolder;
-  /// The downloads outlive their drafts. Throws MachineError.
+  /// Begins a draft. The downloads must outlive their drafts. Throws MachineError.
   std::unique_ptr<Draft> begin();
-  /// Keeps the files of a draft, which has no folder any more, and gives their number. The oldest files go where there
-  /// are too many. Throws MachineError.
+  /// Keeps the files of a draft and returns their number. The draft's folder is then gone. Removes the oldest files if
+  /// there are too many. Throws MachineError.
   std::uint64_t keep(const Draft& draft);
-  /// The path of a file; nothing where there is none.
+  /// Returns the path of a file, or nothing if it does not exist.
   std::optional<std::string> find(std::uint64_t number, const std::string& name) const;
-  /// The folder of all files, or empty while there is none.
+  /// Returns the folder of all files, or an empty path before the first export.
   std::string made_folder() const;
 
  private:
   const std::string& folder();
 
   mutable std::mutex mutex_;
-  std::optional<ScratchFolder> folder_;  // once there is an export
+  std::optional<ScratchFolder> folder_;  // set from the first export on
   std::deque<std::uint64_t> kept_;
   std::uint64_t count_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a studio writes of a document: files to download, and the command line that writes the same.
+// Exports of a document: files to download, and the command line that writes equal files.
 #pragma once
 
 #include <cstdint>
@@ -15,40 +15,41 @@
 
 namespace meristem::studio {
 
-/// What is exported: a document, and what has grown of it already.
+/// The source of an export: a document, and its grown plant if there is one.
 struct ExportSource {
-  std::shared_ptr<const Document> document;  ///< at the time and with the seed that were asked for
-  std::string text;                          ///< as it stands
-  std::string name;                          ///< for files, without ending
-  std::shared_ptr<const GrownWish> grown;    ///< of the same document and time; null: it grows anew
+  std::shared_ptr<const Document> document;  ///< document at the requested time and with the requested seed
+  std::string text;                          ///< present text
+  std::string name;                          ///< name for files, without ending
+  std::shared_ptr<const GrownWish> grown;    ///< grown plant of the same document and time; null: the document is grown
+                                             ///< again
 };
 
-/// A name that files may have, out of any text.
+/// Returns a name for files that is made from any text.
 std::string file_name_of(const std::string& text);
 
-/// All endings that can be exported, as the page lists them.
+/// Returns all endings that can be exported, for the page's list.
 Value formats_value();
 
-/// Throws a Refusal for options that do not fit.
+/// Throws a Refusal for options that do not fit the format.
 void check_export(const ExportOptions& options);
 
-/// Whether pictures of several times are asked for: a film, or numbered pictures.
+/// Returns true if the options request pictures of several times: a film, or numbered pictures.
 bool has_frames(const ExportOptions& options);
 
-/// How large and fine pictures are, and from where they are seen.
+/// Returns the size, quality and camera of pictures.
 StillOptions still_of(const ExportOptions& options, const Document& document);
 View view_of(const ExportOptions& options, const Document& document);
 
-/// Keeps what was written to a draft, and gives the "file" of the answer: the one file, or an archive of all that there
-/// are, of which `first` is listed first. Throws MachineError, Cancelled.
+/// Keeps the files of a draft and returns the member "file" of the answer. That is the single file, or an archive of
+/// all files, with `first` at the head of its list. Throws MachineError, Cancelled.
 Value made_file(Downloads& downloads, const Downloads::Draft& draft, const std::string& first, const std::string& name,
                 const Progress& progress);
 
-/// Writes a file that the downloads keep, an archive where the format takes several, and gives the "file" of the
-/// answer. What was cancelled leaves nothing. Throws InputError, MachineError, Cancelled.
+/// Writes a file and keeps it in the downloads. If the format needs several files, writes an archive. Returns the
+/// member "file" of the answer. A cancelled export leaves no files. Throws InputError, MachineError, Cancelled.
 Value export_file(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress);
 
-/// The line for a terminal that does the same with the document in `file`.
+/// Returns the command line that exports the document in `file` with these options.
 std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,
                            const std::string& name);
 

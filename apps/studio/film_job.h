@@ -7,10 +7,10 @@
 
 namespace meristem::studio {
 
-/// Draws the frames that the options ask for, by default those of the whole animation, and gives the "file" of the
-/// answer: the film, or an archive of the pictures. A camera that the options do not say stands where it shows all of
-/// the last plant; one with keys moves. Throws a Refusal where the document has no animation and the options no times,
-/// InputError, MachineError, Cancelled.
+/// Draws the requested frames, by default the frames of the whole animation. Returns the member "file" of the answer:
+/// the film, or an archive of the pictures. Without a camera in the options, the camera shows the whole plant of the
+/// last frame; a camera with keys moves. Throws a Refusal if neither the document has an animation nor the options have
+/// times. Throws InputError, MachineError, Cancelled.
 Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads, JobNews& news);
 
 }  // namespace meristem::studio

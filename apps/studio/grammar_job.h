@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a grammar derives, told a page at a time.
+// The derived word of a grammar, one page of modules at a time.
 #pragma once
 
 #include "meristem/base/progress.h"
@@ -9,9 +9,9 @@
 
 namespace meristem::studio {
 
-/// {"text", "steps", "step", "interpreted", "count", "counts", "first", "modules", "places"} as protocol.md says, at a
-/// time of the document in seconds; {"text": null} where the component has no instance or no grammar. Throws
-/// InputError, Cancelled.
+/// Returns {"text", "steps", "step", "interpreted", "count", "counts", "first", "modules", "places"} as protocol.md
+/// defines it, at a time of the document, seconds. Returns {"text": null} if the component has no instance or no
+/// grammar. Throws InputError, Cancelled.
 Value derivation(const Document& document, const GrammarRequest& request, double time, Progress& progress);
 
 }  // namespace meristem::studio

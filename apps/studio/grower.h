@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grows the newest state of a document beside the editing of it, and sends what is to be shown.
+// Grows the newest state of a document while the user edits it, and sends packets to the page.
 //
-// The newest wish wins without starving: a growth in hand ends, is shown, and then the newest wish is taken. At most
-// one packet is on its way; the next is made, of the newest state alone, once the page says that it shows the one
-// before. While inputs follow each other, packets are drafts, coarser levels of detail of what has grown. The first
-// packet of a large document is a draft, too.
+// The newest request is grown next, but a growth that has begun is completed and shown first, so that the view keeps
+// changing. At most one packet is on its way. The next packet is made from the newest state once the page has shown the
+// previous one. While inputs follow each other, packets are drafts: coarser levels of detail of the grown plant. The
+// first packet of a large document is a draft, too.
 #pragma once
 
 #include <array>
@@ -26,94 +26,96 @@ namespace meristem::studio {
 
 class JobNews;
 
-/// A state of the document.
+/// A state of the document to grow.
 struct Wish {
   std::shared_ptr<const Document> document;
-  std::string hash;         ///< of its text
-  bool is_dragged = false;  ///< with values of a drag
+  std::string hash;         ///< hash of its text
+  bool is_dragged = false;  ///< true: with values of a drag
 };
 
-/// What has grown of it.
+/// The grown plant of a state.
 struct GrownWish {
   Wish wish;
   double time = 0;                           ///< seconds, of the document
-  std::shared_ptr<const Document> document;  ///< the wish's as it stands at that time: it is what has grown
+  std::shared_ptr<const Document> document;  ///< the state's document at that time, which has grown
   GrowthView view{};
-  Plant plant{};  ///< painted
+  Plant plant{};  ///< plant with painted textures
   GrowthTraces traces{};
-  std::uint64_t about_triangles = 0;  ///< estimate for all there is
-  /// Instances of each component of the document's graph; empty where nobody will ask, as in a drag.
+  std::uint64_t about_triangles = 0;  ///< estimate of the number of all triangles
+  /// Number of instances of each component in the document's graph. Empty if nobody will ask for them, as during a
+  /// drag.
   std::vector<std::uint64_t> placed{};
 };
 
-/// What has grown last, as a question finds it.
+/// The last grown plant, as a question receives it.
 struct LastGrown {
   const GrownWish& grown;
-  const MeshScene* meshes;  ///< all of its meshes; null where they have not been made, as in a drag
-  GrowthCache& cache;       ///< of that growth
+  const MeshScene* meshes;  ///< meshes of the whole plant; null if they have not been made, as during a drag
+  GrowthCache& cache;       ///< cache of that growth
 };
 
-/// What of a plant the page wants to see.
+/// The parts and the detail of a plant that the page shows.
 struct ShownParts {
-  std::uint64_t drag_triangles = 60'000;   ///< about the most triangles while inputs follow each other
-  std::uint64_t rest_triangles = 250'000;  ///< about the most triangles afterwards
+  std::uint64_t drag_triangles = 60'000;   ///< approximate maximum number of triangles while inputs follow each other
+  std::uint64_t rest_triangles = 250'000;  ///< approximate maximum number of triangles afterwards
   bool surface = true;
   bool skeleton = false;
-  double time = 0;           ///< seconds, of the document
-  std::optional<int> step;   ///< of growth; unset: the last
+  double time = 0;           ///< time of the document, seconds
+  std::optional<int> step;   ///< growth step; unset: the last one
   std::string of{};          ///< id of the component whose plants the step is for; empty: all
-  bool is_recorded = false;  ///< growth is recorded, with all that overlays show of it
+  bool is_recorded = false;  ///< whether growth is recorded with everything that overlays show
 
-  /// What grows for these parts.
+  /// Returns the growth view for these parts.
   GrowthView view() const;
   bool operator==(const ShownParts&) const = default;
 };
 
-/// Calls from any thread.
+/// Grows and shows one page's document. May be called from any thread.
 class Grower : public std::enable_shared_from_this<Grower> {
  public:
-  /// `host` outlives it.
+  /// `host` must outlive this object.
   Grower(Host& host, std::shared_ptr<Outbox> outbox) : host_(host), outbox_(std::move(outbox)) {}
 
-  /// Another document will be opened: what is in hand is dropped, and nothing of this one is sent any more.
+  /// Prepares for another document: stops the running growth, and sends nothing more of the present document.
   void leave();
-  /// The other document; the page has been told of it, and forgets what it shows.
+  /// Begins with another document. The page must already know that it has another document.
   void open(Wish wish);
-  /// `at_once` where the hand has let go: what is in hand is dropped.
+  /// Sets the state to grow. If `at_once`, as at the end of a drag, a running growth is stopped.
   void want(Wish wish, bool at_once = false);
-  /// An input that does not change what grows keeps drafts going.
+  /// Sets the parts to show. Inputs that do not change the growth prolong the drafts.
   void set_parts(const ShownParts& parts);
   ShownParts parts() const;
   void acknowledge(std::uint64_t packet);
-  /// Has the next packet be a whole scene.
+  /// Makes the next packet a whole scene.
   void send_all();
-  /// Drops the growth in hand; the next wish grows again.
+  /// Stops the running growth. The next request grows again.
   void cancel();
-  /// Goes on with the work that reached the time limit, with another such time. Finds what was finished before. Does
-  /// nothing if no work was stopped, or if something else was wanted since.
+  /// Continues the work that reached the time limit, with the limit once more. Results that were finished before are
+  /// reused. Does nothing if no work was stopped, or if another state was requested since.
   void go_on();
-  /// While paused nothing begins to grow.
+  /// Pauses or resumes growth. While paused, no growth begins.
   void pause(bool is_paused);
-  /// Sends nothing any more and drops all. What is in hand may end later.
+  /// Sends nothing more and drops all requests. Running work may end later.
   void close();
-  /// Has the thread that grows look at what has grown last; null before anything has.
+  /// Calls a question with the last grown plant, on the thread that grows. The argument is null before the first
+  /// growth.
   void ask(std::function<void(const LastGrown* last)> question);
-  /// The last that has grown; null before.
+  /// Returns the last grown plant, or null before the first growth.
   std::shared_ptr<const GrownWish> grown() const;
 
  private:
   using Clock = Worker::Clock;
 
-  /// What a packet showed.
+  /// The content of a packet.
   struct Sight {
     std::shared_ptr<const GrownWish> grown;
     ShownParts parts;
     bool is_draft = false;
 
-    /// Triangles that the page draws.
+    /// Returns the maximum number of triangles that the page draws.
     std::uint64_t budget() const { return is_draft ? parts.drag_triangles : parts.rest_triangles; }
   };
-  /// What reached the time limit.
+  /// The kind of work that reached the time limit.
   enum class Stopped { nothing, growth, meshing };
 
   void schedule();
@@ -125,7 +127,7 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void run(const std::string& hash, Stopped if_stopped, Work&& work);
   void send_failure(const std::string& hash, const std::string& message, Value::Object members);
 
-  // What the worker's thread alone reads and writes.
+  // Used only by the worker's thread.
   void make_meshes(const Sight& sight, Progress& progress);
   std::shared_ptr<const MeshScene> with_shown_pictures(const GrownWish& grown);
   const MeshScene& obstacles_of(const GrownWish& grown, Progress& progress);
@@ -135,34 +137,34 @@ class Grower : public std::enable_shared_from_this<Grower> {
   Host& host_;
   const std::shared_ptr<Outbox> outbox_;
 
-  mutable std::mutex mutex_;  // of these
+  mutable std::mutex mutex_;  // guards the members below
   Wish wish_;
   ShownParts parts_;
-  std::uint64_t wished_ = 0;  // number of the wish
-  std::uint64_t done_ = 0;    // of the last that has grown, or will not
+  std::uint64_t wished_ = 0;  // number of the newest request
+  std::uint64_t done_ = 0;    // number of the last request that has grown or failed
   Clock::time_point last_input_{};
-  Clock::time_point last_seen_{};  // when a draft was last seen
+  Clock::time_point last_seen_{};  // time when the page last showed a draft
   std::shared_ptr<const GrownWish> grown_;
   Sight shown_;
-  std::uint64_t awaited_ = 0;  // the packet on its way; 0: none
+  std::uint64_t awaited_ = 0;  // number of the packet on its way; 0: no packet
   Progress* running_ = nullptr;
   Stopped stopped_ = Stopped::nothing;
   bool is_scheduled_ = false;
   bool is_paused_ = false;
   bool is_closed_ = false;
   bool fits_ = false;      // the next packet is the first of a document
-  bool forgets_ = false;   // the next packet is a whole scene
+  bool forgets_ = false;   // the next packet must be a whole scene
   bool is_other_ = false;  // another document has come since the last growth
 
-  // What the worker's thread alone reads and writes.
+  // Used only by the worker's thread.
   GrowthCache cache_;
-  std::array<GrowthCache, 2> mesh_caches_;      // of what is shown at rest and of drafts
-  std::shared_ptr<const GrownWish> meshes_of_;  // whose meshes were made last
+  std::array<GrowthCache, 2> mesh_caches_;      // caches of the meshes at rest and of drafts
+  std::shared_ptr<const GrownWish> meshes_of_;  // the plant whose meshes were made last
   std::shared_ptr<const ViewMeshes> meshes_;
   std::vector<std::pair<std::string, double>> stages_;
-  std::vector<ReuseCount> grown_reuse_;    // of the last growth, until it is told
-  std::vector<ReuseCount> clothed_reuse_;  // of its last meshes
-  Obstacles obstacles_;                    // whose meshes these are
+  std::vector<ReuseCount> grown_reuse_;    // reuse of the last growth, until it is reported
+  std::vector<ReuseCount> clothed_reuse_;  // reuse of its last meshes
+  Obstacles obstacles_;                    // bodies of the meshes below
   MeshScene obstacle_meshes_;
   ShownPictures pictures_;
   PacketMaker packets_;

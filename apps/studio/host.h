@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all connections to a studio share.
+// Objects that all connections to a studio share.
 #pragma once
 
 #include <chrono>
@@ -16,17 +16,18 @@
 
 namespace meristem::studio {
 
-/// What a studio bears; each refusal names its limit as it is called here.
+/// The limits of a studio. Each refusal names its limit by the member's name.
 struct StudioLimits {
-  std::uint64_t message_bytes = 17'000'000;  ///< of one message of the page
+  std::uint64_t message_bytes = 17'000'000;  ///< maximum size of one message of the page
   int messages_per_second = 200;
-  double job_seconds = 60;     ///< for one growth, export or measurement; a sweep has them for each of its plants
-  double film_seconds = 7200;  ///< for one film, or pictures of many times
-  std::uint64_t memory_bytes = 6'000'000'000;  ///< of the whole program, while a job runs
+  double job_seconds = 60;     ///< time for one growth, export or measurement; a sweep has this time for each of its
+                               ///< plants
+  double film_seconds = 7200;  ///< time for one film, or for pictures of many times
+  std::uint64_t memory_bytes = 6'000'000'000;  ///< memory of the whole program while a job runs
   int connections = 8;
 };
 
-/// Sends messages to the page. Called from any thread; after the page has gone, calls do nothing.
+/// Sends messages to the page. May be called from any thread. Calls after the page has closed do nothing.
 class Outbox {
  public:
   Outbox() = default;
@@ -34,7 +35,7 @@ class Outbox {
   Outbox& operator=(const Outbox&) = delete;
   virtual ~Outbox() = default;
 
-  /// Sends a text. A byte that is not UTF-8 becomes U+FFFD: browsers close a connection that sends such a byte.
+  /// Sends a text. Bytes that are not UTF-8 become U+FFFD, because browsers close a connection that sends such a byte.
   void send_text(std::string message) { deliver_text(with_valid_utf8(std::move(message))); }
   void send_packet(std::string packet) { deliver_packet(std::move(packet)); }
 
@@ -44,22 +45,23 @@ class Outbox {
   virtual void deliver_packet(std::string packet) = 0;
 };
 
-/// What there is once for all connections. It outlives them.
+/// Objects that exist once for all connections, and outlive them.
 struct Host {
   const Registry& registry;
   RootFolder root;
   std::string models_folder;
-  std::optional<std::string> document{};  ///< below the root: what pages open first
-  std::optional<std::string> model{};     ///< or the shipped model
-  std::string command = "meristem";       ///< how the program is called
+  std::optional<std::string> document{};  ///< path, below the root, of the document that pages open first
+  std::optional<std::string> model{};     ///< name of the shipped model that pages open first instead
+  std::string command = "meristem";       ///< name of the program in its command line
   StudioLimits limits{};
-  std::chrono::milliseconds still_after{120};               ///< after the last input there is full detail
-  bool (*has_picture)(const std::string& model) = nullptr;  ///< null: no model has one
+  std::chrono::milliseconds still_after{120};               ///< time after the last input until full detail is shown
+  bool (*has_picture)(const std::string& model) = nullptr;  ///< returns true if a model has a picture; null: no model
+                                                            ///< has one
   Downloads downloads{};
   Worker growth{};
   Worker exports{};
-  Worker films{};   ///< which take minutes, while everything else goes on
-  Worker stills{};  ///< and all else that a page asks for while a plant grows
+  Worker films{};   ///< films, which take minutes, while everything else continues
+  Worker stills{};  ///< stills, and all other requests while a plant grows
 };
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page is told of an instance that somebody has pointed at, as protocol.md writes it.
+// Values about an instance that the user has pointed at, in the form of protocol.md.
 #pragma once
 
 #include <string>
@@ -12,24 +12,26 @@
 
 namespace meristem::studio {
 
-/// 16 hexadecimal digits that tell an instance from all others of its component, as long as its place in the graph, the
-/// names on the way there and the seed stay what they are.
+/// Returns 16 hexadecimal digits that identify an instance among all instances of its component. The key stays valid
+/// while the instance's place in the graph, the names on the path to it and the seed do not change.
 std::string instance_key(const Site& site);
 
-/// Null where it is not known which instance made what is seen, as of plants of documents of their own. Throws what
-/// find_instance throws.
+/// Returns the instance that made the visible part. Returns null if the instance is unknown, as for plants of other
+/// documents. Throws what find_instance throws.
 Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache);
 
-/// The same of the shoot that is asked for by name, or of the one beside it. Null where there is none.
+/// Returns the instance of the shoot that the request names, or of a neighbouring shoot. Returns null if that shoot
+/// does not exist.
 Value shoot_instance_value(const GrownWish& grown, const ShootRequest& request, Progress& progress, GrowthCache& cache);
 
-/// The frame of the site on which the first instance of a component stands, before the component's own `frame`: 12
-/// numbers, three rows of [axes, origin]. Null where it has none. Throws what find_instance throws.
+/// Returns the frame of the site on which the first instance of a component stands, before the component's own `frame`.
+/// The frame has 12 numbers, three rows of [axes, origin]. Returns null if there is no instance. Throws what
+/// find_instance throws.
 Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache);
 
-/// What expressions come to, by their paths: those that differ from instance to instance at the first instance of the
-/// component, all others by the variables of the document. Those that are not known are not told. Throws what
-/// find_instance throws.
+/// Returns the values of expressions, by their paths. An expression that differs from instance to instance is evaluated
+/// at the first instance of the component, any other one with the variables of the document. Expressions with an
+/// unknown value are omitted. Throws what find_instance throws.
 Value worked_out_value(const GrownWish& grown, const WorkedOutRequest& request, Progress& progress, GrowthCache& cache);
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells the page how far a job has come.
+// Messages to the page about the progress of a job.
 #pragma once
 
 #include <chrono>
@@ -15,20 +15,20 @@
 
 namespace meristem::studio {
 
-/// A progress that sends `working`, at most ten times a second, and takes the times of its stages.
+/// A progress that sends `working` at most ten times a second, and records the times of its stages.
 class JobNews {
  public:
-  /// `request` is the number of the request that asked for it, if one did.
+  /// `request` is the number of the request that began the job, if there is one.
   JobNews(std::shared_ptr<Outbox> outbox, std::string job, std::optional<double> request = {});
-  /// Says that it is over, if it has said anything.
+  /// Reports the end of the job if anything was reported before.
   ~JobNews();
   JobNews(const JobNews&) = delete;
   JobNews& operator=(const JobNews&) = delete;
 
   Progress& progress() { return progress_; }
-  /// What follows is the given one of several parts, such as "frame", from 0; of all of them the share is told.
+  /// Begins one of several parts, such as "frame", counted from 0. The reported share then refers to all parts.
   void begin_part(std::string what, std::size_t part, std::size_t parts);
-  /// Milliseconds of each stage up to now.
+  /// Returns the milliseconds of each stage up to now.
   std::vector<std::pair<std::string, double>> stages() const;
 
  private:
@@ -40,8 +40,8 @@ class JobNews {
   std::shared_ptr<Outbox> outbox_;
   std::string job_;
   std::optional<double> request_;
-  std::string part_;       // what is told in place of stages: "frame 3 of 100"; empty: stages are told
-  double part_share_ = 0;  // of all parts, that is over
+  std::string part_;       // text that is reported instead of stages: "frame 3 of 100"; empty: stages are reported
+  double part_share_ = 0;  // share of all parts that is finished
   std::vector<std::pair<std::string, Clock::time_point>> begins_;
   Clock::time_point sent_ = Clock::now();
   bool has_told_ = false;

@@ -14,24 +14,25 @@
 
 namespace meristem::studio {
 
-/// How long a job may take, and the limit that says so.
+/// The time that a job may take, and the name of this limit.
 struct TimeLimit {
   double seconds = 0;
   const char* name = "";
 };
 
-/// Watches one job while it lives, and cancels its progress where a limit is reached.
+/// Watches one job during its lifetime, and cancels its progress when the job reaches a limit.
 class JobWatch {
  public:
-  /// Without a time limit of its own a job may take `job_seconds`.
+  /// Without `time`, the job may take `job_seconds`.
   JobWatch(Progress& progress, const StudioLimits& limits, std::optional<TimeLimit> time = {});
   ~JobWatch();
   JobWatch(const JobWatch&) = delete;
   JobWatch& operator=(const JobWatch&) = delete;
 
-  /// The limit for which the job was cancelled; nullopt if it was not, or by others.
+  /// Returns the limit for which the job was cancelled. Returns nothing if the job was not cancelled, or for another
+  /// reason.
   std::optional<Refusal> reached() const;
-  /// Returns true if the job was cancelled for its time, so that another such time may finish it.
+  /// Returns true if the job reached its time limit. With this time again, the job may finish.
   bool has_reached_time() const { return reached_.load() == Limit::time; }
 
  private:
@@ -48,9 +49,9 @@ class JobWatch {
   std::thread thread_;
 };
 
-/// Bytes of memory that the program has in use now; 0 where that is not known.
+/// Returns the memory that the program uses now, bytes. Returns 0 if unknown.
 std::uint64_t memory_in_use();
-/// The memory of the machine, bytes; 0 where it is not known.
+/// Returns the memory of the machine, bytes. Returns 0 if unknown.
 std::uint64_t memory_of_machine();
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is measured on a document: as it stands, and over the values of one of its handles or parameters.
+// Measurements of a document: at its present state, and over the values of one of its handles or parameters.
 #pragma once
 
 #include <memory>
@@ -15,33 +15,34 @@
 
 namespace meristem::studio {
 
-/// A list of {"name", "unit", "doc"}: all measures, in their order.
+/// Returns a list of {"name", "unit", "doc"} with all measures in their order.
 Value measure_rows_value();
 
-/// What is measured: a document, and what has grown of it already.
+/// The source of a measurement: a document, and its grown plant if there is one.
 struct MeasureSource {
-  std::shared_ptr<const Document> document;  ///< as it stands at the time
-  std::shared_ptr<const GrownWish> grown;    ///< of the same document and time; null: it grows anew
+  std::shared_ptr<const Document> document;  ///< document at the time
+  std::shared_ptr<const GrownWish> grown;    ///< grown plant of the same document and time; null: the document is grown
+                                             ///< again
   double time = 0;                           ///< seconds, of the document
 };
 
-/// The measures as `meristem measure --json` writes them. Throws InputError, Cancelled.
+/// Returns the measures as `meristem measure --json` writes them. Throws InputError, Cancelled.
 Value measured(const MeasureSource& source, const MeasuresRequest& request, Progress& progress);
 
-/// A document's text, to be read with other values.
+/// A document's text, which is read with each of several values.
 struct SweepSource {
   std::string text;
-  std::string file;  ///< absolute
+  std::string file;  ///< absolute path
   std::string root;
   std::string models;
   double time = 0;  ///< seconds, of the document
 };
 
-/// Keeps what the values of a sweep share. One thread at a time calls it.
+/// Keeps results that the values of a sweep share. Only one thread at a time may call it.
 class SweepMaker {
  public:
-  /// A list with an object per value: {"value", "measures"}, or {"value", "faults"} where the document has some with
-  /// it. Throws Cancelled.
+  /// Returns a list with an object per value: {"value", "measures"}, or {"value", "faults"} if the document has faults
+  /// with the value. Throws Cancelled.
   Value make(const SweepSource& source, const SweepRequest& request, const Registry& registry, JobNews& news);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells a page that another page, of this or another program of the same user, has its file open.
+// Notifies a page that another page of this user, in this or another program, has its file open.
 #pragma once
 
 #include <memory>
@@ -24,22 +24,23 @@ class OpenFile {
 
  private:
   std::string folder_;
-  std::string prefix_;  // of the marks of this file
-  std::string mark_;    // name of this one; empty: there is none
+  std::string prefix_;  // prefix of the marks of this file
+  std::string mark_;    // name of this object's mark; empty: there is no mark
   int descriptor_ = -1;
 };
 
-/// Looks every two seconds how many others have a file open, and sends news (`elsewhere`) when the number changes.
+/// Checks every two seconds how many other pages have a file open. Sends the message `elsewhere` when the number
+/// changes.
 class OpenFileWatch : public std::enable_shared_from_this<OpenFileWatch> {
  public:
-  /// `path` is below the root of `host`, which outlives it.
+  /// `path` is below the root of `host`, which must outlive this object.
   OpenFileWatch(Host& host, std::shared_ptr<Outbox> outbox, const std::string& path);
-  /// Takes the news back if some were sent.
+  /// Sends a count of 0 if the page knows another count.
   ~OpenFileWatch();
   OpenFileWatch(const OpenFileWatch&) = delete;
   OpenFileWatch& operator=(const OpenFileWatch&) = delete;
 
-  /// Looks now, and then again and again on a thread of `host`. Called once.
+  /// Checks now, and then repeatedly on a thread of `host`. Must be called once.
   void begin() { look(); }
 
  private:
@@ -50,7 +51,7 @@ class OpenFileWatch : public std::enable_shared_from_this<OpenFileWatch> {
   const std::shared_ptr<Outbox> outbox_;
   const std::string path_;
   const OpenFile file_;
-  int count_ = 0;  // that the page knows
+  int count_ = 0;  // the number that the page knows
 };
 
 }  // namespace meristem::studio

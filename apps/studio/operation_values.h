@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What operations have done to the trees of a component, as protocol.md writes it.
+// The effects of operations on the trees of a component, in the form of protocol.md.
 #pragma once
 
 #include "grower.h"
@@ -9,8 +9,8 @@
 
 namespace meristem::studio {
 
-/// {"iteration", "acts", "places", "left"}: how often each operation acted after each iteration, and where the one that
-/// is asked for did. Linear in the nodes and records of the plant. Throws Cancelled.
+/// Returns {"iteration", "acts", "places", "left"}: how often each operation acted after each iteration, and where the
+/// requested operation acted. Takes time in proportion to the nodes and records of the plant. Throws Cancelled.
 Value operations_value(const GrownWish& grown, const OperationsRequest& request, const Progress& progress);
 
 }  // namespace meristem::studio

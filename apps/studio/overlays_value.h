@@ -9,12 +9,12 @@
 
 namespace meristem::studio {
 
-/// What overlays show of what has grown, as protocol.md has it; positions and colours go to the arrays. Throws
-/// InputError for parts that are not known, and Cancelled.
+/// Returns the overlays of the grown plant in the form of protocol.md. Positions and colours go to the arrays. Throws
+/// InputError for unknown parts, and Cancelled.
 Value overlays_value(const LastGrown& last, const OverlaysRequest& request, const Progress& progress,
                      PacketArrays& arrays);
 
-/// All parts that a page can show.
+/// Returns all parts that a page can show.
 Value overlay_parts_value();
 
 }  // namespace meristem::studio

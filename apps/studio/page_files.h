@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of the page and the models' pictures, as the build has put them into the program.
+// The files of the page and the models' pictures, which the build has put into the program.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ struct PageFile {
   bool is_compressed = false;  ///< by gzip
 };
 
-/// Nothing where there is none of that name.
+/// Returns the file with this name, or nothing if it does not exist.
 std::optional<PageFile> page_file(std::string_view name);
 
-/// Whether the program was built with a page.
+/// Returns true if the program was built with a page.
 bool has_page();
 
-/// Whether there is a small picture of a shipped model.
+/// Returns true if a shipped model has a small picture.
 bool has_model_picture(const std::string& model);
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page's board is told of a document besides its tree, as protocol.md writes it.
+// Facts about a document for the page's board, besides its tree, in the form of protocol.md.
 #pragma once
 
 #include <string>
@@ -12,17 +12,18 @@
 
 namespace meristem::studio {
 
-/// The links that stand in no text: from a component to what it places by itself, as a grammar does.
+/// Returns the links that are not in the text: from a component to the components that it places, for example with a
+/// grammar.
 Value implied_links_value(const Graph& graph);
 
-/// The comments on components, by their names; empty where the text is not JSON.
-/// Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+/// Returns the comments on components, by component id. Returns no comments if the text is not JSON. Throws Cancelled
+/// soon after `progress` was asked to stop. Null: it cannot be stopped.
 Value notes_value(const std::string& text, const Progress* progress = nullptr);
 
-/// All components of a document but cameras.
+/// Returns all components of a document except cameras.
 std::vector<std::string> placeable_components(const Value& tree, const Registry& registry);
 
-/// Those of the components that no link of the others leads to; where links go round in a circle, the first.
+/// Returns the components that no other one links to. From a circle of links, returns the first component.
 Value part_roots_value(const Value& tree, const std::vector<std::string>& components);
 
 }  // namespace meristem::studio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which readings of a page's text are still wanted. A session handles the messages of its page one after another, while
-// newer ones already arrive: a newer text makes the reading of an older one useless.
+// Decides which readings of a page's text are still needed. A session handles the messages of its page one after
+// another. Newer messages may already have arrived, and a newer text makes the reading of an older one useless.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace meristem::studio {
 
-/// What a message does to the text that the session reads.
+/// The effect of a message on the text that the session reads.
 enum class MessageKind : std::uint8_t {
   other,  ///< nothing
   drag,   ///< reads the text with other values
@@ -21,26 +21,26 @@ enum class MessageKind : std::uint8_t {
   open    ///< another document
 };
 
-/// Calls from any thread.
+/// May be called from any thread.
 class Readings {
  public:
   Readings() = default;
   Readings(const Readings&) = delete;
   Readings& operator=(const Readings&) = delete;
 
-  /// A message has arrived, which the session will handle after all earlier ones. Stops the readings of earlier
-  /// messages that this one makes useless, or that it cancels.
+  /// Reports that a message has arrived. The session will handle it after all earlier messages. Stops readings for
+  /// earlier messages that the new one makes useless or cancels.
   void arrive(std::string_view message);
-  /// The session begins to handle the next message that arrived.
+  /// Reports that the session begins to handle the next message.
   void begin_next();
   /// Stops all readings from now on.
   void close();
   bool is_closed() const;
 
-  /// A reading for the message in hand, from its construction to its destruction. One at a time.
+  /// A reading for the present message, during the lifetime of this object. Only one may exist at a time.
   class Reading {
    public:
-    /// `request` is the number of the message's request, with which a `cancel` can name it.
+    /// `request` is the number of the message's request, which a `cancel` can name.
     Reading(Readings& readings, double request, MessageKind kind);
     ~Reading();
     Reading(const Reading&) = delete;
@@ -59,18 +59,18 @@ class Readings {
  private:
   bool is_useless(const Reading& reading) const;
 
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // guards everything below
   std::uint64_t arrived_ = 0;
   std::uint64_t handled_ = 0;
-  std::uint64_t last_open_ = 0;  // numbers of the last messages of their kinds
-  std::uint64_t last_text_ = 0;  // of those that give another text, documents that are opened included
-  std::uint64_t last_drag_ = 0;  // and drags
-  std::set<double> cancelled_;   // requests that a `cancel` has named while they waited or were in hand
+  std::uint64_t last_open_ = 0;  // numbers of the last messages of each kind
+  std::uint64_t last_text_ = 0;  // last message with another text, including opened documents
+  std::uint64_t last_drag_ = 0;  // last drag
+  std::set<double> cancelled_;   // requests that a `cancel` has named before their answer
   Reading* running_ = nullptr;
   bool is_closed_ = false;
 };
 
-/// The kind of a message. Messages that are no requests are of kind `other`.
+/// Returns the kind of a message. Returns `other` for messages that are no requests.
 MessageKind message_kind(std::string_view message);
 
 }  // namespace meristem::studio

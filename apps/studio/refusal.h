@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why something that the page asked for is not done.
+// The reason why a request of the page is refused.
 #pragma once
 
 #include <exception>
@@ -14,7 +14,7 @@ namespace meristem::studio {
 
 class Refusal : public std::exception {
  public:
-  /// `members` join the answer: {"stale", true}, {"limit", "message_bytes"}.
+  /// `members` are added to the answer, for example {"stale", true} or {"limit", "message_bytes"}.
   explicit Refusal(std::string message, Value::Object members = {})
       : message_(std::move(message)), members_(std::move(members)) {}
 
@@ -26,7 +26,7 @@ class Refusal : public std::exception {
   Value::Object members_;
 };
 
-/// A limit of the studio was reached; `name` is that of the limit in protocol.md.
+/// Returns the refusal for a limit of the studio. `name` is the limit's name in protocol.md.
 inline Refusal limit_refusal(std::string message, const char* name) {
   return Refusal(std::move(message), {{"limit", name}});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page asks for, as protocol.md defines it, read from the text of a message.
+// The requests of the page, defined by protocol.md, and their reader.
 #pragma once
 
 #include <cstdint>
@@ -33,12 +33,12 @@ struct TextRequest {
 struct EditRequest {
   std::string base;
   std::vector<Edit> edits;
-  bool only_if_good = false;  ///< refused where a text without errors would then have some
+  bool only_if_good = false;  ///< true: the edits are refused if they would bring errors into a text without errors
 };
 struct DragRequest {
   std::vector<Override> values;
 };
-/// The step of growth that is shown, and whether growth is recorded for overlays.
+/// The growth step that is shown, and whether growth is recorded for overlays.
 struct ShownGrowth {
   std::optional<int> step;
   bool is_recorded = false;
@@ -52,7 +52,7 @@ struct ViewRequest {
   std::optional<double> time;
   std::optional<ShownGrowth> growth;
 };
-/// What is shown over the plant: OverlayPart.
+/// Asks for overlays on the plant (OverlayPart).
 struct OverlaysRequest {
   std::vector<std::string> parts;
 };
@@ -61,9 +61,9 @@ struct ShownRequest {
 };
 struct AllRequest {};
 struct CancelRequest {
-  std::optional<double> re;  ///< number of the request whose job is meant; unset: growth in hand
+  std::optional<double> re;  ///< number of the request whose job is cancelled; unset: the growth
 };
-/// Goes on with the growth or meshing that reached its time limit.
+/// Continues the growth or meshing that reached its time limit.
 struct ContinueRequest {};
 struct PauseRequest {
   bool paused = false;
@@ -73,100 +73,101 @@ struct FilesRequest {
 };
 struct SaveRequest {
   std::string path;
-  std::string hash;  ///< of the page's text; the server writes no other text
+  std::string hash;  ///< hash of the page's text; the server writes only this text
   std::optional<std::string> saved;
   bool over = false;
 };
 struct ModelsRequest {};
 struct MeasuresRequest {
-  bool light = false;       ///< whether the light on every organ is measured
-  double layer_height = 0;  ///< metres: height of the layers for leaf area by height; 0: none
+  bool light = false;       ///< true: also measure the light on every organ
+  double layer_height = 0;  ///< height of the layers for leaf area by height, metres; 0: no layers
 };
-/// What the measures are called.
+/// Asks for the names of all measures.
 struct MeasureRowsRequest {};
-/// Measures of the document with each of some values at a path.
+/// Measures the document with each of several values at a path.
 struct SweepRequest {
   std::string path;
   std::vector<double> values;
   bool light = false;
 };
-/// What a component's instance is that is seen somewhere.
+/// Asks for the instance of a component that is visible at a position.
 struct InstanceRequest {
   std::string component;
-  Frame frame;       ///< of what is seen of it; the world's own for stems
-  Vec3 position{0};  ///< on its surface
+  Frame frame;       ///< frame of the visible part; the identity for stems
+  Vec3 position{0};  ///< position on its surface
 };
-/// A shoot of a component's stems, by its name, or one that stands beside it in the tree.
+/// Asks for a shoot of a component's stems by its name, or for a neighbouring shoot in the tree.
 struct ShootRequest {
   enum class Go { nowhere, parent, child, next, previous };
-  /// As an answer names it.
+  /// A shoot's name, as answers give it.
   struct Name {
-    std::uint32_t stem = 0;     ///< number of the stem among those of the component
-    std::uint32_t tree = 0;     ///< number of its root among those of that stem
+    std::uint32_t stem = 0;     ///< number of the stem among the component's stems
+    std::uint32_t tree = 0;     ///< number of the shoot's root among the stem's roots
     std::string shoot;          ///< label
-    std::uint32_t metamer = 0;  ///< the place on it
+    std::uint32_t metamer = 0;  ///< position on the shoot
   };
   std::string component;
   std::optional<Name> of;  ///< unset: the first shoot of the component
-  Go go = Go::nowhere;     ///< from there to the one that is asked for
+  Go go = Go::nowhere;     ///< step from the named shoot to the requested one
 };
-/// Where the first instance of a component stands.
+/// Asks for the position of the first instance of a component.
 struct StandRequest {
   std::string component;
 };
-/// What expressions of a component, or of the rest of the document, come to.
+/// Asks for the values of expressions of a component, or of the rest of the document.
 struct WorkedOutRequest {
-  std::optional<std::string> component;  ///< whose first instance counts; unset: the document alone
+  std::optional<std::string> component;  ///< component whose first instance is used; unset: only the document
   std::vector<std::pair<std::string, std::string>> expressions;  ///< path in the document, text
 };
-/// The curves that a grass leaf component draws its leaves from.
+/// Asks for the curves from which a grass leaf component draws its leaves.
 struct CurvesRequest {
   std::string component;
-  std::optional<int> rank;  ///< of the leaf that is asked for; unset: any
-  std::optional<int> leaf;  ///< its number within the rank
+  std::optional<int> rank;  ///< rank of the requested leaf; unset: any
+  std::optional<int> leaf;  ///< number of the leaf within its rank
 };
-/// The attraction points of a component's crown.
+/// Asks for the attraction points of a component's crown.
 struct CloudRequest {
   std::string component;
 };
-/// What operations have done to the trees of a component.
+/// Asks for the effects of operations on the trees of a component.
 struct OperationsRequest {
   std::string component;
-  std::string operation;         ///< path of the one whose places are told; empty: none
-  std::optional<int> iteration;  ///< after which it acted; unset: after any
+  std::string operation;         ///< path of the operation whose positions are requested; empty: no positions
+  std::optional<int> iteration;  ///< iteration after which it acted; unset: any
 };
 /// Asks for the components of a shipped model.
 struct PartsRequest {
   std::string model;
 };
-/// A part of the open document, of a shipped model, or of a text.
+/// Asks for a part of the open document, of a shipped model, or of a text.
 struct PartRequest {
   std::optional<std::string> model;
   std::optional<std::string> text;
-  std::vector<std::string> components;  ///< none: all but cameras
+  std::vector<std::string> components;  ///< ids; empty: all components except cameras
 };
 
-/// From where a picture is seen.
+/// The camera of a picture.
 struct CameraOptions {
   Vec3 position{0};
   Vec3 target{0};
   double field_of_view_deg = 35;  ///< vertical
 };
 
-/// What is written how.
+/// Options of an export: format, detail, time and pictures.
 struct ExportOptions {
-  std::string format;                 ///< an ending, with its dot
-  std::optional<std::string> name;    ///< without ending; the document's if not given
-  int lod = 0;                        ///< coarser levels that are written too
+  std::string format;                 ///< an ending with its dot
+  std::optional<std::string> name;    ///< name without ending; unset: the document's name
+  int lod = 0;                        ///< number of coarser levels that are written too
   std::string instances;              ///< automatic (or empty), rows, nodes
-  std::optional<std::uint64_t> seed;  ///< in place of the document's
+  std::optional<std::uint64_t> seed;  ///< seed that replaces the document's
   double time = 0;                    ///< seconds
-  std::optional<int> width;           ///< of pictures, pixels
+  std::optional<int> width;           ///< width of pictures, pixels
   std::optional<int> height;
   std::optional<int> samples;
   bool transparent = false;
   std::optional<CameraOptions> camera;
-  std::optional<film::FrameTimes> frames;  ///< of a film, and of pictures that are several then; a film's is else all
+  std::optional<film::FrameTimes> frames;  ///< times of a film or of several pictures; unset: all of a film, or one
+                                           ///< picture
 };
 struct ExportRequest {
   ExportOptions options;
@@ -175,31 +176,32 @@ struct CommandRequest {
   ExportOptions options;
 };
 
-/// Small pictures of the document with other values, for a page that shows what a value does.
+/// Asks for small pictures of the document with other values, to show the effect of a value.
 struct StillsRequest {
   std::vector<std::vector<Override>> states;  ///< values of each picture
   int width = 96;                             ///< of each picture, pixels
   int height = 96;
   CameraOptions camera;
-  bool fits = true;  ///< whether the camera goes as far back as shows all of the largest plant
+  bool fits = true;  ///< true: moves the camera back until it shows the whole of the largest plant
 };
-/// How the grammar of an lsystem component derives.
+/// Asks for the derivation of the grammar of an lsystem component.
 struct GrammarRequest {
   std::string component;
-  std::optional<int> step;             ///< steps after which the word is asked for; unset: those of the component
-  std::optional<std::uint64_t> key{};  ///< of the site of the instance that is meant; unset, or of none: by its number
-  std::uint64_t number = 0;            ///< of the instance among all of the component
-  bool is_drawn = false;               ///< whether interpretation rules are applied to it
-  std::uint64_t first = 0;             ///< index of the first module that is told
-  std::uint64_t count = 4000;          ///< most modules that are told
+  std::optional<int> step;             ///< steps after which the word is requested; unset: the component's number of
+                                       ///< steps
+  std::optional<std::uint64_t> key{};  ///< key of the instance's site; unset or unknown: `number` is used
+  std::uint64_t number = 0;            ///< number of the instance among all instances of the component
+  bool is_drawn = false;               ///< true: applies interpretation rules to the word
+  std::uint64_t first = 0;             ///< index of the first module in the answer
+  std::uint64_t count = 4000;          ///< maximum number of modules in the answer
 };
-/// The clocks that begin up to a time of the document.
+/// Asks for the clocks that begin up to a time of the document.
 struct ClocksRequest {
   double up_to = 0;  ///< seconds
 };
-/// A picture that the document names, or might name, made small.
+/// Asks for a small version of a picture that the document names or might name.
 struct PictureRequest {
-  std::string file;  ///< as the document writes it: from its own folder
+  std::string file;  ///< path as the document writes it, relative to its folder
   int size = 96;     ///< pixels along the longer side
 };
 
@@ -215,10 +217,10 @@ struct NumberedRequest {
   Request request;
 };
 
-/// The number of a message that is no good otherwise, for its refusal; nothing where it has none.
+/// Returns the number of a message that is otherwise invalid, for its refusal. Returns nothing if it has no number.
 std::optional<double> request_id(std::string_view message) noexcept;
 
-/// Throws a Refusal for everything that protocol.md does not allow.
+/// Reads a request. Throws a Refusal for everything that protocol.md does not allow.
 NumberedRequest read_request(std::string_view message);
 
 }  // namespace meristem::studio

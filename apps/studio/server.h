@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's door to a browser: pages and sockets on this machine alone.
+// The web server of the studio: pages and sockets for this machine only.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@
 
 namespace meristem::studio {
 
-/// The port that is tried first; browsers keep a page's storage by it.
+/// The port that is tried first. Browsers keep a page's storage by port.
 inline constexpr std::uint16_t kUsualPort = 8413;
 
 struct ServeOptions {
-  std::optional<std::uint16_t> port{};  ///< this one alone, 0: any; unset: the usual one or one of the next seven
-  std::string token{};                  ///< 32 hexadecimal digits; empty: drawn anew
+  std::optional<std::uint16_t> port{};  ///< the only port to try, 0: any; unset: the usual port or one of the next
+                                        ///< seven
+  std::string token{};                  ///< 32 hexadecimal digits; empty: random
   /// Called once when the program is asked to stop, before the sockets close. The program may end without a return from
-  /// `serve`, so this must remove what must not outlive the program.
+  /// `serve`, so this function must remove whatever must not outlive the program.
   std::function<void()> on_end{};
 };
 
-/// Serves until the program is asked to stop (SIGINT, SIGTERM), and then ends what was begun. `ready` is told the
-/// address once it listens. Throws MachineError where it cannot listen.
+/// Serves until the program is asked to stop (SIGINT, SIGTERM), and then stops all work. Calls `ready` with the address
+/// once the server listens. Throws MachineError if it cannot listen.
 void serve(Host& host, const ServeOptions& options, const std::function<void(const std::string& address)>& ready);
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places on the shoots of a plant: found by a point, by name, or beside another shoot in the tree.
+// Positions on the shoots of a plant, found by a point, by name, or from a neighbouring shoot.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace meristem::studio {
 
-/// A place on a shoot. Where there is none, `stem` is null.
+/// A position on a shoot. `stem` is null if there is no such position.
 struct ShootPlace {
   const Stem* stem = nullptr;
   AxisIndex axis = 0;
-  NodeIndex node = 0;  ///< on the axis, or the node that the axis springs from
+  NodeIndex node = 0;  ///< node on the axis, or the node from which the axis branches off
 };
 
-/// The place on a component's stems that is nearest to a point, measured from their surfaces: the nearer end of the
-/// nearest segment.
+/// Returns the position on a component's stems that is nearest to a point: the nearer end of the nearest segment.
+/// Distances are measured from the stems' surfaces.
 ShootPlace nearest_shoot(const Plant& plant, const std::string& component, Vec3 point);
 
-/// The shoot that the request names, or the one that stands beside it on the way that the request goes. Cost linear in
+/// Returns the shoot that the request names, or its neighbour in the requested direction. Takes time in proportion to
 /// the nodes of the plant.
 ShootPlace wished_shoot(const Plant& plant, const ShootRequest& request);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which painted pictures the page is shown, so that a colour that only tints those which it has sends no other.
+// The painted pictures that the page has. If only a colour changes, the page tints a picture that it has and needs no
+// other.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +13,30 @@
 
 namespace meristem::studio {
 
-/// The picture that the page has of each material, and the colour for which it was painted. A material tints its
-/// picture so that the mean is its colour; so a picture that was painted for another colour does for a new one, too:
-/// always while a hand drags, and at rest where nobody sees the difference from the one that is painted for the new
-/// colour. What files hold is never one of these.
+/// The pictures that the page has of each material, with the colours for which they were painted. A material tints its
+/// picture so that the mean becomes its colour. A picture of another colour is therefore reused: always during a drag,
+/// and at rest if the difference from a picture of the new colour is invisible. Files never use these pictures.
 class ShownPictures {
  public:
-  /// The page has none any more.
+  /// Forgets all pictures, because the page has none any more.
   void clear() { shown_.clear(); }
-  /// Has materials that wait for their painting wear what the page has, where only the colour is another one.
+  /// Replaces unpainted textures by the page's pictures for materials that differ from them only in colour.
   void lend(const Graph& graph, std::vector<Material>& materials) const;
-  /// Has painted materials wear what the page has, where it looks the same; takes note of all others. Whether there was
-  /// any such.
+  /// Replaces painted textures by the page's pictures if they look alike. Records the other textures as new pictures of
+  /// the page. Returns true if any texture was replaced.
   bool keep(const Graph& graph, std::vector<Material>& materials);
 
  private:
   struct Shown {
-    Material painted;            // with the colour that it was painted for
+    Material painted;            // material with the colour of the painting
     std::uint64_t compared = 0;  // fingerprint of the last picture that it was compared with
-    bool is_alike = false;       // what came out
+    bool is_alike = false;       // result of that comparison
   };
 
   std::map<std::string, Shown> shown_;  // by the material's name
 };
 
-/// Whether two textures, each tinted to the same mean `colour` (sRGB), cannot be told apart by eye.
+/// Returns true if two textures, each tinted to the mean `colour` (sRGB), look alike to the eye.
 bool look_alike(const Texture& one, const Texture& other, Vec3 colour);
 
 }  // namespace meristem::studio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures for small pictures: what a picture of few pixels shows of a texture, a smaller one shows as well, and it is
-// ready to be looked up in a tenth of the time.
+// Smaller textures for small pictures. In a picture of few pixels a small texture looks like a large one, and it is
+// prepared in a tenth of the time.
 #pragma once
 
 #include <map>
@@ -13,21 +13,21 @@
 
 namespace meristem::studio {
 
-/// Keeps the small textures that were used last. One thread at a time calls it.
+/// Keeps the small textures that were used last. Only one thread at a time may call it.
 class SmallTextures {
  public:
-  /// Has materials wear painted textures with at most `size` pixels along their longer side, each the mean of those
-  /// that it stands for; textures that are small enough stay. Throws Cancelled.
+  /// Replaces painted textures by textures with at most `size` pixels along their longer side. Each pixel is the mean
+  /// of the pixels that it covers. Textures that are small enough stay. Throws Cancelled.
   void fit(const std::vector<std::vector<Material>*>& lists, int size, const Progress& progress);
 
  private:
   struct Small {
-    std::shared_ptr<const Texture> whole;  // so that its address is not used again
+    std::shared_ptr<const Texture> whole;  // kept, so that its address is not used again
     std::shared_ptr<const Texture> small;
   };
 
-  std::map<const Texture*, Small> known_;  // by the whole one
-  int size_ = 0;                           // of all of them
+  std::map<const Texture*, Small> known_;  // by the large texture
+  int size_ = 0;                           // size of all small textures
 };
 
 }  // namespace meristem::studio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small pictures of a document with other values: what a value does, at one look. States grow and are drawn side by
-// side, and what a state has grown stays for the next pictures, of all states alike.
+// Small pictures of a document with other values, which show the effect of a value. States are grown and drawn in
+// parallel. The results of a state are kept for the next pictures of any state.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,19 @@
 
 namespace meristem::studio {
 
-/// What the pictures are made of.
+/// The source of the pictures.
 struct StillSource {
   std::string text;
-  std::string file;  ///< absolute
+  std::string file;  ///< absolute path
   std::string root;
   std::string models;
   double time = 0;                           ///< seconds, of the document
-  std::shared_ptr<const GrownWish> grown{};  ///< of the same document, whose painted pictures serve where they fit
+  std::shared_ptr<const GrownWish> grown{};  ///< grown plant of the same document; its painted pictures are reused
+                                             ///< where they fit
 };
 
-/// Keeps what the states of a document share, and what each has grown, as far as that takes no more than some hundred
-/// megabytes. One thread at a time calls it.
+/// Keeps results that the states of a document share, and the grown plant of each state, up to some hundred megabytes.
+/// Only one thread at a time may call it.
 class StillMaker {
  public:
   StillMaker();
@@ -36,12 +37,12 @@ class StillMaker {
   StillMaker(const StillMaker&) = delete;
   StillMaker& operator=(const StillMaker&) = delete;
 
-  /// A list with an object for each state: {"picture": a PNG in base 64, without a background}, or {"faults"} of the
-  /// state. All are seen by one camera. Meshes and textures are coarse where there is much to see in few pixels. The
-  /// pictures are equal on any number of threads, whatever was made before. Throws Cancelled.
+  /// Returns a list with an object for each state: {"picture": a PNG in base 64, without a background}, or the
+  /// {"faults"} of the state. All states have one camera. Meshes and textures are coarse if many details fall on few
+  /// pixels. The pictures are equal on any number of threads, and do not depend on earlier calls. Throws Cancelled.
   Value make(const StillSource& source, const StillsRequest& request, const Registry& registry, Progress& progress);
 
-  /// Bytes of what has grown, that stay for the next pictures.
+  /// Returns the bytes of grown plants that are kept for the next pictures.
   std::uint64_t kept_bytes() const;
 
  private:

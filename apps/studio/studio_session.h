@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One page's document: messages in, messages out, as protocol.md defines them; it knows no sockets.
+// One page's document: messages in and out, as protocol.md defines them. It uses no sockets.
 #pragma once
 
 #include <chrono>
@@ -24,37 +24,37 @@
 
 namespace meristem::studio {
 
-/// What a job is called in news, and how long it may take; unset: `job_seconds`.
+/// The name of a job in messages, and its time limit; unset: `job_seconds`.
 struct Job {
   const char* name = "";
   std::optional<TimeLimit> time{};
 };
 
-/// One call at a time.
+/// Only one call at a time is allowed.
 class StudioSession {
  public:
-  /// Says hello. `host` outlives it and what it has begun. `readings` knows which messages have arrived that are not
-  /// handled yet; null: messages are handled as they arrive.
+  /// Sends `hello`. `host` must outlive this object and all jobs that it has begun. `readings` knows which messages
+  /// have arrived but are not handled yet. Null: messages are handled when they arrive.
   StudioSession(Host& host, std::shared_ptr<Outbox> outbox, std::shared_ptr<Readings> readings = nullptr);
   ~StudioSession();
   StudioSession(const StudioSession&) = delete;
   StudioSession& operator=(const StudioSession&) = delete;
 
-  /// Takes a message and answers it. Never throws for what it says.
+  /// Handles one message and sends the reply. Invalid messages produce an error reply, never an exception.
   void receive(std::string_view message);
 
  private:
   using Answer = Value::Object;
   struct Opened {
     std::string text;
-    std::string file;  // absolute
+    std::string file;  // absolute path
     std::string root;
-    std::optional<std::string> path;  // below the root
+    std::optional<std::string> path;  // path below the root
     std::string name;
     std::optional<std::string> saved;
   };
 
-  /// A drag whose reading was stopped for a newer message.
+  /// A drag whose reading was stopped because of a newer message.
   struct UnreadDrag {
     double request = 0;
     std::vector<Override> values;
@@ -126,25 +126,26 @@ class StudioSession {
   const std::shared_ptr<Grower> grower_;
   const std::shared_ptr<Readings> readings_;
   const std::shared_ptr<AskedJobs> jobs_ = std::make_shared<AskedJobs>();
-  // A page waits for the newest job of each of these kinds alone.
+  // A page waits only for the newest job of each of these kinds.
   const std::shared_ptr<AskedJobs> stills_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> derivations_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> sweeps_ = std::make_shared<AskedJobs>();
   const std::shared_ptr<AskedJobs> measures_ = std::make_shared<AskedJobs>();
-  std::shared_ptr<StillMaker> still_maker_;  // of the document; the worker's thread alone calls it
-  std::shared_ptr<SweepMaker> sweep_maker_;  // the same
-  std::shared_ptr<OpenFileWatch> watch_;     // of the file; none for models and new texts
-  std::optional<std::string> watched_;       // its path
+  std::shared_ptr<StillMaker> still_maker_;  // for the document; only the worker's thread calls it
+  std::shared_ptr<SweepMaker> sweep_maker_;  // for the document; only the worker's thread calls it
+  std::shared_ptr<OpenFileWatch> watch_;     // watch of the file; null for models and new texts
+  std::optional<std::string> watched_;       // path of the watched file
   std::unique_ptr<Session> session_;
-  std::string root_;                  // of the session's files
-  std::optional<std::string> path_;   // below the host's root; none for models and new texts
+  std::string root_;                  // folder that limits the session's files
+  std::optional<std::string> path_;   // path below the host's root; unset for models and new texts
   std::optional<std::string> model_;  // the shipped model that was opened
-  std::string title_;                 // of the file or the model
-  std::string hash_;                  // of the session's text
+  std::string title_;                 // name of the file or the model
+  std::string hash_;                  // hash of the session's text
   std::optional<UnreadDrag> unread_drag_;
-  bool is_opened_ = false;                                      // a document has been, and its growth has not begun
-  std::shared_ptr<const Document> document_;                    // what was shown last
-  std::deque<std::chrono::steady_clock::time_point> received_;  // within the last second
+  // True: a document was opened, and its growth has not begun
+  bool is_opened_ = false;
+  std::shared_ptr<const Document> document_;                    // the document that was shown last
+  std::deque<std::chrono::steady_clock::time_point> received_;  // times of messages within the last second
 };
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A studio with one page, for tests of what they tell each other.
+// A studio with one page, for tests of their messages.
 #pragma once
 
 #include <condition_variable>
@@ -35,10 +35,10 @@ inline const std::string kBush = R"json({
 }
 )json";
 
-/// What the page would have received, in order.
+/// Collects the messages to the page, in order.
 class Mailbox : public Outbox {
  public:
-  /// The first message for which that holds, which comes if it is not there yet.
+  /// Returns the first message for which `holds` is true. Waits for it if necessary.
   template <class Holds>
   Value wait_for(Holds holds) {
     std::unique_lock lock(mutex_);
@@ -57,7 +57,7 @@ class Mailbox : public Outbox {
              *message.find("is")->text() != "working";
     });
   }
-  /// The packet that an answer came as.
+  /// Returns the packet of an answer that came as a packet.
   std::string packed_answer(double id) {
     const std::lock_guard lock(mutex_);
     return packed_answers_.at(id);
@@ -96,7 +96,7 @@ class Mailbox : public Outbox {
   std::condition_variable news_;
   std::vector<Value> texts_;
   std::vector<std::string> packets_;
-  std::map<double, std::string> packed_answers_;  // by the request
+  std::map<double, std::string> packed_answers_;  // by the number of the request
 };
 
 /// A studio with one page, which takes over packets as the page does.
@@ -116,7 +116,7 @@ class Studio {
     return *page_;
   }
 
-  /// Asks and gives the answer; members are the request's in JSON.
+  /// Sends a request and returns its answer. `members` are the request's members in JSON.
   Value ask(const std::string& what, const std::string& members = "") {
     page().receive(request(what, members));
     return mailbox_->answer(id_);
@@ -126,20 +126,20 @@ class Studio {
            "}";
   }
   Value open_bush() { return open(R"("path": "bush.json")"); }
-  /// `members` are those of the request.
+  /// Opens a document. `members` are the members of the request.
   Value open(const std::string& members) {
     const Value answer = ask("open", members);
     hash_ = text_of(answer, "hash");
     return answer;
   }
-  /// Inserts a text as a page's user types it.
+  /// Inserts a text, as a user types it.
   Value type(std::size_t offset, const std::string& text) {
     const Value answer = ask("splice", "\"base\": \"" + hash_ + "\", \"patch\": [[" + std::to_string(offset) + ", 0, " +
                                            write_json_line(Value(text)) + "]]");
     if (answer.find("hash") != nullptr) hash_ = text_of(answer, "hash");
     return answer;
   }
-  /// `saved` is the hash of the file that is there; empty: there is none.
+  /// Saves the document. `saved` is the hash of the existing file; empty if no file exists.
   Value save(const std::string& path, const std::string& saved) {
     return ask("save", "\"path\": " + write_json_line(Value(path)) + ", \"hash\": \"" + hash_ +
                            "\", \"saved\": " + (saved.empty() ? "null" : "\"" + saved + "\""));
@@ -149,7 +149,7 @@ class Studio {
     std::ifstream file(folder() / path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  /// Opens a bush of some 400,000 triangles; returns the hash of its text.
+  /// Opens a bush with about 400,000 triangles. Returns the hash of its text.
   std::string open_large_bush() {
     std::string text = kBush;
     text.replace(text.find("\"count\": 40"), 11, "\"count\": 20000");
@@ -161,7 +161,7 @@ class Studio {
     if (answer.find("hash") != nullptr) hash_ = text_of(answer, "hash");
     return answer;
   }
-  /// Takes packets over until one at rest shows the text of this hash.
+  /// Takes over packets until one at rest shows the text with this hash.
   ReadPacket show(const std::string& hash) {
     for (;;) {
       last_ = mailbox_->packet(taken_++);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts as the page counts them: in UTF-16 code units, where the library counts bytes.
+// Converts positions in texts between the page, which counts UTF-16 code units, and the library, which counts bytes.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,12 @@
 
 namespace meristem::studio {
 
-/// The hash of a text that page and server compare, 16 hexadecimal digits; protocol.md defines it. Not for secrets.
+/// Returns the hash that page and server compare to find out whether their texts are equal: 16 hexadecimal digits,
+/// defined in protocol.md. Not for secrets.
+/// secrets.
 std::string text_hash(std::string_view text);
 
-/// UTF-16 code units of a text.
+/// Returns the number of UTF-16 code units of a text.
 std::size_t unit_count(std::string_view text);
 
 /// Line and column of a diagnostic.
@@ -24,11 +26,11 @@ struct LineColumn {
   auto operator<=>(const LineColumn&) const = default;
 };
 
-/// Where each line and column stands in the text, counted in units; the text's end for what lies beyond it. Passes over
-/// the text once, however many places there are.
+/// Returns the position of each line and column in the text, in units. Returns the text's end for positions beyond it.
+/// Needs one pass over the text for any number of positions.
 std::vector<std::size_t> units_of(std::string_view text, const std::vector<LineColumn>& places);
 
-/// One piece of a text and what stands there instead, in units.
+/// A piece of a text and its replacement, in units.
 struct UnitSplice {
   std::size_t offset = 0;
   std::size_t length = 0;
@@ -37,11 +39,11 @@ struct UnitSplice {
   bool operator==(const UnitSplice&) const = default;
 };
 
-/// The patch of `text` in bytes. Throws std::invalid_argument where the splices do not rise, overlap, lie outside of
-/// the text or begin or end within a character.
+/// Returns the patch of `text` in bytes. Throws std::invalid_argument if the splices are not in rising order, overlap,
+/// lie outside of the text, or begin or end within a character.
 Patch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices);
 
-/// The patch of `text`, which is sound, in units.
+/// Returns the patch of `text` in units. The patch must be valid.
 std::vector<UnitSplice> in_units(std::string_view text, const Patch& patch);
 
 }  // namespace meristem::studio

@@ -10,14 +10,15 @@
 
 namespace meristem::studio {
 
-/// {"picture": a PNG in base 64, "width", "height": of the whole picture} of a file that a document names, at most
-/// `size` pixels along its longer side. `file` starts from the folder of `document`, and leads to nothing outside of
+/// Returns {"picture": a PNG in base 64, "width", "height": of the whole picture} for a file that a document names, at
+/// most `size` pixels along its longer side. `file` is relative to the folder of `document`, and must lie within
 /// `root`. Throws InputError, MachineError.
 Value thumbnail(const std::string& file, int size, const std::string& document, const std::string& root,
                 const Limits& limits);
 
-/// The picture with at most `size` pixels along its longer side, each the mean of those that it stands for: of colours
-/// that of their light, of `numbers` as they are. A picture that is small enough stays as it is.
+/// Returns the picture with at most `size` pixels along its longer side. Each pixel is the mean of the pixels that it
+/// covers: the mean of light for colours, and the mean of the numbers for `numbers`. A picture that is small enough is
+/// not changed.
 Image shrunk(const Image& image, int size, PixelKind kind);
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thread that does one job after another, some of them later.
+// A thread that runs one job after another. A job can be postponed.
 #pragma once
 
 #include <chrono>
@@ -23,10 +23,11 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Jobs of one time are done in the order in which they came. They must not throw. Nothing happens once it stops.
+  /// Posts a job. Jobs of one time run in the order of their posting. They must not throw. After stop(), posting does
+  /// nothing.
   void post(Job job) { post_at(Clock::now(), std::move(job)); }
   void post_at(Clock::time_point time, Job job);
-  /// Lets the job in hand end and forgets the others. Not called by a job.
+  /// Waits for the running job and forgets all others. Must not be called by a job.
   void stop();
 
  private:
@@ -37,7 +38,7 @@ class Worker {
   std::map<std::pair<Clock::time_point, std::uint64_t>, Job> jobs_;
   std::uint64_t count_ = 0;
   bool stops_ = false;
-  std::thread thread_;  // the last, as it uses the others
+  std::thread thread_;  // last member, because the thread uses the others
 };
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the library says, as protocol.md writes it in JSON.
+// Converts results of the library to JSON values in the form of protocol.md.
 #pragma once
 
 #include <string>
@@ -14,17 +14,18 @@
 
 namespace meristem::studio {
 
-/// Faults of a text; `file` is its name as the user knows it, in place of its path; empty: as they say.
+/// Returns faults of a text. `file` is the name of the file that the user knows, instead of its path; empty: the faults
+/// keep their own.
 Value faults_value(const std::vector<Diagnostic>& faults, std::string_view text, const std::string& file);
 
 Value patch_value(const std::vector<UnitSplice>& splices);
 
-/// The variables of a document as a value.
+/// Returns the variables of a document as a value.
 Value variables_value(const std::vector<Variable>& variables);
 
-/// The names of the files that were copied, as `save` answers them.
+/// Returns the names of the files that were copied, for the answer to `save`.
 Value copied_value(const NamedFileCopies& copies);
-/// The files that were not copied, each with the reason.
+/// Returns the files that were not copied, each with the reason.
 Value omitted_value(const NamedFileCopies& copies);
 
 }  // namespace meristem::studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several files as one, so that a browser fetches them in one piece.
+// Joins several files into one, so that a browser fetches them together.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace meristem::studio {
 
-/// Writes a zip archive of these files under their own names, without compressing them: meshes and pictures would gain
-/// little for the time. The same files give the same bytes. Throws MachineError (also where a file or the archive has
-/// 4 GB or more, which this form of archives cannot hold), Cancelled.
+/// Writes a zip archive of these files under their own names. Files are not compressed: meshes and pictures would gain
+/// little for the time. Equal files give equal bytes. Throws MachineError (also if a file or the archive has 4 GB or
+/// more, which this archive format cannot hold), Cancelled.
 void write_zip(const std::vector<std::string>& files, const std::string& path, const Progress& progress);
 
 }  // namespace meristem::studio

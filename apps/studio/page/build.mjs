@@ -14,8 +14,8 @@ const kMostBytes = 500_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const common = { bundle: true, target: 'es2022', logLevel: 'warning', absWorkingDir: here, jsx: 'automatic' };
 
-/// First values of new components that would otherwise have faults, by type: the components of those documents of the
-/// palette that contain such values.
+/// Returns the first values of new components that would otherwise have faults, by type. They are the components of the
+/// palette's documents with a description.
 async function starters() {
   const folder = path.join(here, '../parts');
   const made = {};

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Checks a data set in the order of its parts: plan, documents, tables with their rows, files of plants, data card and
+// arrays. Hashes in dataset.json and checks/ show changes, and drawn values are drawn again. Last, files that belong to
+// no part are reported.
 #include "meristem/dataset/verify_dataset.h"
 
 #include <algorithm>
@@ -27,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The document as it lies in the folder.
+/// Returns the hash of a document in the folder.
 std::string hash_of_unpacked(const DatasetDocument& document, const std::string& folder) {
   DocumentBundle bundle{.document = document.document, .files = {}};
   each_file_below(folder, [&](const std::string& path, bool is_left_over) {
@@ -38,7 +41,7 @@ std::string hash_of_unpacked(const DatasetDocument& document, const std::string&
   return bundle.hash();
 }
 
-/// The first member in which two plans differ, for messages; empty if they say the same.
+/// Returns the first member in which two plans differ, for messages. Returns an empty text if they are equal.
 std::string difference_of(const std::string& now, const std::string& before) {
   try {
     const Value changed = parse_json(now);
@@ -111,13 +114,13 @@ class DatasetVerifier {
     }
   }
 
-  /// Reads the plan that the data set was begun with. Without it, drawn values cannot be checked.
+  /// Reads the plan with which the data set was begun. Without it, random values cannot be checked.
   void read_plan() {
     const std::string file = folder_plan_path(folder_);
     try {
       plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_, .root = root_});
     } catch (const std::exception& error) {
-      // check_plan reports this, unless a document has changed.
+      // check_plan reports the fault, unless a document has changed.
       const auto* const input = dynamic_cast<const InputError*>(&error);
       plan_fault_ = input != nullptr ? input->diagnostics().front().text() : error.what();
       return;
@@ -252,7 +255,7 @@ class DatasetVerifier {
     }
   }
 
-  /// Checks the rows of a table that is not whole yet. Returns the number of plants that have one.
+  /// Checks the rows of a table that is not complete. Returns the number of plants with a row.
   std::uint64_t check_parts(const TableKnowledge& knowledge, std::uint64_t table, TableCheck& check) {
     std::map<std::uint64_t, std::optional<std::string>> plants;  // each with the fault of its files
     const auto parts = parts_.find(table);
@@ -293,7 +296,7 @@ class DatasetVerifier {
     }
   }
 
-  /// The data card, and arrays that Python has written.
+  /// Checks the data card, and arrays that Python has written.
   void check_files() {
     if (info_.format < kDatasetFormat || !info_.is_as_written) return;
     for (const auto& [name, hash] : info_.files) {

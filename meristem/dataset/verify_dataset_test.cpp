@@ -96,7 +96,7 @@ std::string as_of_format_1(const std::string& plan, const std::string& document)
       plan, document);
 }
 
-/// A way to damage a data set, what is told of it, and how many plants are made again.
+/// A way to damage a data set, the expected fault, and the number of plants that are made again.
 struct Damage {
   const char* name;
   const char* file;
@@ -460,7 +460,7 @@ TEST(VerifyDataset, AFolderWithoutHashesIsWarnedOfAndGetsThem) {
   ASSERT_EQ(check.warnings.size(), 1U);
   EXPECT_NE(check.warnings[0].find("without hashes of its tables"), std::string::npos);
 
-  // What the plan draws is checked all the same.
+  // Values from the plan are still checked.
   const std::string table = file_content(fs::path(rods) / "manifest/00000.csv");
   std::vector<std::string> lines = lines_of(table);
   lines[3] = with_field(lines[3], kTall, other_digit);

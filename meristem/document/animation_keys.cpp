@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts the keys of an animation into the tree of a document. Each key path is resolved to a row of a parameter table. A
-// parameter that follows the clocks of instances gets all of its keys in place of its value; any other parameter gets
-// the value of its keys at the document's time.
+// Puts the keys of an animation into the tree of a document. Each key path is resolved to a row of a parameter table.
+// If a parameter follows the clocks of instances, its keys replace its value. Any other parameter gets the value of its
+// keys at the document's time.
 #include "meristem/document/animation_keys.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kHashedTogether = 4096;
 
-/// The fields one after another, without the gaps between them.
+/// The fields one after another, without gaps between them.
 class Packed {
  public:
   template <class Field>

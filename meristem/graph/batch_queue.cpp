@@ -8,7 +8,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kSitesTogether = 65'536;  // sites that one slice of a batch may offer
+constexpr std::size_t kSitesTogether = 65'536;  // maximum number of sites that one slice of a batch may emit
 
 }  // namespace
 
@@ -76,8 +76,8 @@ std::vector<FinishedBatch> BatchQueue::take_results() { return std::exchange(res
 
 Way* BatchQueue::new_way(ComponentIndex component) { return &ways_.emplace_back(Way{component}); }
 
-/// Returns the way by a link from the parent's own way. Children of a batch that has grown begin a way, unless they
-/// grow themselves.
+/// Returns the way by a link from the parent's own way. The children of a grown batch begin a new way, unless they grow
+/// themselves.
 Way* BatchQueue::way_onward(const Batch& parent, LinkIndex link) {
   const ComponentIndex to = graph_.links[link].to;
   if (!in_slices_) return nullptr;
@@ -88,7 +88,7 @@ Way* BatchQueue::way_onward(const Batch& parent, LinkIndex link) {
   return onward.emplace(place, link, new_way(to))->second;
 }
 
-/// Hands on what all ways have made since the last growth, as if each way had been one batch: shorter ways come first.
+/// Passes on the results of all ways since the last growth in the order of whole batches: shorter ways come first.
 /// Components that grow wait.
 void BatchQueue::gather_ways() {
   std::deque<Way*> ahead(roots_.begin(), roots_.end());

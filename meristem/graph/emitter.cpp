@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Collects the geometry, stems and sites of instances. Each call stores a part in the frame and with the keys of the
+// present instance. Shared counters are updated in groups, since an atomic addition per site would slow threads down. A
+// trimmed or growing stem keeps its whole skeleton, so that children keep their positions and random numbers.
 #include "meristem/graph/emitter.h"
 
 #include <algorithm>
@@ -23,24 +26,26 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
+// Number of sites that are counted in one addition; an atomic addition for each would slow threads down
+constexpr std::uint64_t kCountedTogether = 1024;
 
-constexpr std::uint32_t kCutOff = 0;  // in place of the number of siblings: the site is gone with a part of the stem
+// Stands for the number of siblings of a site that was cut off with a part of the stem
+constexpr std::uint32_t kCutOff = 0;
 
 bool is_finite(const Frame& frame) {
   const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
   return finite(frame.origin) && finite(frame.axes[0]) && finite(frame.axes[1]) && finite(frame.axes[2]);
 }
 
-/// Stops where a limit is passed. `message` names the limit and not the count, which depends on what other threads have
-/// counted so far.
+/// Throws an InputError because a limit was exceeded. `message` contains the limit, but not the count, which depends on
+/// other threads.
 [[noreturn]] void throw_past(std::string message, std::uint64_t limit, std::string_view limit_name, std::string path) {
   throw InputError(Diagnostic{.message = std::move(message),
                               .expected = fmt::format("at most {} (limits.{})", limit, limit_name),
                               .path = std::move(path)});
 }
 
-/// Moves a skeleton in world space along with the frame it hangs on. Returns by how much larger it is then.
+/// Moves a skeleton in world space along with its frame. Returns the factor of its size.
 float move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
   const Mat3 axes = to.axes * glm::inverse(from.axes);
   for (Vec3& position : skeleton.position) position = to.origin + axes * (position - from.origin);
@@ -123,7 +128,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   }
 }
 
-/// Completes the sites for children, drops those that no link wants, and numbers the rest.
+/// Completes the sites for children, removes sites that no link uses, and numbers the others.
 void Emitter::end_instance() {
   if (!has_child_sites_) child_site(Frame{});
   if (context_->wants_branch_sites && !context_->prototype.type->makes_stems && branch_sites.size() == first_branch_) {
@@ -149,7 +154,7 @@ void Emitter::end_instance() {
   number(child_sites, first_child_);
   number(branch_sites, first_branch_);
   if (parts_ != nullptr) {
-    // What has ribs counts these, and has one child at its tip.
+    // In components with ribs the count is for the ribs, and there is one child at the tip.
     if (!context_->prototype.type->has_ribs) tell_parts(child_sites, first_child_);
     tell_parts(branch_sites, first_branch_);
   }
@@ -157,7 +162,7 @@ void Emitter::end_instance() {
   if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
-/// Tells sites that stand for the parts of a count when each has come to be, and how far.
+/// Sets for sites of a count when each part appears, and the size of the last part.
 void Emitter::tell_parts(std::vector<Site>& sites, std::size_t first) const {
   const auto offset = reinterpret_cast<const std::byte*>(parts_) - reinterpret_cast<const std::byte*>(base_);
   const auto is_its = [&](const Varying& varying) {
@@ -175,7 +180,7 @@ void Emitter::tell_parts(std::vector<Site>& sites, std::size_t first) const {
   }
 }
 
-/// Each name's sites count by themselves.
+/// Numbers the named sites. Each name is counted separately.
 void Emitter::number_named_sites() {
   std::unordered_map<std::uint32_t, std::uint32_t> count;
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
@@ -206,14 +211,14 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual(), next_name()});
 }
 
-/// Where organs stand in another deformation than those before.
+/// Records the deformation of the following organs if it differs from the previous one.
 void Emitter::note_deformation() {
   const std::shared_ptr<const Deformation>& own = deformation_at(site_);
   const bool is_other = deformed.empty() ? own != nullptr : deformed.back().deformation != own;
   if (is_other) deformed.push_back({organs.size(), own});
 }
 
-/// Number within the block of the plant that the instance is part of.
+/// Returns the number, within the block, of the plant to which the instance belongs.
 std::uint32_t Emitter::number_of_individual() {
   if (!individuals.empty() && individuals.back() == site_.individual) {
     return static_cast<std::uint32_t>(individuals.size() - 1);
@@ -231,10 +236,10 @@ void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> sourc
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
-  if (!to_named && child_sites.size() == first_child_) return;  // no link wants it
+  if (!to_named && child_sites.size() == first_child_) return;  // no link uses it
   Site& site = to_named ? named_sites.back().second : child_sites.back();
   const std::vector<std::uint32_t>& slots = context_->prototype.given_slots;
-  if (slots.empty()) return;  // the graph has no names for them
+  if (slots.empty()) return;  // the graph has no names for the numbers
   assert(numbers.size() == slots.size());
   SiteValues values;
   if (site_.values != nullptr) values = *site_.values;
@@ -245,7 +250,7 @@ void Emitter::give(std::span<const double> numbers, bool to_named) {
 }
 
 void Emitter::from_row(std::uint32_t row, bool is_named) {
-  if (!is_named && child_sites.size() == first_child_) return;  // no link wants it
+  if (!is_named && child_sites.size() == first_child_) return;  // no link uses it
   Site& site = is_named ? named_sites.back().second : child_sites.back();
   site.row = row;
 }
@@ -269,7 +274,7 @@ void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, Fun
     for (const Vec3 point : made.section.points) made.extent = std::max(made.extent, glm::length(point));
     outline = std::make_shared<const SectionOutline>(std::move(made));
   }
-  // Chance gives one colour to all of a surface.
+  // One random colour holds for a whole surface.
   const bool is_first = parent_section_ == 0;
   if (is_first) site_.surface = site_.key;
   section_ = std::max<std::uint64_t>(1, site_.key.child("section").bits());
@@ -310,8 +315,8 @@ double Emitter::grown_to(double last) {
 
 const Animation& Emitter::animation() const { return *context_->animation; }
 
-/// What the surroundings and the time leave of a stem; null where that is all of it. A stem that grows is cut as it is
-/// by then, also where it would be fitted.
+/// Returns the stem trimmed by the surroundings and the time, or null if it stays whole. A growing stem is cut at its
+/// present size, even if it would otherwise be fitted.
 std::shared_ptr<const TrimmedStem> Emitter::trimmed_stem(Skeleton skeleton, TrimMode trim, const GrowingStem* growing,
                                                          double pipe_exponent) const {
   const Crown* const body = surroundings().trim.get();
@@ -342,6 +347,10 @@ GrowingStem growing_stem(const Skeleton& whole, double step, double steps_per_se
 
 }  // namespace
 
+/// Counts the nodes, takes the stem back to its step of growth, and trims it by the body of the surroundings. Stores
+/// the rest with the whole skeleton, so that later calls can use the nodes of the whole. The stem gets a key of its
+/// own, from its number in the instance. If the instance is a plant and the stem has several roots, each root becomes a
+/// plant. If `place` moves the instance, stores a moved copy of the skeleton, which is the visible one.
 void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim,
                    double pipe_exponent) {
   count_nodes(skeleton.node_count());
@@ -371,7 +380,7 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   }
 }
 
-/// Each root of the first stem of a plant is a plant of its own; what stands on none of them stands on the first.
+/// Makes each root of a plant's first stem a plant of its own. Parts that stand on no root belong to the first one.
 void Emitter::tell_roots_apart(EmittedStem& stem) {
   const Skeleton& skeleton = stem.skeleton;
   if (stems_of_instance_ > 1 || std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode) < 2) return;
@@ -398,7 +407,8 @@ void Emitter::unseen_stem(Skeleton skeleton, TrimMode trim) {
   visible_ = was_visible;
 }
 
-/// Where a position of the whole stem emitted last stands on what is left of it.
+/// Returns the position, on the rest of the last emitted stem, of a position of the whole stem. Returns nothing if it
+/// was trimmed away.
 std::optional<StemPosition> Emitter::left_of(StemPosition whole) const {
   const auto& trimmed = stems.back().trimmed;
   return trimmed == nullptr ? std::optional(whole) : trimmed->left_of(whole);
@@ -470,7 +480,8 @@ void Emitter::born(double step) {
   site.appeared = step / *animation().steps_per_second;
 }
 
-/// Sets what a site that stands at a position of the whole stem emitted last has of what is left of it.
+/// Moves a site at a position of the whole last emitted stem to the rest of the stem. Marks the site as cut off if the
+/// position is gone.
 void Emitter::put_on_stem(StemPosition whole, Site& site) const {
   const EmittedStem& stem = stems.back();
   const std::optional<StemPosition> left = left_of(whole);
@@ -493,7 +504,7 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
   site.u = u;
   site.length = length;
   site.radius = radius;
-  if (stems_of_instance_ == 0) return;  // else on the stem that the instance stands on itself
+  if (stems_of_instance_ == 0) return;  // the site then keeps the stem on which the instance stands
   const Skeleton& skeleton = stems.back().skeleton;
   site.stem = stems.back().id();
   site.node = static_cast<NodeIndex>(skeleton.node_count() - 1);
@@ -547,7 +558,7 @@ void Emitter::count_sites() {
 
 void Emitter::throw_too_many_children() const {
   const std::uint64_t limit = context_->limits.instances;
-  // Where instances differ, which of them is one too many is a matter of threads.
+  // If instances differ, threads decide which of them exceeds the limit. The message therefore names all of them.
   const bool is_one = context_->together == 1;
   std::string who = fmt::format("'{}'", component());
   if (!is_one) who = fmt::format("{} instances of {}", context_->together, who);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instances of one component that have come by one link are a batch, and expand together. What a batch makes depends on
-// what the document says of the component, on its sites, the scene and the time, and on nothing else that happens in
-// the expansion: so a batch with the same fingerprint need not expand again. The same holds of the sites that a link
-// gives, which depend on the batch that it leads from, and of a stand.
+// Instances of one component that the same link leads to are a batch, and expand together. The result of a batch
+// depends only on the component in the document, its sites, the scene and the time. A batch with the fingerprint of an
+// earlier one is therefore reused. The same holds for the sites of a link, which depend on the batch at its beginning,
+// and for a stand.
 #include "meristem/graph/expand.h"
 
 #include <algorithm>
@@ -38,11 +38,12 @@ namespace meristem {
 
 namespace {
 
-/// What a batch has grown in its stand.
+/// The grown plants of a batch.
 struct Grown {
   CacheKey key;
   std::shared_ptr<GrownBatch> batch;
-  std::vector<std::shared_ptr<const GrowthTrace>> watched{};  // by instance, where the component watches others grow
+  // By instance, if the component shows the growth of others
+  std::vector<std::shared_ptr<const GrowthTrace>> watched{};
 };
 
 class Expansion {
@@ -85,7 +86,7 @@ class Expansion {
     return plant;
   }
 
-  /// Notes who stands on whom.
+  /// Returns the tree of instances.
   InstanceTree tree(std::uint64_t most) {
     tree_.emplace();
     is_sliced_ = false;
@@ -112,7 +113,7 @@ class Expansion {
     return std::move(*clocks_);
   }
 
-  /// Walks until the instance is found. The results of the cache stay, since the run does not end.
+  /// Walks until the instance is found. The run does not end, so the results in the cache stay.
   std::optional<FoundInstance> find(const InstanceWish& wish) {
     wish_ = &wish;
     is_sliced_ = false;
@@ -146,7 +147,8 @@ class Expansion {
     assembly_.add(finished.component, std::move(finished.result), finished.own);
   }
 
-  /// What all results depend on; nothing where that is not known, or nobody will ask.
+  /// Returns a hash of the scene and the limits, on which all results depend. Returns nothing if it is unknown or not
+  /// needed.
   CacheKey fingerprint_of_surroundings() const {
     static_assert(std::has_unique_object_representations_v<Limits>);
     if (!scene_.fingerprint) return std::nullopt;
@@ -154,7 +156,7 @@ class Expansion {
     return results_.key([&] { return Fingerprint().add(*scene_.fingerprint).add_text(limits).hash(); });
   }
 
-  /// The fingerprint of one component in these surroundings.
+  /// Returns the fingerprint of one component in this scene.
   CacheKey fingerprint_of(ComponentIndex component, CacheKey of_document, bool depends_on_time) const {
     if (!surroundings_ || !of_document) return std::nullopt;
     const Prototype& prototype = graph_.components[component];
@@ -162,13 +164,14 @@ class Expansion {
     return Fingerprint().add(*surroundings_).add_text(prototype.id).add(time).add(*of_document).hash();
   }
 
-  /// Whether the plants of a component stand as their growth has come to be at a time.
+  /// Returns true if the plants of a component are shown as they have grown up to the present time.
   bool unrolls(const Prototype& prototype) const {
     return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second &&
            !step_of(prototype);
   }
 
-  /// The step of its growth that a component is shown at; what shows the growth of another one goes with it.
+  /// Returns the growth step at which a component is shown. A component that shows another one's growth is shown at
+  /// that one's step.
   std::optional<int> step_of(const Prototype& prototype) const {
     return is_looked_at(view_, prototype.id) || is_looked_at(view_, prototype.shown) ? view_.step : std::nullopt;
   }
@@ -180,7 +183,8 @@ class Expansion {
            prototype.type->watches_growth(prototype.parameters.get());
   }
 
-  /// What is recorded of a component's growth: what the view wishes, and what others show of it.
+  /// Returns the parts of a component's growth to record: the requested parts, and the parts that other components
+  /// show.
   TraceWish wish_for(const Prototype& prototype) const {
     TraceWish wish = view_.wish;
     if (wish.has(TracePart::markers) || step_of(prototype)) wish = wish | TraceWish{TracePart::steps};
@@ -196,7 +200,8 @@ class Expansion {
     return places;
   }
 
-  /// Grows all that waits in one stand, but for plants that want to be alone, and expands it with what has grown.
+  /// Grows all waiting batches in one stand, except plants that grow alone. Then expands each batch with its grown
+  /// plants.
   void grow_waiting(const std::vector<Batch>& batches) {
     std::vector<Batch> together;
     std::copy_if(batches.begin(), batches.end(), std::back_inserter(together),
@@ -211,7 +216,7 @@ class Expansion {
     }
   }
 
-  /// Finds the growths that the instances of a batch watch. A watched instance has the key of its watcher.
+  /// Finds the growths that the instances of a batch show. A shown instance has the key of the instance that shows it.
   void find_watched(const Batch& batch, const std::vector<Batch>& batches, const std::vector<Grown>& all,
                     Grown& grown) const {
     const Prototype& prototype = graph_.components[batch.component];
@@ -250,7 +255,10 @@ class Expansion {
         .hash();
   }
 
-  /// What each batch of a stand has grown. Where a plant changes, all that compete with it grow anew.
+  /// Grows the plants of all batches in one stand, because they compete with each other. Returns the grown plants of
+  /// each batch. Each batch's key covers all batches of the stand: if one plant changes, all of them grow again.
+  /// Otherwise all results come from the cache. Skeletons come out of the stand in the order of planting, and are split
+  /// by the sizes of the batches.
   std::vector<Grown> grow_together(const std::vector<Batch>& batches) {
     Fingerprint whole;
     bool is_known = true;
@@ -324,7 +332,7 @@ class Expansion {
     results_.count<Result>(is_reused, batch.sites().size());
   }
 
-  /// Expands the instances, or finds what they made before, and hands their sites on along the links.
+  /// Expands the instances, or reuses their earlier result, and passes their sites on along the links.
   void expand_batch(const Batch& batch, const Grown& grown) {
     const std::vector<LinkIndex> links = links_.links_followed(batch.component, batch.sites()[0]);
     const CacheKey key = key_of(batch, links, grown);
@@ -343,22 +351,22 @@ class Expansion {
     require_placed(batch.component, *result);
     memory_.add(graph_.components[batch.component].id, *result);
     for (const LinkIndex link : links) follow(link, batch, key, *result);
-    if (key) own.reset();  // the cache has it
+    if (key) own.reset();  // the cache owns it
     if (own != nullptr) release_sites(*own);
     queue_.finish(batch, std::move(result), own.get());
   }
 
-  /// Once its links have been followed, nobody asks for the sites of a result that is in no cache.
+  /// Frees the sites of a result that is in no cache. Nobody needs them once its links have been followed.
   static void release_sites(BatchResult& result) {
     for (Emitted& block : result.blocks) {
-      // Assigning {} would keep their memory.
+      // Assigning {} would keep the memory.
       block.child_sites = std::vector<Site>();
       block.branch_sites = std::vector<Site>();
       block.named_sites = std::vector<std::pair<std::uint32_t, Site>>();
     }
   }
 
-  /// Hands out what was recorded of a batch's growth.
+  /// Passes on what was recorded of a batch's growth.
   void take_traces(const Batch& batch, const Grown& grown, const BatchResult& result) {
     const std::string& id = graph_.components[batch.component].id;
     traces_->add_steps(id, result.growth_steps, view_);
@@ -392,7 +400,8 @@ class Expansion {
     return key.add(grown.key.value_or(0)).hash();
   }
 
-  /// What a batch has made in an earlier expansion. Nothing, so that it expands and says so, where a limit is passed.
+  /// Returns a batch's earlier result. Returns null if the result would exceed a limit: the batch then expands and
+  /// reports the error.
   std::shared_ptr<const BatchResult> find_result(ComponentIndex component, CacheKey key) {
     std::shared_ptr<const BatchResult> result = results_.find<const BatchResult>(key);
     if (result == nullptr) return nullptr;
@@ -407,7 +416,7 @@ class Expansion {
     return fits ? result : nullptr;
   }
 
-  /// Shared by all batches of a component, and with those of the expansion before.
+  /// Returns the meshes that all batches of a component share, including meshes of the previous expansion.
   SharedMeshes& meshes_of(ComponentIndex component) {
     std::shared_ptr<SharedMeshes>& meshes = meshes_[component];
     if (meshes != nullptr) return *meshes;
@@ -420,14 +429,14 @@ class Expansion {
     return *meshes;
   }
 
-  /// Adds what the meshes of a component have grown by since the last call to the bytes of all meshes.
+  /// Adds the growth of a component's meshes since the last call, in bytes.
   void count_mesh_bytes(ComponentIndex component) {
     const std::uint64_t bytes = meshes_of(component).bytes();
     mesh_bytes_ += bytes - counted_mesh_bytes_[component];
     counted_mesh_bytes_[component] = bytes;
   }
 
-  /// What an emitter of the batch's instances needs to know; its progress is set by who uses it.
+  /// Returns the context for emitters of the batch's instances. The caller sets its progress.
   EmitterContext context_of(const Batch& batch, const std::vector<LinkIndex>& links) {
     const Prototype& prototype = graph_.components[batch.component];
     SharedMeshes& meshes = meshes_of(batch.component);
@@ -451,13 +460,13 @@ class Expansion {
             .nodes = nodes_};
   }
 
-  /// Expands the instances in parallel blocks.
+  /// Expands the instances of a batch in parallel blocks.
   std::shared_ptr<BatchResult> make_result(const Batch& batch, const std::vector<LinkIndex>& links,
                                            const Grown& grown) {
     const std::span<const Site> sites = batch.sites();
     const Prototype& prototype = graph_.components[batch.component];
     EmitterContext context = context_of(batch, links);
-    // One instance may tell its stages; many tell together how many of them are done.
+    // A single instance may report its own stages. For several instances, only their number is reported.
     Progress part(&progress_);
     context.progress = sites.size() == 1 ? &progress_ : &part;
     const std::size_t block = grown.batch == nullptr && !tree_ ? kBlock : 1;
@@ -482,7 +491,7 @@ class Expansion {
     return result;
   }
 
-  /// What an instance has grown, at the step that is shown, or after what it plans.
+  /// Returns the grown skeleton of an instance: at the shown step, or after its plan if the view shows the outcome.
   std::vector<Skeleton> skeleton_of(const Grown& grown, std::size_t instance, std::optional<int> step,
                                     Progress& progress) const {
     Skeleton& skeleton = grown.batch->skeletons[instance];
@@ -495,12 +504,12 @@ class Expansion {
     } else if (grown.key) {
       one[0] = skeleton;
     } else {
-      one[0] = std::move(skeleton);  // nobody else will ask for it
+      one[0] = std::move(skeleton);  // nobody else needs it
     }
     return one;
   }
 
-  /// What a component places by itself needs a link to the component of that name.
+  /// Throws an InputError if an instance places a component that does not exist.
   void require_placed(ComponentIndex component, const BatchResult& result) const {
     const Prototype& prototype = graph_.components[component];
     if (!prototype.type->placed) return;
@@ -520,7 +529,7 @@ class Expansion {
     }
   }
 
-  /// The children of a batch by one link.
+  /// Adds the batch of the children by one link.
   void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
     const CacheKey own = links_.fingerprint(link);
     const ComponentIndex to = graph_.links[link].to;
@@ -541,7 +550,7 @@ class Expansion {
     queue_.add(std::move(children));
   }
 
-  /// Notes the clocks that a component has begun for its children.
+  /// Records the clocks that a component has begun for its children.
   void note_clocks(ComponentIndex component, const Batch& children) {
     const Clock* last = nullptr;
     for (const Site& site : children.sites()) {
@@ -551,7 +560,7 @@ class Expansion {
     }
   }
 
-  /// Adds the batch's instances to the tree, on each parent as many as `per_parent` says; gives their numbers.
+  /// Adds the batch's instances to the tree, `per_parent[k]` of them below the k-th parent. Returns their numbers.
   std::vector<std::uint32_t> note_instances(const Batch& batch, const std::vector<std::size_t>& per_parent,
                                             const std::vector<std::uint32_t>& parents, LinkIndex link) {
     std::vector<InstanceTree::Instance>& all = tree_->instances;
@@ -571,7 +580,10 @@ class Expansion {
     return numbers;
   }
 
-  /// Finds the instance that made what is asked for, where one of this batch did.
+  /// Looks for the requested instance in this batch, and sets `found_` if it is there. Parts of a component are
+  /// numbered over its batches in order, and `passed_` counts the parts of earlier instances. Blocks that end before
+  /// the requested number are skipped by their counts. Within the right block, each instance is expanded again alone,
+  /// and its own parts are counted until the number is reached.
   void look_for_wish(const Batch& batch, const std::vector<LinkIndex>& links, const BatchResult& result) {
     const Prototype& prototype = graph_.components[batch.component];
     if (prototype.id != wish_->component || found_) return;
@@ -594,7 +606,7 @@ class Expansion {
       }
       const auto of_block = std::span(sites).subspan(k * size, std::min(size, sites.size() - k * size));
       const Site* site = of_block.size() == 1 ? of_block.data() : nullptr;
-      // Which of them it was, each tells by what it makes alone.
+      // A block does not store which instance made a part, so each instance is expanded alone.
       EmitterContext context = context_of(batch, links);
       context.progress = &progress_;
       for (std::size_t s = 0; s < of_block.size() && site == nullptr; ++s) {
@@ -637,24 +649,24 @@ class Expansion {
   PlantAssembly assembly_;
   GrowthView view_;
   GrowthTraces* traces_ = nullptr;
-  std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // so far
+  std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // number of instances so far
   CacheRun results_;
   CacheKey surroundings_;
-  bool is_sliced_ = false;              // batches expand in slices, since nobody asks for whole ones
-  std::vector<std::uint64_t> made_;     // instances by component, so far
-  std::optional<InstanceTree> tree_;    // where one is made
-  std::uint64_t most_ = 0;              // instances of it
-  const InstanceWish* wish_ = nullptr;  // what is looked for
-  std::uint64_t passed_ = 0;            // of what is looked for, made by instances before
+  bool is_sliced_ = false;              // batches expand in slices, because nobody needs whole ones
+  std::vector<std::uint64_t> made_;     // number of instances so far, by component
+  std::optional<InstanceTree> tree_;    // set if the tree is requested
+  std::uint64_t most_ = 0;              // maximum number of its instances
+  const InstanceWish* wish_ = nullptr;  // the requested part; null: no request
+  std::uint64_t passed_ = 0;            // number of such parts made by earlier instances
   std::optional<FoundInstance> found_;
-  std::vector<std::uint64_t> counts_;              // of instances by component, where they are asked for
-  std::optional<std::vector<BegunClock>> clocks_;  // where they are asked for
+  std::vector<std::uint64_t> counts_;              // instances by component, if requested
+  std::optional<std::vector<BegunClock>> clocks_;  // set if the clocks are requested
   std::uint64_t instances_ = 1;                    // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
   std::vector<std::uint64_t> counted_mesh_bytes_;      // by component
-  std::uint64_t mesh_bytes_ = 0;                       // the sum of these
-  std::unordered_set<std::string_view> watched_;       // ids of components whose growth others show
+  std::uint64_t mesh_bytes_ = 0;                       // sum of these
+  std::unordered_set<std::string_view> watched_;       // ids of components whose growth other components show
 };
 
 }  // namespace

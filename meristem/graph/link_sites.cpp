@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of the parent's instances are followed side by side. The fault that is thrown does not depend on their timing:
-// it is the first one in the order of the blocks.
+// Follows a link from all blocks of the parent's instances in parallel. If several blocks fail, the first fault in the
+// order of the blocks is thrown, whatever the threads do.
 #include "meristem/graph/link_sites.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::vector<std::uint32_t> ordinals_of_links(const Graph& graph) {
   return ordinals;
 }
 
-/// The sum over all items before the first that is missing, whatever the order in which threads add them.
+/// The sum over all items before the first missing one, in whatever order threads add them.
 class LeadingSum {
  public:
   explicit LeadingSum(std::size_t count) : values_(count) {}
@@ -51,7 +51,7 @@ class LeadingSum {
 
 }  // namespace
 
-/// Writes the sites that one link gives on one block of the parent's instances.
+/// Computes the sites of one link for one block of the parent's instances.
 class LinkSites::Writer {
  public:
   Writer(const LinkSites& all, LinkIndex index, Progress& progress, std::uint64_t room)
@@ -122,7 +122,7 @@ class LinkSites::Writer {
     context.stem = stem.id();
     const Skeleton& skeleton = placed_on(stem);
     if (!stem.branching) return add_placed(stem, skeleton, branch.placement, context);
-    // A stem's own branching, but for the keys that the link gives.
+    // A stem's own placement applies, except for keys that the link gives.
     if (!(branch.placement.density || branch.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
@@ -133,8 +133,8 @@ class LinkSites::Writer {
     add_placed(stem, skeleton, overridden(*stem.branching, branch.placement, branch.given), context);
   }
 
-  /// Along a stem that grows the children have their places on the whole one, so that they keep them; there are those
-  /// whose places may bear children by now.
+  /// Places children along a growing stem. They get their positions on the whole stem, so that they keep them while it
+  /// grows. Only positions that can carry children at the present step are used.
   void add_placed(const EmittedStem& stem, const Skeleton& skeleton, const Placement& placement,
                   PlacementContext& context) {
     if (stem.growing == nullptr) return add_on(stem, place_along(skeleton, placement, context));
@@ -150,9 +150,9 @@ class LinkSites::Writer {
     add_on(stem, std::move(sites));
   }
 
-  /// How far the places of a stem that grows bear children. Whether a place meets a placement's condition is asked at
-  /// steps that are as far apart as children take to unfold; in between, the share passes evenly from one answer to the
-  /// next, so that nothing comes or goes at once.
+  /// The shares of a growing stem's positions that carry children. The condition of the placement is evaluated only at
+  /// some steps, as far apart as children take to unfold. Between two of these steps the share changes evenly, so that
+  /// children do not appear or disappear suddenly.
   class BearingOverTime {
    public:
     BearingOverTime(const EmittedStem& stem, const Placement& placement, const PlacementContext& context)
@@ -161,7 +161,7 @@ class LinkSites::Writer {
       const Skeleton& whole = stem.trimmed->whole();
       const float end = *std::ranges::max_element(growing.spans.end);
       if (!(growing.unfold > 0) || growing.step >= end) return;
-      // The last step is one of them, so that at the end all is as it has grown.
+      // The last step is one of them, so that the final state is exact.
       const double left = (end - growing.step) / growing.unfold;
       share_ = static_cast<float>(std::ceil(left) - left);
       const auto answer_at = [&](double step) {
@@ -175,13 +175,13 @@ class LinkSites::Writer {
       if (share_ > 0) after_ = answer_at(end - (std::ceil(left) - 1) * growing.unfold);
     }
 
-    /// From 0 to 1, at a position of the whole stem.
+    /// Returns the share, 0 to 1, at a position of the whole stem.
     float share(NodeIndex node, float along) const {
       const std::optional<StemPosition> left = stem_.trimmed->left_of({node, along});
       if (!left) return 0;
       const std::optional<bool> before = asked(before_, node, along), after = asked(after_, node, along);
       if (!before && !after) return now_[left->node] != 0 ? 1 : 0;
-      // What has not come yet, or has gone, is said nothing of.
+      // A position that does not exist at one of the steps has no answer there; the other answer is used.
       const bool from = before ? *before : *after, to = after ? *after : *before;
       return from == to ? (from ? 1 : 0) : from ? 1 - share_ : share_;
     }
@@ -189,7 +189,7 @@ class LinkSites::Writer {
    private:
     struct Answer {
       TrimmedSkeleton standing;
-      std::vector<std::uint8_t> bears;  // by node of what stands
+      std::vector<std::uint8_t> bears;  // by node of the standing skeleton
     };
 
     static std::optional<bool> asked(const std::optional<Answer>& answer, NodeIndex node, float along) {
@@ -203,14 +203,14 @@ class LinkSites::Writer {
     std::vector<std::uint8_t> now_;
     std::optional<Answer> before_;
     std::optional<Answer> after_;
-    float share_ = 0;  // of the way from the answer before to the one after
+    float share_ = 0;  // share of the way from the earlier to the later answer
   };
 
   void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
     if (!stem.surface.crown || is_full()) return;
     std::vector<Site> sites = place_in_crown(stem.skeleton, stem.surface, placement, context_of(stem), progress_);
     if (!stem.root_of_node.empty()) {
-      for (Site& site : sites) site.individual = 0;  // one crown over several plants
+      for (Site& site : sites) site.individual = 0;  // one crown covers several plants
     }
     add_all(std::move(sites));
   }
@@ -224,7 +224,8 @@ class LinkSites::Writer {
     add_on(stem, std::move(tips));
   }
 
-  /// The tips of what stands of a stem that grows, each named by its axis on the whole stem, and as old as the axis.
+  /// Adds the tips of a growing stem's present skeleton. Each is named by its axis on the whole stem, and as old as the
+  /// axis.
   void add_growing_tips(const EmittedStem& stem, RandomKey key) {
     if (stem.skeleton.node_count() == 0) return;
     const Skeleton& whole = stem.trimmed->whole();
@@ -255,8 +256,8 @@ class LinkSites::Writer {
     count_depth(child);
   }
 
-  /// The skeleton along which the children of a stem stand: children of a cut stem are those of the whole one that
-  /// stand on what is left.
+  /// Returns the skeleton along which the children of a stem are placed. For a cut stem this is the whole skeleton;
+  /// children on the removed part are left out later.
   static const Skeleton& placed_on(const EmittedStem& stem) {
     const bool is_cut = stem.trimmed != nullptr && stem.trimmed->mode() == TrimMode::cut;
     return is_cut ? stem.trimmed->whole() : stem.skeleton;
@@ -271,7 +272,7 @@ class LinkSites::Writer {
     });
   }
 
-  /// Adds sites on nodes of the skeleton that `placed_on` gives.
+  /// Adds sites on nodes of the skeleton that `placed_on` returns.
   void add_on(const EmittedStem& stem, std::vector<Site> sites) {
     if (&placed_on(stem) != &stem.skeleton) leave_out_cut(*stem.trimmed, stem.growing.get(), sites);
     if (!stem.root_of_node.empty()) {
@@ -285,8 +286,8 @@ class LinkSites::Writer {
     sites_.insert(sites_.end(), sites.begin(), sites.end());
   }
 
-  /// A path element is the child's id, or that of what it shows, told apart where a parent links to the same child more
-  /// than once.
+  /// Returns the key of the children. It contains the child's id, or the id of the component that the child shows.
+  /// Repeated links between two components are distinguished by their index.
   RandomKey child_key(RandomKey parent) const { return parent.child(to_.drawn_as()).child(all_.ordinals_[index_]); }
 
   void count_depth(Site& site) const {
@@ -302,7 +303,7 @@ class LinkSites::Writer {
   const ComponentType& from_;
   const Prototype& to_;
   Progress& progress_;
-  std::uint64_t room_;  // more sites than that are too many, and need not be found
+  std::uint64_t room_;  // more sites than this are too many and are not computed
   std::vector<Site> sites_;
 };
 
@@ -333,7 +334,7 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
   std::vector<std::exception_ptr> faults(blocks);
   LeadingSum lower(blocks);
   parallel_for(blocks, 1, [&](std::size_t block, std::size_t) {
-    // Where those before are too many already, this block makes no difference, and memory is saved.
+    // If the earlier blocks already have too many sites, this block is skipped to save memory.
     if (lower.sum() > room) return;
     Progress part(&progress_);
     try {
@@ -344,7 +345,7 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
     lower.add(block, found[block].size());
   });
 
-  // Throw what following them one after another would throw.
+  // Throws the fault that following the blocks one after another would give.
   std::uint64_t count = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
     if (faults[block]) std::rethrow_exception(faults[block]);
@@ -357,12 +358,12 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
   sites.reserve(count);
   for (std::vector<Site>& of_block : found) {
     sites.insert(sites.end(), std::move_iterator(of_block.begin()), std::move_iterator(of_block.end()));
-    of_block = std::vector<Site>();  // so that no site is in memory twice
+    of_block = std::vector<Site>();  // no site is in memory twice
   }
   return sites;
 }
 
-/// The message names no count: how many instances there are by then depends on which of them have been expanded first.
+/// Throws the InputError of too many instances. The message has no count, which depends on the order of the expansion.
 void LinkSites::throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const {
   std::vector<std::uint64_t> counts(before.by_component.begin(), before.by_component.end());
   counts.resize(graph_.components.size());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Translates edits of a document into patches of its text. Paths may begin with a variable or a component. Edits of
+// names change all uses of the name, which are found in links, expressions and grammars.
 #include "meristem/document/edit/edits.h"
 
 #include <algorithm>
@@ -19,7 +21,8 @@ namespace meristem {
 
 namespace {
 
-/// The path from the root: those that begin with no key of the document are variables, or begin with a component.
+/// Returns the path from the root. A path that begins with no key of the document begins with a variable or a
+/// component.
 std::string whole_path(const LocatedTree& tree, const std::string& path) {
   const std::string_view first = std::string_view(path).substr(0, path.find_first_of(".["));
   const std::vector<std::string> keys = head_table().names();
@@ -32,7 +35,8 @@ std::string whole_path(const LocatedTree& tree, const std::string& path) {
   return is_key ? path : "components." + path;
 }
 
-/// The member's name where the path is one of `group`: "components", "variables"; else empty.
+/// Returns the member's name if the path is a member of `group` ("components", "variables"). Returns an empty text
+/// otherwise.
 std::string named_in(const LocatedTree& tree, const std::string& path, std::string_view group) {
   const PathTarget target = find_path(tree, path);
   const Value::Object* top = tree.root().value->object();
@@ -41,7 +45,7 @@ std::string named_in(const LocatedTree& tree, const std::string& path, std::stri
   return members == nullptr ? std::string() : (*members)[target.places[1]].first;
 }
 
-/// Components and variables themselves must be there; what they say may be added.
+/// Throws an InputError if the component or variable of a path does not exist. Missing members within it may be added.
 void require_named(const LocatedTree& tree, const std::string& path) {
   const PathTarget target = follow_path(tree, path);
   const Value::Object* top = tree.root().value->object();
@@ -58,7 +62,7 @@ bool names_component(const Value& link, const std::string& id) {
   return ends != nullptr && std::any_of(ends->begin(), ends->end(), [&](const Value& end) { return is_it(&end); });
 }
 
-/// A component goes with its links: from the last on, so that the others keep their numbers.
+/// Removes a component with its links. The last link is removed first, so that other indices stay valid.
 Patch remove_component(const LocatedTree& tree, const std::string& path, const std::string& id,
                        const Progress* progress) {
   Patch patch = remove_value(tree, path);
@@ -72,7 +76,7 @@ Patch remove_component(const LocatedTree& tree, const std::string& path, const s
   return patch;
 }
 
-/// All paths of expressions, as far as the text can be read.
+/// Returns all paths of expressions that can be read.
 std::vector<std::string> expression_paths(const LocatedTree& tree, const EditContext& context) {
   std::vector<std::string> paths;
   try {
@@ -80,12 +84,12 @@ std::vector<std::string> expression_paths(const LocatedTree& tree, const EditCon
     reading.expression_paths = &paths;
     read_document(tree.text(), context.file, context.registry, reading);
   } catch (const InputError&) {
-    // What could be read is known all the same.
+    // Paths read before the fault are kept.
   }
   return paths;
 }
 
-/// Whether the last good document's component places the other by its name.
+/// Returns true if the component `placer` of the last valid document places `id` by its name.
 bool places(const Document* document, const std::string& placer, const std::string& id) {
   if (document == nullptr) return false;
   for (const Prototype& prototype : document->graph.components) {
@@ -97,7 +101,7 @@ bool places(const Document* document, const std::string& placer, const std::stri
   return false;
 }
 
-/// The document that a text is read as; nothing where it has faults.
+/// Reads a text as a document. Returns nothing if it has faults.
 std::optional<Document> document_of(const LocatedTree& tree, const EditContext& context) {
   try {
     return read_document(tree.text(), context.file, context.registry, context.reading);
@@ -106,12 +110,12 @@ std::optional<Document> document_of(const LocatedTree& tree, const EditContext& 
   }
 }
 
-/// Gives components of a part other names, those first whose new names no other has any more.
+/// Renames components of a part. Processes a rename only after its new name has become free.
 LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std::string>> names,
                        const EditContext& context) {
   const std::optional<Document> document = document_of(part, context);
   std::erase_if(names, [](const auto& name) { return name.first == name.second; });
-  std::map<std::string, std::string> first_names;  // by those that they have now
+  std::map<std::string, std::string> first_names;  // original names, by present names
   const auto rename = [&](const std::string& id, const std::string& name) {
     const std::string& first = first_names.contains(id) ? first_names[id] : id;
     const auto placed_by = [&](const std::string& placer) {
@@ -128,7 +132,7 @@ LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std:
     };
     auto next = std::find_if(names.begin(), names.end(), is_free);
     if (next == names.end()) {
-      // Names that go round in a circle: one steps aside.
+      // The names form a circle: one component gets a temporary name.
       std::string aside = names[0].first + "_";
       while (components->find(aside) != nullptr) aside += '_';
       rename(names[0].first, aside);
@@ -141,11 +145,11 @@ LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std:
   return part;
 }
 
-/// Gives those variables of a part free names of which the document says something else.
+/// Gives free names to variables of a part that have another value in the document.
 LocatedTree with_own_variables(LocatedTree part, const LocatedTree& tree, const EditContext& context) {
   const Value* own = tree.root().value->find("variables");
   if (own == nullptr || own->object() == nullptr) return part;
-  // A renamed variable may make another one say something else.
+  // Renaming a variable may change the value of another one.
   for (;;) {
     const Value* brought = part.root().value->find("variables");
     if (brought == nullptr || brought->object() == nullptr) return part;
@@ -173,7 +177,7 @@ struct Patcher {
   Patch operator()(const SetValue& edit) const {
     std::string path = whole_path(tree, edit.path);
     require_named(tree, path);
-    // A variable's bare name means its value.
+    // The bare name of a variable stands for its value.
     const bool is_bare = edit.path.find_first_of(".[") == std::string::npos;
     if (is_bare && edit.value.object() == nullptr && path.starts_with("variables.")) {
       const PathTarget target = follow_path(tree, path);

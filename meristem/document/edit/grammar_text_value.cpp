@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Renames words of a grammar within a document. The grammar is parsed for its words, renamed as plain text, and parsed
+// again: the rename is refused if the words then differ in more than the name. Splices are mapped to the lines of the
+// document.
 #include "meristem/document/edit/grammar_text_value.h"
 
 #include <algorithm>
@@ -16,7 +19,7 @@ namespace {
 
 constexpr std::string_view kDeclaration = "#symbols";
 
-/// What can be told of a grammar without the document's variables and its files.
+/// Returns the words of a grammar, read without the document's variables and files.
 GrammarWords words_of(const std::string& text) {
   GrammarWords words;
   GrammarOptions options;
@@ -25,7 +28,7 @@ GrammarWords words_of(const std::string& text) {
   try {
     read_grammar(text, options);
   } catch (const InputError&) {
-    // Names that it does not know are no matter here, and faults of the form stay what they are.
+    // Unknown names are unimportant here, and faults of form are reported elsewhere.
   }
   return words;
 }
@@ -74,7 +77,7 @@ bool GrammarInDocument::places(const std::string& symbol) const {
   return false;
 }
 
-/// Splices of the grammar's text. No splice spans a line's end.
+/// Converts splices of the grammar's text into splices of the document. A splice must not cross the end of a line.
 Patch GrammarInDocument::in_document(const Patch& patch) const {
   Patch made;
   for (const Splice& splice : patch) {
@@ -87,7 +90,7 @@ Patch GrammarInDocument::in_document(const Patch& patch) const {
   return made;
 }
 
-/// Has #symbols name the new one or no longer name the old one, where one of them has one character.
+/// Adds the new name to #symbols or removes the old one, if one of them has a single character.
 void GrammarInDocument::declare(const std::string& symbol, const std::string& name, Patch& patch) const {
   const auto stands_in_declaration = [&](const GrammarWord& word) {
     const std::size_t line = word.offset == 0 ? 0 : text_.rfind('\n', word.offset - 1) + 1;
@@ -98,7 +101,7 @@ void GrammarInDocument::declare(const std::string& symbol, const std::string& na
     for (Splice& splice : patch) {
       if (!stands_in_declaration({splice.offset, symbol})) continue;
       splice.replacement.clear();
-      // A declaration of nothing is a fault.
+      // A declaration without names would be a fault.
       const std::size_t end = std::min(text_.find('\n', splice.offset), text_.size());
       const std::size_t line = text_.rfind(kDeclaration, splice.offset);
       const std::string_view before = std::string_view(text_).substr(line, splice.offset - line);
@@ -126,12 +129,12 @@ Patch GrammarInDocument::with_symbol(const std::string& symbol, const std::strin
   const std::string declaration = fmt::format("{} {}", kDeclaration, name);
   const std::string changed = (declares ? declaration + "\n" : "") + apply_patch(text_, patch);
 
-  // The grammar says the same with the other name, or the name is not to be had.
+  // The words must be equal except for the name; otherwise the name cannot be used.
   std::vector<std::string> expected = renamed(words_.symbols, symbol, name);
   std::vector<std::string> found = renamed(words_of(changed).symbols, name, name);
   if (declares) expected.insert(expected.begin(), name);
   if (name.size() == 1 && symbol.size() > 1) {
-    // What was declared stands there once less.
+    // A removed declaration is missing once.
     const auto count = [&](const std::vector<std::string>& words) {
       return std::count(words.begin(), words.end(), name);
     };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds lines, indentation and comments around a position in JSON text, and writes values in a matching layout.
+// Searches stay within a line or a comment, so edits of a large text take little time.
 #include "meristem/document/edit/layout.h"
 
 #include <algorithm>
@@ -19,7 +21,7 @@ bool holds_object(const Value& value) {
 
 std::string joined(std::string_view first, std::string_view second) { return std::string(first) + std::string(second); }
 
-/// Parts side by side, as many as fit in a line.
+/// Returns a list with as many elements per line as fit.
 std::string filled_list(const Value::List& list, const WritingPlace& place) {
   const std::string indent = joined(place.indent, place.unit);
   const std::string new_line = joined(place.line_end, indent);
@@ -88,7 +90,7 @@ std::size_t behind_comments(std::string_view text, std::size_t offset) {
     const std::string_view rest = text.substr(at);
     if (rest.starts_with("//")) return std::min(text.find_first_of("\r\n", at), text.size());
     if (!rest.starts_with("/*")) return behind;
-    // Only the comment is searched: its line may be the whole text.
+    // Only the comment is searched, because its line may be the whole text.
     const std::size_t end = text.find("*/", at + 2);
     if (end == std::string_view::npos || text.substr(at, end - at).find('\n') != std::string_view::npos) return behind;
     behind = end + 2;

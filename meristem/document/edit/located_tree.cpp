@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Parses a JSON text and scans it a second time for the positions of its values. The scanner knows that the text is
+// valid, so it only follows brackets, quotes and commas, without recursion.
 #include "meristem/document/edit/located_tree.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLocatedTokensBetweenChecks = 4096;
 
-/// Finds the values of a text that is known to be JSON, without recursion.
+/// Finds the positions of the values of a valid JSON text, without recursion.
 class NodeScanner {
  public:
   NodeScanner(std::string_view text, const Progress* progress) : text_(text), progress_(progress) {}
@@ -32,7 +34,7 @@ class NodeScanner {
  private:
   void skip() { at_ = skip_blanks_and_comments(text_, at_); }
 
-  /// One token within a container.
+  /// Reads one token within a container.
   void step() {
     TextNode& container = nodes_[open_.back()];
     const char c = text_[at_];
@@ -46,7 +48,7 @@ class NodeScanner {
       skip_string();
       const std::size_t name_end = at_;
       skip();
-      ++at_;  // the colon
+      ++at_;  // skips the colon
       skip();
       begin_value();
       nodes_[last_begun_].name_begin = name_begin;

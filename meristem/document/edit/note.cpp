@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds, reads and writes notes. A comment belongs to a member if it is on the lines directly above or at the end of
+// the member's last line. Each line of a new note becomes a comment with //.
 #include "meristem/document/edit/note.h"
 
 #include <algorithm>
@@ -13,10 +15,10 @@ namespace {
 
 constexpr std::string_view kBlankSigns = " \t\r\n";
 
-/// Where a note stands in the text.
+/// The position of a note in the text.
 struct NotePlace {
   std::vector<Comment> comments;
-  bool is_above = false;  ///< on lines of its own; else behind the member
+  bool is_above = false;  ///< true: on lines of its own; false: after the member
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -25,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlankSigns) - begin + 1);
 }
 
-/// Whether exactly one line ends between the two.
+/// Returns true if exactly one line ends between both positions.
 bool are_neighbouring_lines(std::string_view text, std::size_t begin, std::size_t end) {
   const std::string_view between = text.substr(begin, end - begin);
   return trimmed(between).empty() && std::count(between.begin(), between.end(), '\n') == 1;
@@ -35,7 +37,7 @@ std::optional<NotePlace> find_note(const LocatedTree& tree, LocatedValue contain
   const std::string_view text = tree.text();
   const TextNode& around = tree.at(container);
   const TextNode& part = tree.at(tree.part(container, index));
-  // What follows the part before in its line speaks of that.
+  // Text after the previous part in its line belongs to that part.
   const std::size_t before = index > 0 ? tree.at(tree.part(container, index - 1)).comma + 1 : around.begin + 1;
   NotePlace above{.comments = {}, .is_above = true};
   std::size_t below = part.first();
@@ -59,7 +61,7 @@ std::string_view without_star(std::string_view line) {
   return line == "*" ? std::string_view() : line;
 }
 
-/// What a comment says, line by line.
+/// Returns the content of a comment, line by line.
 std::string said_by(std::string_view comment) {
   if (comment.starts_with("//")) return std::string(trimmed(comment.substr(2)));
   std::string_view rest = trimmed(comment.substr(2, comment.size() - std::min<std::size_t>(comment.size(), 4)));
@@ -82,7 +84,7 @@ std::string text_of(const LocatedTree& tree, const NotePlace& place) {
   return note;
 }
 
-/// A comment per line, each but the first on a line that begins with `indent`.
+/// Returns a comment per line; each one except the first is on a line that begins with `indent`.
 std::string as_comments(std::string_view note, std::string_view indent, std::string_view line_end) {
   std::string made;
   while (!note.empty()) {
@@ -96,7 +98,7 @@ std::string as_comments(std::string_view note, std::string_view indent, std::str
   return made;
 }
 
-/// Takes out a note with its lines, or with the blanks before it.
+/// Removes a note with its lines, or with the spaces before it.
 Patch without_note(std::string_view text, const NotePlace& place, std::size_t member) {
   std::size_t begin = place.comments.front().begin;
   if (place.is_above) {
@@ -107,8 +109,8 @@ Patch without_note(std::string_view text, const NotePlace& place, std::size_t me
   return {{begin, place.comments.back().end - begin, ""}};
 }
 
-/// Above the member of a container that begins at that byte; one that shares its line with others gets a line of its
-/// own.
+/// Adds a note above the member that begins at byte `member`. A member that shares its line with others gets a line of
+/// its own.
 Patch with_note_above(std::string_view text, std::size_t container, std::size_t member, std::string_view note) {
   const std::string end(line_end_of(text));
   if (begins_line(text, member)) {
@@ -164,7 +166,7 @@ Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view 
   const std::size_t length = place->comments.back().end - begin;
   if (place->is_above) return {{begin, length, as_comments(said, indent_at(text, begin), line_end_of(text))}};
   if (said.find('\n') == std::string_view::npos) return {{begin, length, as_comments(said, "", "")}};
-  // What has several lines stands above.
+  // A note with several lines stands above the member.
   const Patch without = without_note(text, *place, member);
   return joined_patches(without, with_note_above(apply_patch(text, without), container, member, said));
 }

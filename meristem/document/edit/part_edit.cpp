@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Inserts and removes parts of a list or object as text. The layout of the neighbours decides where a new part stands:
+// in their line or on its own. Removal also takes the separating comma and the comments that belong to the part.
 #include "meristem/document/edit/part_edit.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace meristem {
 
 namespace {
 
-/// A list or object in its text.
+/// A list or object with its text.
 class Container {
  public:
   Container(const LocatedTree& tree, LocatedValue container)
@@ -54,7 +56,7 @@ class Container {
  private:
   const TextNode& part(std::size_t index) const { return tree_.at(tree_.part(container_, index)); }
 
-  /// Whether nothing but blanks stands in the container beside what is between the two.
+  /// Returns true if the container has only spaces outside of the range from `begin` to `end`.
   bool is_bare(std::size_t begin, std::size_t end) const {
     const std::string_view before = text_.substr(node_.begin + 1, begin - node_.begin - 1);
     const std::string_view after = text_.substr(end, node_.end - 1 - end);
@@ -63,7 +65,7 @@ class Container {
            after.find_first_not_of(kBlanks) == std::string_view::npos;
   }
 
-  /// The part with the comments behind it up to `end`.
+  /// Returns the part as written, with the comments after it up to `end`.
   WrittenPart written(const TextNode& part, std::size_t end) const {
     WrittenPart made;
     made.text = text_.substr(part.first(), part.end - part.first());
@@ -80,7 +82,7 @@ class Container {
     return made;
   }
 
-  /// The last part with the comma before it, where it shares its lines with others.
+  /// Removes the last part and the comma before it, if it shares its lines with others.
   void cut_last(std::size_t index, std::size_t cut_end, Patch& patch) const {
     const std::size_t first = part(index).first();
     const std::size_t separator = index > 0 ? part(index - 1).comma : node_.begin;
@@ -90,14 +92,14 @@ class Container {
     } else if (comments.empty()) {
       patch.push_back({separator, cut_end - separator, ""});
     } else {
-      // The end of a comment's line ends the comment.
+      // A comment with // ends at the end of its line, which must stay.
       const std::size_t begin = comments.back().to_line_end ? first : comments.back().end;
       patch.push_back({separator, 1, ""});
       patch.push_back({begin, cut_end - begin, ""});
     }
   }
 
-  /// With the blanks to the next part in the line, or those before where the line ends.
+  /// Removes a range with the spaces up to the next part in the line, or the spaces before it at the end of a line.
   void cut_with_blanks(std::size_t begin, std::size_t end, Patch& patch) const {
     const auto is_blank = [&](std::size_t at) { return text_[at] == ' ' || text_[at] == '\t'; };
     if (ends_line(text_, end)) {
@@ -110,8 +112,8 @@ class Container {
 
   std::string new_line(std::string_view indent) const { return std::string(line_end_of(text_)) + std::string(indent); }
 
-  /// The part as it is written in a line that begins with `indent`, at a column of it; `comma` behind it. What follows
-  /// a comment that goes to the end of its line must stand on another.
+  /// Returns the part for a line that begins with `indent`, from a column of that line, followed by `comma`. If a
+  /// comment that ends with its line follows, the next text must start on another line.
   std::string written(const NewPart& part, std::string_view indent, std::size_t column, std::string_view comma) const {
     if (part.written != nullptr) {
       std::string made = part.written->text + std::string(comma);
@@ -127,7 +129,7 @@ class Container {
     return part.written != nullptr && part.written->ends_in_line_comment;
   }
 
-  /// What stands between name and value here.
+  /// Returns the text between name and value in this container.
   std::string_view colon() const {
     if (count_ == 0) return ": ";
     const TextNode& neighbour = part(0);
@@ -135,14 +137,14 @@ class Container {
     return between == ":" ? ":" : ": ";
   }
 
-  /// The indentation of the part's line if that begins within the container, else that of one more level.
+  /// Returns the indentation of the part's line if that begins within the container. Otherwise returns one more level.
   std::string indent_like(const TextNode& part) const {
     if (line_begin(text_, part.first()) > node_.begin) return std::string(indent_at(text_, part.first()));
     return deeper();
   }
   std::string deeper() const { return std::string(indent_at(text_, node_.begin)) + std::string(indent_unit_of(text_)); }
 
-  /// Into a container that has no part. Components and other objects of the upper levels stand on lines of their own.
+  /// Inserts a part into an empty container. Components and other objects of the upper levels get lines of their own.
   Patch insert_alone(const NewPart& part) const {
     const std::size_t close = node_.end - 1;
     const bool has_comments = !is_bare(close, close);
@@ -187,7 +189,7 @@ class Container {
   Patch insert_before(std::size_t index, const NewPart& part) const {
     const TextNode& next = this->part(index);
     if (begins_line(text_, next.first())) {
-      // Behind the line before: comments above the next one stay with it.
+      // The part is inserted after the previous line, so that comments above the next part stay with it.
       const std::size_t separator = index > 0 ? this->part(index - 1).comma : node_.begin;
       const std::size_t behind = behind_comments(text_, separator + 1);
       const std::string indent(indent_at(text_, next.first()));

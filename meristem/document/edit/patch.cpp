@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Joins and inverts patches. A patched text is described as a sequence of kept and new pieces, so two patches are
+// joined without the text itself.
 #include "meristem/document/edit/patch.h"
 
 #include <algorithm>
@@ -9,17 +11,17 @@ namespace meristem {
 
 namespace {
 
-/// A text as it comes about: pieces that are kept of the one before, and pieces that are new.
+/// A piece of a patched text: kept from the text before, or new.
 struct Piece {
-  std::size_t begin = 0;  // of a kept piece, in the text before
+  std::size_t begin = 0;  // position of a kept piece in the text before
   std::size_t length = 0;
-  std::string_view added;  // of a new piece
+  std::string_view added;  // text of a new piece
   bool is_added = false;
 };
 
 constexpr std::size_t kEndless = std::numeric_limits<std::size_t>::max() / 2;
 
-/// The text after a patch. It goes on beyond any end, so that nobody needs to know how long the text is.
+/// Returns the pieces after a patch. The last piece has no end, so the length of the text is not needed.
 std::vector<Piece> pieces_after(const Patch& patch) {
   std::vector<Piece> pieces;
   std::size_t at = 0;
@@ -35,12 +37,12 @@ std::vector<Piece> pieces_after(const Patch& patch) {
   return pieces;
 }
 
-/// Reads pieces from the first on.
+/// Reads pieces in order.
 class PieceReader {
  public:
   explicit PieceReader(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
 
-  /// The next `length` bytes, in as many pieces as they come in.
+  /// Returns the next `length` bytes as pieces.
   std::vector<Piece> take(std::size_t length) {
     std::vector<Piece> taken;
     while (length > 0 && next_ < pieces_.size()) {
@@ -65,10 +67,10 @@ class PieceReader {
   std::size_t next_ = 0;
 };
 
-/// The patch that leaves these pieces of a text.
+/// Returns the patch that makes these pieces of a text.
 Patch patch_of(const std::vector<Piece>& pieces) {
   Patch patch;
-  std::size_t at = 0;  // in the text before
+  std::size_t at = 0;  // position in the text before
   Splice open;
   for (const Piece& piece : pieces) {
     if (piece.is_added) {
@@ -111,8 +113,8 @@ std::string apply_patch(std::string_view text, const Patch& patch) {
 Patch inverse_patch(std::string_view text, const Patch& patch) {
   if (!is_sound(patch, text.size())) throw std::invalid_argument("the patch does not fit the text");
   Patch inverse;
-  std::size_t added = 0;    // so far
-  std::size_t removed = 0;  // so far
+  std::size_t added = 0;    // bytes so far
+  std::size_t removed = 0;  // bytes so far
   for (const Splice& splice : patch) {
     inverse.push_back({.offset = splice.offset + added - removed,
                        .length = splice.replacement.size(),
@@ -127,7 +129,7 @@ Patch joined_patches(const Patch& first, const Patch& second) {
   if (first.empty() || second.empty()) return first.empty() ? second : first;
   PieceReader between(pieces_after(first));
   std::vector<Piece> made;
-  std::size_t at = 0;  // in the text between the patches
+  std::size_t at = 0;  // position in the text between the patches
   for (const Splice& splice : second) {
     for (const Piece& piece : between.take(splice.offset - at)) made.push_back(piece);
     between.take(splice.length);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads paths and follows them in a tree. Names may contain dots and brackets, so at each step the longest existing
+// name is tried first; names in quotes are unambiguous.
 #include "meristem/document/edit/path.h"
 
 #include <algorithm>
@@ -19,10 +21,10 @@ namespace {
                               .path = std::string(path)});
 }
 
-/// Whether a step may end here.
+/// Returns true if a step may end here.
 bool ends_step(std::string_view rest) { return rest.empty() || rest[0] == '.' || rest[0] == '['; }
 
-/// Takes the steps of a path one by one; names with dots in them are told by what is there.
+/// Reads the steps of a path one by one. Names with dots are recognised by the existing members.
 class PathReader {
  public:
   explicit PathReader(std::string_view path) : path_(path), rest_(path) {
@@ -31,7 +33,7 @@ class PathReader {
 
   bool is_done() const { return rest_.empty(); }
 
-  /// `at` is what the steps so far lead to, or null.
+  /// Returns the next step. `at` is the value at the end of the previous steps, or null.
   PathStep next(const Value* at) {
     const bool is_first = rest_.size() == path_.size();
     if (rest_[0] == '[') return bracket();
@@ -96,7 +98,7 @@ class PathReader {
   std::string_view rest_;
 };
 
-/// The path of what a step leads to.
+/// Returns the index of the part at a step.
 std::size_t find_part(const Value& at, const PathStep& step) {
   if (step.is_index) {
     const bool is_there = at.list() != nullptr && step.index < at.list()->size();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Copies components between documents as text. A part is built as a document of its own: written components with their
+// notes, links among them, and the variables that they use. Indentation and line ends are adapted to the target.
 #include "meristem/document/edit/plant_part.h"
 
 #include <algorithm>
@@ -21,8 +23,8 @@ namespace {
 
 constexpr const char* kEmptyPart = "{\n  \"meristem\": 1,\n  \"components\": {},\n  \"links\": []\n}\n";
 
-/// An object, or the list of links, at the top of the document; its value is null where there is none. Throws where
-/// something else stands there.
+/// Returns an object, or the list of links, at the top level of the document. Its value is null if it does not exist.
+/// Throws an InputError if it is of another kind.
 LocatedValue top_member(const LocatedTree& tree, std::string_view name) {
   const Value::Object* top = tree.root().value->object();
   if (top == nullptr) throw InputError(Diagnostic{.message = "the text is no document", .expected = "an object"});
@@ -56,8 +58,8 @@ std::pair<std::string, std::string> ends_of(const Value& link) {
   return {text(link.find("from")), text(link.find("to"))};
 }
 
-/// A text of several lines at another depth and with another indentation and end of lines. `from` begins the line that
-/// the text stands in, `to` the line that it will stand in.
+/// Returns a text of several lines with other indentation and line ends. `from` is the indentation of its present first
+/// line, `to` the indentation of its new first line.
 std::string moved_lines(std::string_view text, std::string_view from, std::string_view from_unit, std::string_view to,
                         std::string_view to_unit, std::string_view line_end) {
   std::string made;
@@ -84,7 +86,7 @@ std::string moved_lines(std::string_view text, std::string_view from, std::strin
   }
 }
 
-/// Builds a document up, one written part after another.
+/// Builds a document by adding one written part after another.
 class Builder {
  public:
   explicit Builder(const LocatedTree& tree) : tree_(tree.text()) {}
@@ -92,13 +94,13 @@ class Builder {
   const LocatedTree& tree() const { return tree_; }
   const Patch& patch() const { return patch_; }
 
-  /// A top-level list or object that there must be.
+  /// Returns a top-level list or object, which is added if it is missing.
   LocatedValue require(std::string_view name, Value empty) {
     if (top_member(tree_, name).value == nullptr) take(set_value(tree_, name, empty));
     return top_member(tree_, name);
   }
 
-  /// Puts in a part of another document as it is written there.
+  /// Inserts a part of another document as it is written there.
   void insert(std::string_view name, const LocatedTree& from, LocatedValue container, std::size_t index,
               std::optional<std::size_t> place) {
     const bool is_object = container.value->object() != nullptr;
@@ -138,20 +140,20 @@ void insert_component(Builder& builder, const LocatedTree& from, LocatedValue co
   const std::string note = note_on(from, components, index);
   const std::string& name = name_in(components, index);
   builder.insert("components", from, components, index, place);
-  // A note behind it has come along.
+  // A note after the component was copied with it.
   const std::string path = path_below("components", name);
   const PathTarget target = find_path(builder.tree(), path);
   const std::string come = note_on(builder.tree(), target.container(), target.places.back());
   if (come != note) builder.take(set_note(builder.tree(), path, note));
 }
 
-/// The variables that a value names, and those that these name.
+/// Adds the variables that a value uses, directly and through other variables.
 void add_variables(const LocatedTree& tree, const Value& value, std::set<std::string>& named) {
   const LocatedValue variables = top_member(tree, "variables");
   for_each_mention(value, [&](std::string_view name) {
     const std::optional<std::size_t> index = index_in(variables, name);
     if (!index || !named.insert(std::string(name)).second) return;
-    // A variable's sentence names nothing.
+    // The sentence of a variable uses no other variable.
     const Value& variable = (*variables.value->object())[*index].second;
     const Value* expression = variable.object() != nullptr ? variable.find("value") : &variable;
     if (expression != nullptr) add_variables(tree, *expression, named);

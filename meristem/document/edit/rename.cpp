@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Renames components and variables with all their uses. Uses are found by position: ends of links, the row `of`,
+// expressions, and symbols of grammars. Strings that only look like the name stay.
 #include "meristem/document/edit/rename.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ namespace {
   throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path});
 }
 
-/// The member of an object with where it stands; null where there is none.
+/// Returns the member of an object with its position. Its value is null if the member does not exist.
 LocatedValue member_of(const LocatedTree& tree, LocatedValue object, std::string_view name) {
   const Value::Object* members = object.value == nullptr ? nullptr : object.value->object();
   for (std::size_t k = 0; members != nullptr && k < members->size(); ++k) {
@@ -34,7 +36,7 @@ LocatedValue member_of(const LocatedTree& tree, LocatedValue object, std::string
   return {};
 }
 
-/// Calls `take(id, grammar, path)` for each grammar that stands in the document.
+/// Calls `take(id, grammar, path)` for each grammar in the document.
 template <class Take>
 void for_each_grammar(const LocatedTree& tree, const Registry& registry, Take take) {
   const LocatedValue components = member_of(tree, tree.root(), "components");
@@ -58,7 +60,7 @@ Splice text_over(const LocatedTree& tree, LocatedValue value, const std::string&
   return {node.begin, node.end - node.begin, write_json_line(Value(text))};
 }
 
-/// Where links name the component.
+/// Renames a component in links.
 void rename_in_links(const LocatedTree& tree, const std::string& id, const std::string& name, Patch& patch) {
   const LocatedValue links = member_of(tree, tree.root(), "links");
   if (links.value == nullptr || links.value->list() == nullptr) return;
@@ -76,7 +78,7 @@ void rename_in_links(const LocatedTree& tree, const std::string& id, const std::
   }
 }
 
-/// Where components name the one that they show.
+/// Renames a component in the components that show it.
 void rename_where_shown(const LocatedTree& tree, const std::string& id, const std::string& name,
                         const Registry& registry, Patch& patch) {
   const LocatedValue components = member_of(tree, tree.root(), "components");
@@ -91,7 +93,7 @@ void rename_where_shown(const LocatedTree& tree, const std::string& id, const st
   }
 }
 
-/// The name wherever it stands in an expression.
+/// Renames a variable in an expression.
 void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std::string& variable,
                           const std::string& name, const std::string& path, Patch& patch) {
   const std::string& text = *value.value->text();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Keeps text, document and growth together. Edits become patches with inverses, which are kept for undo and redo. A
+// failed edit changes nothing, and a text with faults keeps the last good document.
 #include "meristem/document/edit/session.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates edits at paths into changes of the text: a part of a list or object inserted or removed (part_edit.h), and
-// values that replace others.
+// Translates edits at paths into patches of the text. Parts of lists and objects are inserted or removed by
+// part_edit.h; other values are replaced.
 #include "meristem/document/edit/text_edit.h"
 
 #include <algorithm>
@@ -21,14 +21,16 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMostSteps = 64;  // in which a list or object takes another form; beyond them it is written anew
+// Maximum number of insertions and removals that change a list or object; beyond that it is rewritten
+constexpr int kMostSteps = 64;
 
 [[noreturn]] void refuse(std::string_view path, std::string message, std::string expected = {}) {
   throw InputError(
       Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = std::string(path)});
 }
 
-/// Values come from anywhere: numbers may be infinite, texts not UTF-8, objects name a member twice.
+/// Throws an InputError for values that JSON cannot represent: infinite numbers, texts that are not UTF-8, repeated
+/// names.
 void check_value(const Value& value, std::string_view path) {
   if (value.boolean() != nullptr || value.is_null()) return;
   try {
@@ -49,7 +51,7 @@ Splice written_over(const LocatedTree& tree, LocatedValue old, const Value& valu
                                                node.begin - line_begin(text, node.begin)})};
 }
 
-/// Writes over all values that differ, where old and new have the same parts.
+/// Rewrites all values that differ, if old and new have the same parts.
 void write_over_differences(const LocatedTree& tree, LocatedValue old, const Value& value, Patch& patch) {
   if (*old.value == value) return;
   if (!have_same_parts(*old.value, value)) {
@@ -62,10 +64,11 @@ void write_over_differences(const LocatedTree& tree, LocatedValue old, const Val
   }
 }
 
-/// Has the value at `path`, which is there, say `value`: parts come and go one by one, then numbers and texts change.
+/// Changes the existing value at `path` to `value`: first parts are inserted and removed one by one, then numbers and
+/// texts are replaced.
 Patch rewritten(const LocatedTree& tree, std::string_view path, const Value& value) {
   Patch patch;
-  std::optional<LocatedTree> changed;  // by the steps so far
+  std::optional<LocatedTree> changed;  // result of the steps so far
   const auto present = [&]() -> const LocatedTree& { return changed ? *changed : tree; };
   for (int step = 0; step < kMostSteps; ++step) {
     const LocatedValue old = find_path(present(), path).last();
@@ -84,7 +87,7 @@ Patch rewritten(const LocatedTree& tree, std::string_view path, const Value& val
   return {written_over(tree, find_path(tree, path).last(), value)};
 }
 
-/// The value that stands at the first of the missing steps if the last of them is to be `value`.
+/// Returns the value for the first missing step so that the last missing step has `value`.
 Value with_steps(const PathTarget& target, const Value& value, std::string_view path) {
   Value made = value;
   for (std::size_t k = target.missing.size(); k-- > 1;) {
@@ -167,7 +170,7 @@ Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_
 
 namespace {
 
-/// Takes the note above a part along with it, where the part has its lines for itself.
+/// Removes the note above a part together with the part, if the part has lines of its own.
 void take_note_along(const LocatedTree& tree, LocatedValue container, std::size_t index, RemovedPart& removed) {
   const std::optional<TextRange> note = note_lines_above(tree, container, index);
   if (!note) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random edits of random texts, and of the shipped models: the tree that the new text says is the old one with the same
-// edit made in memory, and the inverse gives the first bytes.
+// Random edits of random texts and of the shipped models. The tree of the new text must equal the old tree with the
+// same edit in memory, and the inverse patch must restore all bytes.
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -175,7 +175,8 @@ TEST(TextEdit, MovesAMemberWithTheNoteAboveIt) {
             "{\n  \"b\": 2,\n  // the first\n  \"a\": 1, // one\n\n  // the last,\n  /* of all */\n  \"c\": 3\n}\n");
   EXPECT_EQ(move(text, "c", 0),
             "{\n  // the last,\n  /* of all */\n  \"c\": 3,\n  // the first\n  \"a\": 1, // one\n  \"b\": 2\n\n}\n");
-  // A comment that an empty line parts from the member is none of its own, nor is one above several.
+  // A comment separated by an empty line does not belong to the member, and neither does a comment above several
+  // members.
   EXPECT_EQ(move("{\n  // all\n\n  \"a\": 1,\n  \"b\": 2\n}\n", "b", 0), "{\n  \"b\": 2,\n  // all\n\n  \"a\": 1\n}\n");
   EXPECT_EQ(move("{\n  // both\n  \"a\": 1, \"b\": 2\n}\n", "a", 1), "{\n  // both\n  \"b\": 2,\n  \"a\": 1\n}\n");
 }

@@ -12,17 +12,17 @@ namespace {
 
 std::optional<PartDifference> difference_of_lists(LocatedValue old, const Value::List& was, const Value::List& is) {
   const std::size_t shorter = std::min(was.size(), is.size());
-  std::size_t first = 0;  // that differs
+  std::size_t first = 0;  // index of the first difference
   while (first < shorter && was[first] == is[first]) ++first;
-  std::size_t behind = 0;  // equal ones at the end
+  std::size_t behind = 0;  // number of equal elements at the end
   while (behind < shorter - first && was[was.size() - 1 - behind] == is[is.size() - 1 - behind]) ++behind;
-  // Between both ends elements pair up; the rest come or go behind them.
+  // Between both ends, elements are paired. The remaining ones are added or removed after the pairs.
   const std::size_t place = shorter - behind;
   if (was.size() > is.size()) return PartDifference{.container = old, .index = place};
   return PartDifference{.container = old, .index = place, .added = &is[place]};
 }
 
-/// Names that both have, in the order of the first.
+/// Returns the names that both have, in the order of the first.
 std::vector<std::string_view> shared_names(const Value& one, const Value& other) {
   std::vector<std::string_view> names;
   const MemberIndex members(&other);
@@ -39,7 +39,7 @@ std::optional<PartDifference> difference_of_objects(LocatedValue old, const Valu
   for (std::size_t k = 0; k < old_members.size(); ++k) {
     if (!members.position(old_members[k].first)) return PartDifference{.container = old, .index = k};
   }
-  // All old ones stay, in their order: so the first that differs is new.
+  // All old members stay in their order, so the first difference is a new member.
   for (std::size_t k = 0; k < new_members.size(); ++k) {
     if (k < old_members.size() && old_members[k].first == new_members[k].first) continue;
     return PartDifference{.container = old, .index = k, .name = &new_members[k].first, .added = &new_members[k].second};
@@ -62,7 +62,7 @@ std::optional<PartDifference> first_part_difference(const LocatedTree& tree, Loc
   const bool are_lists = was.list() != nullptr && value.list() != nullptr;
   const bool are_objects = was.object() != nullptr && value.object() != nullptr;
   if (!are_lists && !are_objects) return std::nullopt;
-  // From nothing to something is written as a whole.
+  // A change from or to an empty value is written as a whole.
   if (part_count(was) == 0 || part_count(value) == 0) return std::nullopt;
   if (!have_same_parts(was, value)) {
     if (are_lists) return difference_of_lists(old, *was.list(), *value.list());

@@ -24,7 +24,10 @@ std::string tints_of(const MovingParts& parts, const AxisTrack& track) {
   return tints;
 }
 
-/// Adds axes that look alike at all keys as one mesh.
+/// Joins axes with equal look and equal colours at all keys into one mesh, so that a tree with thousands of axes makes
+/// few meshes. The axis's shape at the key with the most vertices determines its triangles and uvs. At every key the
+/// vertices of all axes are written in that order. An axis that does not exist at a key collapses to a point of its
+/// nearest shape. If neither shape nor colour changes, the mesh is static.
 void gather_alike(const MovingParts& parts, std::span<AxisTrack* const> group, MovingMeshes& to, Progress& progress) {
   const std::size_t keys = parts.key_count;
   std::vector<std::size_t> model(group.size());

@@ -35,7 +35,7 @@ class TerminalProgress {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   Progress& progress() { return progress_; }
-  /// Splits the work into `all` parts, such as frames, of which `done` are made. From then on the bar covers all parts
+  /// Splits the work into `all` parts, such as frames; `done` parts are finished. From then on the bar covers all parts
   /// and shows the remaining time. `found` of the parts existed before and took no time. `what` is a string literal
   /// that names one part: "frame".
   void tell_parts(const char* what, std::size_t done, std::size_t found, std::size_t all);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether what lies in the folder of a data set is what its manifest says, and whether the manifest is as it was
-// written.
+// Checks whether the folder of a data set contains what its manifest lists, and whether the manifest is unchanged.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +17,17 @@ namespace meristem {
 
 class Registry;
 
-/// Why the files of a row are not there and right; nothing where they are. Sizes are looked at, and the hashes of all
-/// bytes where `reads_all`. Throws Cancelled.
+/// Returns the reason why the files of a row are missing or wrong, or nothing if they are right. Compares sizes and, if
+/// `reads_all`, hashes of all bytes. Throws Cancelled.
 std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
                                           const Progress& progress);
 
-/// The faults of all rows, in their order. The progress counts a unit per row. Throws Cancelled.
+/// Returns the faults of all rows, in their order. The progress counts a unit per row. Throws Cancelled.
 std::vector<std::optional<std::string>> faults_of_rows(const std::vector<TableRow>& rows, const std::string& folder,
                                                        bool reads_all, Progress& progress);
 
-/// Calls `take` with each file below a folder: its path from there, and whether a program that was ended has left it
-/// half written. Files may not be removed meanwhile.
+/// Calls `take` with the path of each file below a folder, relative to the folder. `is_left_over` is true for
+/// incomplete files of a program that was ended. Files must not be removed during the call.
 void each_file_below(const std::string& folder, FunctionRef<void(const std::string& path, bool is_left_over)> take);
 
 /// Returns the faults of the documents in the folder, one line for each file. Format 1 has one hash for each document.
@@ -37,23 +36,24 @@ std::vector<std::string> document_faults(const DatasetInfo& info, const std::str
 /// Returns the files below manifest/ and checks/ that belong to no table, in order.
 std::vector<std::string> strange_tables(const DatasetInfo& info, const std::string& folder);
 
-/// What a folder holds.
+/// The result of a check.
 struct DatasetCheck {
-  std::uint64_t plants = 0;           ///< that the plan asks for
+  std::uint64_t plants = 0;           ///< number of plants in the plan
   std::uint64_t rows = 0;             ///< plants with a row in a table
-  std::uint64_t failed = 0;           ///< of them, plants that have an error
+  std::uint64_t failed = 0;           ///< number of these plants with an error
   std::uint64_t files = 0;            ///< files of plants that were read
   std::uint64_t bytes = 0;            ///< bytes of these files
-  std::vector<std::string> faults;    ///< one line each: first those of the whole set, then in the order of the tables
-  std::vector<std::string> warnings;  ///< what could not be checked, one line each
+  std::vector<std::string> faults;    ///< one line each: faults of the whole set first, then faults in the order of the
+                                      ///< tables
+  std::vector<std::string> warnings;  ///< checks that were impossible, one line each
 };
 
 /// Checks the data set in a folder. Reads every file of each plant and compares sizes and hashes with the manifest.
 /// Compares each table with its hash, and draws the values of each row again from plan and seed. Compares plan,
 /// documents, data card and arrays with dataset.json. Finds files in the folder that do not belong to the data set.
-/// `models` is the folder of shipped models. No file outside `root` is read, wherever links in the folder lead; an
-/// empty `root` allows every file. Throws InputError where the folder holds no data set, lies outside `root`, or has a
-/// link that leads there; Cancelled.
+/// `models` is the folder of shipped models. No file outside `root` is read, even through links in the folder; an empty
+/// `root` allows every file. Throws InputError if the folder holds no data set, lies outside `root`, or has a link that
+/// leads outside. Throws Cancelled.
 DatasetCheck verify_dataset(const std::string& folder, const Registry& registry, const std::string& models,
                             Progress& progress, const std::string& root = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides which instances an expansion expands next, and keeps what they have made in an order that does not depend on
-// that decision.
+// Decides which instances an expansion expands next. Keeps their results in an order that does not depend on this
+// decision.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Way;
 struct Batch {
   ComponentIndex component = 0;
   std::shared_ptr<const Sites> places;
-  std::vector<std::uint32_t> numbers{};  ///< of the instances in the tree of instances, if one is made
+  std::vector<std::uint32_t> numbers{};  ///< numbers of the instances in the tree of instances, if that is made
   Way* way = nullptr;                    ///< null: the batch expands whole
   std::size_t begin = 0;                 ///< index of the first site in `places`
   std::size_t end = places == nullptr ? 0 : places->sites.size();
@@ -30,7 +30,7 @@ struct Batch {
   std::span<const Site> sites() const { return std::span(places->sites).subspan(begin, end - begin); }
 };
 
-/// What one batch has made.
+/// The result of one batch.
 struct FinishedBatch {
   ComponentIndex component = 0;
   std::shared_ptr<const BatchResult> result;
@@ -43,8 +43,8 @@ struct Way {
   std::vector<FinishedBatch> made{};                 ///< in the order of the instances
   std::vector<std::pair<LinkIndex, Way*>> onward{};  ///< in the order of the links
   std::vector<Site> waiting{};                       ///< sites of instances that grow
-  std::size_t sites = 0;                             ///< expanded so far
-  std::size_t offered = 0;                           ///< to the children of these
+  std::size_t sites = 0;                             ///< number of sites expanded so far
+  std::size_t offered = 0;                           ///< number of sites for the children of these
 };
 
 /// The order in which batches expand. Components that grow wait until no other batch is left.
@@ -84,11 +84,11 @@ class BatchQueue {
 
   const Graph& graph_;
   bool in_slices_ = false;
-  std::deque<Way> ways_;       // since the last growth; their addresses stay
+  std::deque<Way> ways_;       // made since the last growth; their addresses stay valid
   std::vector<Way*> roots_{};  // ways from the root or from a component that grows
   std::deque<Batch> ready_;
   std::vector<Batch> growing_;
-  std::vector<Batch> added_;  // by the batch that has not finished yet, in slices
+  std::vector<Batch> added_;  // batches that the unfinished batch has added, in slices
   std::vector<FinishedBatch> results_;
 };
 

@@ -32,28 +32,31 @@ namespace meristem {
 struct ComponentBase;
 struct EmitterContext;
 
-/// A key for geometry that instances with these numbers share.
+/// Returns a key for geometry that instances with these numbers share.
 std::uint64_t shape_key(std::initializer_list<double> numbers);
 
-/// A stem with what its children need to know.
+/// A stem, with the facts that its children need.
 struct EmittedStem {
   Skeleton skeleton;                           ///< the grown skeleton, world space
   Surface surface;                             ///< surface options
-  std::shared_ptr<const Placement> branching;  ///< where its branches stand, as far as links do not say; may be null
+  std::shared_ptr<const Placement> branching;  ///< placement of its branches, for keys that links do not give; may be
+                                               ///< null
   Site site;                      ///< site of the instance that made the stem, with a key of the stem's own
-  bool visible = true;            ///< false: only its children are seen
+  bool visible = true;            ///< false: only its children are visible
   Vec3 tint{1};                   ///< linear factors on the material's colour
-  std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
-  float moved_scale = 1;          ///< how many times larger it is there
-  /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
+  std::optional<Skeleton> moved;  ///< visible skeleton if `place` moves it
+  float moved_scale = 1;          ///< size of the moved skeleton relative to the original
+  /// Number of the root on which each node stands, if each root is a plant of its own. Else empty.
   std::vector<std::uint32_t> root_of_node{};
-  std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
-  std::shared_ptr<const GrowingStem> growing{};  ///< it stands as at a step of its growth, and so is `trimmed`; or null
+  std::shared_ptr<const TrimmedStem> trimmed{};  ///< the whole stem, if `skeleton` is its trimmed rest; null: not
+                                                 ///< trimmed
+  std::shared_ptr<const GrowingStem> growing{};  ///< set if the stem is shown at a step of its growth; `trimmed` is
+                                                 ///< then set too
 
-  std::uint64_t id() const { return site.key.bits(); }  ///< Site::stem of sites on it
+  std::uint64_t id() const { return site.key.bits(); }  ///< Returns the stem's id, which is Site::stem of sites on it.
   /// Returns the deformation of the stem, or null.
   const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
-  /// What Site::individual says of sites on the root of this number, and on this node.
+  /// Returns Site::individual of sites on the root with this number.
   std::uint64_t individual_of_root(std::uint32_t root) const {
     return root == 0 ? site.individual : site.key.child("root").child(root).bits();
   }
@@ -70,11 +73,11 @@ struct SectionOutline {
   float extent = 0;       ///< from the origin to the farthest point, metres
 };
 
-/// A section of a surface that is put together when all have been emitted.
+/// A section of a surface. Surfaces are joined after all sections have been emitted.
 struct EmittedSection {
   std::shared_ptr<const SectionOutline> outline;     ///< not null
   Frame frame;                                       ///< frame of the outline, in world space
-  bool is_capped = true;                             ///< a ring is closed by a flat face where its surface ends
+  bool is_capped = true;                             ///< true: a flat face closes a ring at the end of its surface
   std::uint64_t id = 0;                              ///< never 0
   std::uint64_t parent = 0;                          ///< id of the section that it continues, or 0
   Vec3 tint{1};                                      ///< linear factors on the material's colour
@@ -83,8 +86,8 @@ struct EmittedSection {
   std::shared_ptr<const Deformation> deformation{};  ///< deformation of the section, or null
 };
 
-/// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
-/// not on what else there is.
+/// The parts that the instances of one block have emitted. They depend only on the component, its instances and the
+/// scene.
 struct Emitted {
   /// A mesh that organs of the block share.
   struct EmittedPrototype {
@@ -92,170 +95,172 @@ struct Emitted {
     std::shared_ptr<const Mesh> mesh;  ///< not null
     bool is_blade = false;             ///< true: has the material of blades
   };
-  /// A plant that begins with one of the instances, with its id.
+  /// A plant that begins with one of the instances.
   struct Founded {
     std::uint64_t id = 0;                              ///< id of the plant
     Vec3 foot{0};                                      ///< position of its base, metres
     std::shared_ptr<const Deformation> deformation{};  ///< deformation of its base, or null
     std::uint32_t row = kNoRow;                        ///< row of the table that placed it
   };
-  /// From that organ of the block on, up to the next of these.
+  /// The deformation of the block's organs, from this organ up to the organ of the next entry.
   struct DeformedFrom {
     std::size_t organ = 0;                           ///< index of the organ in the block
-    std::shared_ptr<const Deformation> deformation;  ///< null: none
+    std::shared_ptr<const Deformation> deformation;  ///< null: not deformed
   };
   std::vector<EmittedPrototype> prototypes;  ///< meshes that organs share
-  std::vector<Organ> organs;  ///< the prototypes and individuals that organs name are numbered within this block
-  std::vector<DeformedFrom> deformed;                       ///< empty where no organ is
-  std::vector<Founded> founded;                             ///< plants that begin with instances of the block
-  std::vector<std::uint64_t> individuals;                   ///< ids of those that the organs belong to
-  std::vector<EmittedSection> sections;                     ///< sections of surfaces
-  std::vector<EmittedStem> stems;                           ///< stems, in the order in which they were emitted
-  std::vector<Site> child_sites;                            ///< with the key and depth of the instance that offers them
-  std::vector<Site> branch_sites;                           ///< sites for the children of branch links
+  std::vector<Organ> organs;               ///< organs; their prototypes and individuals are numbered within this block
+  std::vector<DeformedFrom> deformed;      ///< empty if no organ is deformed
+  std::vector<Founded> founded;            ///< plants that begin with instances of the block
+  std::vector<std::uint64_t> individuals;  ///< ids of the plants to which organs belong
+  std::vector<EmittedSection> sections;    ///< sections of surfaces
+  std::vector<EmittedStem> stems;          ///< stems, in the order in which they were emitted
+  std::vector<Site> child_sites;           ///< with the key and depth of the parent
+  std::vector<Site> branch_sites;          ///< sites for the children of branch links
   std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
-  /// A whole plant that is grown of a document of its own.
+  /// A whole plant of another document.
   struct PlacedPlant {
     Frame frame;                                       ///< from the plant's world to the world
     std::shared_ptr<const PlantSource> source;         ///< not null
     PlantRequest request;                              ///< values and seed
     float birth = 0;                                   ///< growth step at which it appeared
-    bool is_visible = true;                            ///< false: not seen
+    bool is_visible = true;                            ///< false: not visible
     std::shared_ptr<const Deformation> deformation{};  ///< deformation of the plant, or null
     std::uint32_t row = kNoRow;                        ///< row of the table that placed it
     std::uint64_t name = 0;                            ///< as in Planting::Place
   };
   std::vector<PlacedPlant> plants;  ///< whole plants
-  int growth_steps = 0;             ///< the most that one of the instances has taken
+  int growth_steps = 0;             ///< largest number of growth steps of an instance
 };
 
-/// The key for the positions of children on a stem with this key.
+/// Returns the key for the positions of children on a stem with this key.
 inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching"); }
 
-/// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
+/// Collects the parts that the instances of one block emit. One thread uses one emitter; blocks are merged in their
+/// order.
 ///
-/// An instance whose frame has shrunk to nothing emits nothing, nor do its children. Throws InputError for frames
-/// that are not finite, when the sites for children pass the limit of instances, the stems the limit of nodes, or the
-/// meshes the limit of bytes.
+/// An instance whose frame has shrunk to nothing emits nothing, and neither do its children. Throws InputError for
+/// frames that are not finite. Also throws InputError if the sites for children exceed the limit of instances, the
+/// stems the limit of nodes, or the meshes the limit of bytes.
 class Emitter : private Emitted {
  public:
-  /// `context` outlives the emitter.
+  /// `context` must outlive the emitter.
   explicit Emitter(EmitterContext& context) : context_(&context) {}
 
   // For components.
 
-  /// Geometry at `local` in the instance's frame (moved by its `place`). Instances of one component with equal `key`
-  /// share what one of them makes, so the key and what all instances have in common must tell the whole mesh. `tint`
-  /// has linear factors on the instance's colour.
+  /// Emits geometry at `local` in the instance's frame (moved by its `place`). Instances of one component with equal
+  /// `key` share a mesh, which one of them makes. The key, together with all that the instances have in common, must
+  /// therefore determine the whole mesh. `tint` has linear factors on the instance's colour.
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
-  /// A flat shape, given as `organ` takes it, in the component type's material of blades.
+  /// Emits a flat shape with the component type's material of blades. The parameters are as for `organ`.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
-  /// Says that an organ or a blade is not there at this time, so that those after it keep their names.
+  /// Skips one organ index, so that later organs keep their index when this organ does not exist at the current time.
   void no_organ() { ++organs_of_instance_; }
-  /// A whole plant at `local` in the instance's frame (moved by its `place`). Equal requests of equal sources are grown
-  /// once.
+  /// Emits a whole plant at `local` in the instance's frame (moved by its `place`). Equal requests of equal sources are
+  /// grown once.
   void plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request);
-  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once per instance. Where
-  /// children by child and leaf links give sections too, their surface is one with it. Instances of one component with
-  /// equal `key` share what one of them makes.
+  /// Emits a section of a surface at `local` in the instance's frame (moved by its `place`), once per instance.
+  /// Sections of children by child and leaf links continue the surface. Instances of one component with equal `key`
+  /// share the outline, which one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
-  /// A skeleton in world space. The instance's `place` moves it, but not its children.
-  /// `branching`, if given, says where the children of branch links stand, as far as the links do not. A body that the
-  /// surroundings give trims it as `trim` says; the nodes that the calls below name are those of the whole skeleton. In
-  /// documents whose plants grow over time, a stem of a type that does so stands as at its clock's time, wood by
+  /// Emits a skeleton in world space. The instance's `place` moves the skeleton, but not its children. `branching`, if
+  /// given, is the placement of children by branch links, for keys that the links do not give. A trim body of the
+  /// surroundings trims the skeleton by `trim`; later calls use the nodes of the whole skeleton. If the document's
+  /// plants grow over time and the type supports it, the stem is shown at its clock's time, with a thickness by
   /// `pipe_exponent`.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
             TrimMode trim = TrimMode::cut, double pipe_exponent = 2);
-  /// Says that the instance has grown its stems as they are at its clock's time: nothing more is cut off them by time.
+  /// Declares that the instance's stems have already grown up to its clock's time. The time then cuts nothing off them.
   void stands_as_grown() { stands_as_grown_ = true; }
-  /// Says at which step the site that was offered last by named_site has come about; where stems grow over time, and
-  /// the instance stands as it has grown.
+  /// Sets the growth step at which the last site of named_site appeared. Used if stems grow over time and the
+  /// instance's stems have already grown.
   void born(double step);
-  /// Whether the instance's stems grow over time.
+  /// Returns true if the instance's stems grow over time.
   bool grows_in_time() const;
-  /// How far a growth of `last` steps has come in what the instance shows: to the step at which the document is looked
-  /// at, or, where stems grow over time, to the clock's, with a fraction; `last` if neither. What take_grown() gives is
-  /// of that step already.
+  /// Returns the step, with a fraction, at which the instance shows a growth of `last` steps. This is the shown step of
+  /// the document, or the step of the clock if stems grow over time, or else `last`. take_grown() returns the skeleton
+  /// of that step.
   double grown_to(double last);
-  /// Steps that the document's growth takes per second, and seconds that shed branches stay; where stems grow over
-  /// time.
+  /// Returns the growth steps per second and the seconds that shed branches stay. Used if stems grow over time.
   const Animation& animation() const;
-  /// An invisible skeleton, for the children of branch links.
+  /// Emits an invisible skeleton for the children of branch links.
   void unseen_stem(Skeleton skeleton, TrimMode trim = TrimMode::cut);
-  /// Where a frame in world space that stands on `node` of the stem emitted last stands on what is left of it, or
-  /// nothing where it is gone; as it is for kNoNode.
+  /// Returns the position of a frame, in world space, on the rest of the last emitted stem. The frame stands on `node`
+  /// of the whole stem. Returns nothing if that part was trimmed away. Returns the frame unchanged for kNoNode.
   std::optional<Frame> on_stem_left(NodeIndex node, const Frame& frame) const;
-  /// Share of the length that is left of the stem emitted last, which is a single axis; 1 where it is whole.
+  /// Returns the remaining share of the length of the last emitted stem, which must be a single axis. Returns 1 if it
+  /// is whole.
   float length_left() const;
-  /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
-  /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
+  /// Emits a site for children, relative to the instance's frame. Its length and radius are relative to the frame, too.
+  /// Several calls multiply the children. Without a call, children stand in the instance's frame, unless `no_children`
+  /// was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
-  /// A site for children at the tip of the stem emitted last, which is a single axis: its frame, the stem's length and
-  /// the radius there, all in world space and of the whole stem.
+  /// Emits a site for children at the tip of the last emitted stem, which must be a single axis. The frame, the stem's
+  /// length and the radius at the tip are in world space and belong to the whole stem.
   void tip_site(const Frame& frame, float length, float radius);
-  /// Children stand only where `child_site` says: for components whose number of children may be 0.
+  /// Makes sites only by `child_site`: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
-  /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
-  /// children's i and n and draw random numbers of their own; all else that they see is the instance's.
+  /// Returns a number for each of `count` children of the instance, in the struct's unit. Expressions use the
+  /// children's i and n and own random numbers; everything else belongs to the instance.
   std::vector<double> per_child(const PerChild& number, std::uint32_t count) const;
-  /// Says that `count` sites will be offered, before anything is made for them. Throws InputError where they are more
-  /// than may be.
+  /// Announces that `count` sites will be emitted, before anything is made for them. Throws InputError if they exceed
+  /// the limit.
   void expect_children(std::uint64_t count);
-  /// The same for a count of the instance's parameters, of which the last child is to have come to be by the fraction
-  /// alone: its site gets smaller by that. Returns how many sites to offer. Where the count has keys, each child
-  /// appears when the count reaches it.
+  /// Like `expect_children`, for a count of the instance's parameters, which may have a fraction. The site of the last
+  /// child is scaled by the fractional part. Returns the number of sites to emit. If the count has keys, each child
+  /// appears when the count reaches its number.
   std::uint32_t expect_parts(const Count& count);
-  /// Begins a clock for all that hangs on the instance: it starts `delay` seconds after the instance has appeared, by
-  /// the clock that the instance itself has, and runs at `speed`. Returns whether it has started.
+  /// Begins a clock for all descendants of the instance. It starts `delay` seconds after the instance appears, by the
+  /// instance's own clock, and runs at `speed`. Returns true if it has started.
   bool begin_clock(double delay, double speed);
-  /// A site for the children of branch links where it differs from those of child links. Without a call, and for
-  /// components that make no stems, these stand where the children of child links do.
+  /// Emits a site for the children of branch links that differs from the sites of child links. Without a call, and for
+  /// components without stems, these children stand at the sites of child links.
   void branch_site(const Frame& local, float u, float length, float radius);
-  /// A site for the children of branch links in world space, on the stem emitted last: at the share `along` of the
-  /// segment that ends in `node`.
+  /// Emits a site for the children of branch links in world space, on the last emitted stem. It stands at the share
+  /// `along` of the segment that ends in `node`.
   void branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node, float along);
 
-  /// A site in world space for the component that the instance itself places, by its number in the type's `placed`;
-  /// on `node` of the stem emitted last, or kNoNode.
+  /// Emits a site in world space for a component that the instance places. `name` is its index in the type's `placed`.
+  /// `node` is a node of the last emitted stem, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
 
-  /// Gives these numbers to the site that was offered last, by child_site or named_site, under the names that the
-  /// type's `gives` lists; all descendants see them.
+  /// Gives these numbers to the last site of child_site or named_site, under the names that the type's `gives` lists.
+  /// All descendants can use them.
   void give(std::span<const double> numbers, bool to_named);
-  /// Says which row of a table has placed the site that was offered last, by child_site or named_site.
+  /// Sets the row of a table that has placed the last site of child_site or named_site.
   void from_row(std::uint32_t row, bool is_named);
 
-  /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
+  /// Returns the key for the positions of children on the next emitted stem, if that has a `branching`.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
-  /// Changes what all that hangs on the instance is told of the space around it: `said` is what its surroundings
-  /// say, with the changes. It holds for the sites and stems that the instance emits from then on. What it is made of
-  /// are the instance's parameters and site and nothing else.
+  /// Sets the surroundings (light, gravity, deformation, trim body) of all descendants of this instance. Affects sites
+  /// and stems emitted after this call. The surroundings may depend only on the instance's parameters and site.
   void surround(Surroundings said);
 
-  /// The scene that the plant grows in.
+  /// Returns the scene in which the plant grows.
   const Scene& scene() const;
-  /// What the components above say of the space that the instance stands in.
+  /// Returns the surroundings that the components above have set.
   const Surroundings& surroundings() const;
-  /// The directions toward the light and down, at any position of the instance's surroundings; components ask them
-  /// where they bend.
+  /// Returns the directions toward the light and down, for any position in the instance's surroundings. Components use
+  /// them to bend.
   const Directions& directions() const;
-  /// The limits of the document.
+  /// Returns the limits of the document.
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
-  /// Whether what stands at this byte offset from the beginning of the component's struct, a number or a list, differs
-  /// from instance to instance.
+  /// Returns true if a number or list of the component's struct differs from instance to instance. `offset` is its
+  /// position in the struct, bytes.
   bool varies(std::size_t offset) const;
-  /// The progress of the expansion, for a cancel.
+  /// Returns the progress of the expansion, for a cancel.
   Progress& progress() const;
-  /// What the clock of the instance shows, seconds.
+  /// Returns the time of the instance's clock, seconds.
   double time() const;
-  /// The component's key, for what its instances have in common. Meshes that depend on it need it in their key.
+  /// Returns the component's key, for random numbers that its instances share. Meshes that depend on it must include it
+  /// in their key.
   RandomKey component_key() const;
-  /// The skeleton that this instance has grown; only for components that grow, and once per instance.
+  /// Returns the grown skeleton of this instance. Only for components that grow, and once per instance.
   Skeleton take_grown();
-  /// The growth of the instance that this one shows (Showing) on the same parent, where the component watches it
-  /// (ComponentDefinition::watches_growth); else null.
+  /// Returns the growth of the instance that this one shows (Showing) on the same parent. Returns null if the component
+  /// does not use that growth (ComponentDefinition::watches_growth).
   const GrowthTrace* watched_growth() const { return watched_.get(); }
 
   // For the graph.
@@ -267,7 +272,7 @@ class Emitter : private Emitted {
   /// Sets the growth that watched_growth() returns.
   void set_watched(std::shared_ptr<const GrowthTrace> watched) { watched_ = std::move(watched); }
 
-  /// All that was emitted, once an emitter.
+  /// Returns everything that was emitted. Must be called once per emitter.
   Emitted take() { return std::move(static_cast<Emitted&>(*this)); }
 
  private:
@@ -295,12 +300,12 @@ class Emitter : private Emitted {
   EmitterContext* context_;
   std::size_t instance_ = 0;
   Site site_;             // site of the present instance, with the instance's own frame
-  Frame geometry_frame_;  // that frame moved by `place`
+  Frame geometry_frame_;  // the instance's own frame, moved by `place`
   Vec3 tint_{1};
-  std::shared_ptr<const Surroundings> surroundings_;  // of the present instance; null: nothing is said
+  std::shared_ptr<const Surroundings> surroundings_;  // surroundings of the present instance; null: not set
   const ComponentBase* base_ = nullptr;               // parameters of the present instance
   std::uint64_t parent_section_ = 0;                  // section that the instance stands on
-  std::uint64_t section_ = 0;                         // section that the instance has given
+  std::uint64_t section_ = 0;                         // section that the instance has emitted
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;
@@ -310,9 +315,9 @@ class Emitter : private Emitted {
   std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
   std::uint32_t organs_of_instance_ = 0;
-  std::uint64_t uncounted_ = 0;   // sites not yet in the context's count
-  const Count* parts_ = nullptr;  // of the present instance, where it has said so
-  std::uint64_t expected_ = 0;    // children of the present instance, where it has said so
+  std::uint64_t uncounted_ = 0;   // number of sites that are not yet in the context's count
+  const Count* parts_ = nullptr;  // the present instance's count of parts, if it has announced one
+  std::uint64_t expected_ = 0;    // the present instance's number of children, if it has announced it
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;

@@ -16,27 +16,27 @@
 
 namespace meristem {
 
-/// What the emitters of one batch have in common.
+/// The data that the emitters of one batch share.
 struct EmitterContext {
-  const Prototype& prototype;  ///< of the instances
+  const Prototype& prototype;  ///< prototype of the instances
   const Scene& scene;
-  const Directions& directions;  ///< the scene's
+  const Directions& directions;  ///< directions of the scene
   const Limits& limits;
   SharedMeshes& meshes;
-  Progress* progress = nullptr;          ///< for what takes long in one instance
-  std::string multiplier;                ///< document path of what multiplies the children, for errors
-  std::uint64_t together = 1;            ///< instances that are expanded together
+  Progress* progress = nullptr;          ///< for long work in one instance
+  std::string multiplier;                ///< document path of the parameter that multiplies the children, for errors
+  std::uint64_t together = 1;            ///< number of instances that are expanded together
   double time = 0;                       ///< seconds
-  const Animation* animation = nullptr;  ///< null: the document has none
+  const Animation* animation = nullptr;  ///< null: the document has no animation
   std::optional<int> growth_step{};      ///< step at which all plants that grow by a model are shown; unset: the last
-  RandomKey key = RandomKey();           ///< of the component, for what its instances draw together
+  RandomKey key = RandomKey();           ///< key of the component, for random numbers that its instances share
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
-  std::size_t site_names = 0;  ///< of the graph
+  std::size_t site_names = 0;  ///< number of names of the graph's sites
   std::uint64_t site_names_hash = 0;
-  std::uint64_t mesh_bytes = 0;             ///< of what other components have made
-  std::atomic<std::uint64_t> instances{0};  ///< so far, with the sites that are offered to more
-  std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
+  std::uint64_t mesh_bytes = 0;             ///< bytes of other components' meshes
+  std::atomic<std::uint64_t> instances{0};  ///< number so far, including sites for instances that are not expanded yet
+  std::atomic<std::uint64_t> nodes{0};      ///< number so far, of all stems
   Tinting tinting{prototype};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a batch of instances has made to the sites where the children of its links stand.
+// Computes the sites of children of links from the result of a batch of instances.
 #pragma once
 
 #include <cstdint>
@@ -17,32 +17,33 @@ namespace meristem {
 
 class LinkSites {
  public:
-  /// The number of instances.
+  /// Numbers of instances before the link is followed.
   struct Counts {
     std::uint64_t all = 0;
-    std::uint64_t parents = 0;                      ///< of the link's parent in this batch
-    std::span<const std::uint64_t> by_component{};  ///< of `all`
+    std::uint64_t parents = 0;                      ///< instances of the link's parent in this batch
+    std::span<const std::uint64_t> by_component{};  ///< `all` by component
   };
 
-  /// All of them outlive it.
+  /// All arguments must outlive this object.
   LinkSites(const Graph& graph, const Scene& scene, const Directions& directions, double time, Progress& progress);
 
-  /// The links along which a batch has children. All its instances have come by the same links, so they are equally
-  /// deep in every recursion, as deep as `site`: a link back leads on until its depth is reached, a leaf link only from
-  /// there.
+  /// Returns the links along which a batch has children. All its instances have come by the same links and have the
+  /// recursion depths of `site`. A link back makes children until its depth is reached, and a leaf link only from that
+  /// depth on.
   std::vector<LinkIndex> links_followed(ComponentIndex component, const Site& site) const;
 
-  /// The sites that a link gives its child, over all instances of the parent in their order. Throws InputError where
-  /// with them there would be more instances than the limit allows.
-  /// `per_block`, if given, gets how many there are on each block of the parent's instances.
+  /// Returns the sites that a link gives its child, over all instances of the parent in their order. Throws InputError
+  /// if the sites would exceed the limit of instances. `per_block`, if given, receives the number of sites for each
+  /// block of the parent's instances.
   std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before,
                            std::vector<std::size_t>* per_block = nullptr) const;
 
-  /// Hash of what they depend on besides the parent's result and the scene, where all of it is known.
+  /// Returns a hash of everything except the parent's result and the scene on which the sites depend, if all of it is
+  /// known.
   std::optional<std::uint64_t> fingerprint(LinkIndex link) const;
 
-  /// The document path of what to change where the children of a component by these links are too many: the depth of a
-  /// recursion that one of them closes, or the component itself.
+  /// Returns the document path of the parameter to change if the children of a component by these links are too many.
+  /// It is the depth of a recursion that one of the links closes, or else the component.
   std::string multiplier(ComponentIndex component, std::span<const LinkIndex> links) const;
 
  private:
@@ -51,12 +52,12 @@ class LinkSites {
   [[noreturn]] void throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const;
 
   const Graph& graph_;
-  const Structure& structure_;  // the graph's
+  const Structure& structure_;  // structure of the graph
   const Scene& scene_;
-  const Directions& directions_;  // the scene's
+  const Directions& directions_;  // directions of the scene
   double time_;
   Progress& progress_;
-  std::vector<std::uint32_t> ordinals_;  // of links among those between the same two components
+  std::vector<std::uint32_t> ordinals_;  // by link: its index among links between the same two components
 };
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From an edit of a document to the patch of its text.
+// Translates an edit of a document into a patch of its text.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@ namespace meristem {
 
 class LocatedTree;
 
-/// What edits of names need to know besides the text.
+/// The data, besides the text, that edits of names need.
 struct EditContext {
   const std::string& file;
   const Registry& registry;
-  const Document* document;  ///< the last without faults, or null
-  ReadOptions reading;       ///< how the text is read
+  const Document* document;  ///< last document without faults, or null
+  ReadOptions reading;       ///< options for reading the text
 };
 
-/// Throws an InputError where the edit cannot be made.
+/// Returns the patch of an edit. Throws an InputError if the edit is impossible.
 Patch patch_of(const Edit& edit, const LocatedTree& tree, const EditContext& context);
 
 }  // namespace meristem

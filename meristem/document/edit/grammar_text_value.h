@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A grammar that stands in a document, as one text or as a list of lines, and words of it that get other names.
+// A grammar in a document, as one text or as a list of lines, and patches that rename its symbols and constants.
 #pragma once
 
 #include <string>
@@ -16,21 +16,21 @@ class GrammarInDocument {
   /// `value` is a text or a list of texts.
   GrammarInDocument(const LocatedTree& tree, LocatedValue value);
 
-  /// Whether the symbol stands in it.
+  /// Returns true if the grammar contains the symbol.
   bool has_symbol(const std::string& symbol) const;
-  /// Whether it stands in it behind a ~.
+  /// Returns true if the grammar contains the symbol after a ~, which places a component.
   bool places(const std::string& symbol) const;
 
-  /// Gives a symbol another name, also where it is declared; a name of several characters is declared. Throws an
-  /// InputError with `path` where the grammar would then say something else.
+  /// Returns a patch that renames a symbol, including its declaration. A new name of several characters is declared.
+  /// Throws an InputError with `path` if the grammar would then have another meaning.
   Patch with_symbol(const std::string& symbol, const std::string& name, const std::string& path) const;
-  /// Gives a constant another name, in the same way.
+  /// Returns a patch that renames a constant, with the same checks.
   Patch with_name(const std::string& constant, const std::string& name, const std::string& path) const;
 
  private:
   struct Line {
     std::size_t begin = 0;            // in the grammar's text
-    std::vector<std::size_t> places;  // of its bytes in the document
+    std::vector<std::size_t> places;  // position of each of its bytes in the document
   };
 
   Patch in_document(const Patch& patch) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notes: the comments of a document that speak of one member, as people write them. A note stands on lines of its own
-// directly above the member, or behind it at the end of its last line. Comments with an empty line between them and the
-// member, and comments within it, are no notes.
+// Notes are comments of a document on one member. A note stands on its own lines directly above the member, or after it
+// at the end of its last line. Comments with an empty line before the member, and comments within it, are not notes.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@
 
 namespace meristem {
 
-/// The note on a part of a list or object, without the signs that make it a comment; empty where there is none.
+/// Returns the note on a part of a list or object, without comment signs. Returns an empty text if there is no note.
 std::string note_on(const LocatedTree& tree, LocatedValue container, std::size_t index);
 
 /// A piece of a text.
@@ -25,17 +24,18 @@ struct TextRange {
   std::size_t end = 0;
 };
 
-/// The lines above a part of a list or object that are a note on it, from the first byte of the first line to that of
-/// the part's own; nothing where no note stands there.
+/// Returns the lines of a note above a part of a list or object, from the first byte of the first line to the beginning
+/// of the part's own line. Returns nothing if there is no such note.
 std::optional<TextRange> note_lines_above(const LocatedTree& tree, LocatedValue container, std::size_t index);
 
-/// The notes on the members of an object at the top of the document, such as "components", by name. Takes time by the
-/// size of the text. Throws Cancelled soon after `progress` was asked to stop; null: it cannot be stopped.
+/// Returns the notes on the members of an object at the top level of the document, such as "components", by name. Takes
+/// time in proportion to the size of the text. Throws Cancelled soon after `progress` was asked to stop. Null: it
+/// cannot be stopped.
 std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object,
                                                                   const Progress* progress = nullptr);
 
-/// Has the note on the member at `path` say `note`: where one stands, or else above the member; an empty one goes.
-/// Throws an InputError for paths that lead nowhere.
+/// Sets the note on the member at `path`. Replaces an existing note in place; a new one stands above the member. An
+/// empty note removes it. Throws an InputError for paths that lead nowhere.
 Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view note);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One member of an object or element of a list more or less, in its text.
+// Inserts or removes one member of an object or one element of a list, in its text.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace meristem {
 
-/// A part as it stood, to put it in elsewhere.
+/// A part as it was written, for inserting it elsewhere.
 struct WrittenPart {
   std::string text;      ///< with its name
-  std::string comments;  ///< that follow it in its line, in order; empty where there are none
+  std::string comments;  ///< comments that follow it in its line, in order; may be empty
   bool ends_in_line_comment = false;
 };
 
@@ -24,14 +24,14 @@ struct RemovedPart {
 
 RemovedPart remove_part(const LocatedTree& tree, LocatedValue container, std::size_t index);
 
-/// What is put in: a value, with a name into an object; or something written.
+/// A part to insert: a value, with a name if it is for an object, or a written part.
 struct NewPart {
   const std::string* name = nullptr;
   const Value* value = nullptr;
   const WrittenPart* written = nullptr;
 };
 
-/// So that it is number `index`, at most the count of parts.
+/// Inserts a part at `index`, which is at most the number of parts.
 Patch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes of a text as pieces that are replaced, so that all else keeps its bytes.
+// Changes of a text as replaced pieces. All other bytes stay.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,29 @@
 
 namespace meristem {
 
-/// One piece of a text and what stands there instead.
+/// A piece of a text and its replacement.
 struct Splice {
   std::size_t offset = 0;   ///< byte in the text before the whole patch
-  std::size_t length = 0;   ///< bytes that go
-  std::string replacement;  ///< what comes instead
+  std::size_t length = 0;   ///< number of removed bytes
+  std::string replacement;  ///< inserted bytes
 
   bool operator==(const Splice&) const = default;
 };
 
-/// Splices in rising order that do not overlap; all offsets are those of the text before the patch.
+/// Splices in rising order that do not overlap. All offsets refer to the text before the patch.
 using Patch = std::vector<Splice>;
 
-/// Whether the splices rise, do not overlap and lie within a text of that size: what all functions below ask for.
+/// Returns true if the splices are in rising order, do not overlap and lie within a text of that size. All functions
+/// below require this.
 bool is_sound(const Patch& patch, std::size_t text_size);
 
-/// The text with the patch. Throws std::invalid_argument where the patch is not sound.
+/// Returns the text with the patch. Throws std::invalid_argument if the patch is not sound.
 std::string apply_patch(std::string_view text, const Patch& patch);
 
-/// What gives the bytes of `text` back where it is applied to the patched text.
+/// Returns the patch that turns the patched text back into `text`.
 Patch inverse_patch(std::string_view text, const Patch& patch);
 
-/// One patch for two that follow each other: `second` counts in the text that `first` has made.
+/// Returns one patch for two successive ones. Offsets of `second` refer to the text that `first` has made.
 Patch joined_patches(const Patch& first, const Patch& second);
 
 }  // namespace meristem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths in the tree of a text: "components.leaf.length", "links[2]". A name that has dots or brackets in it is found as
-// it stands, and can be written in quotes: profiles["22.5"]. "links[]" is the path behind the last element.
+// Paths in the tree of a text: "components.leaf.length", "links[2]". A name with dots or brackets is found unchanged,
+// or can be written in quotes: profiles["22.5"]. "links[]" is the path after the last element.
 #pragma once
 
 #include <cstddef>
@@ -16,34 +16,35 @@ struct PathStep {
   static constexpr std::size_t kBehindLast = static_cast<std::size_t>(-1);
 
   std::string name;
-  std::size_t index = 0;  ///< of an element
+  std::size_t index = 0;  ///< index of an element
   bool is_index = false;
 };
 
-/// How far a path leads.
+/// The existing and the missing steps of a path.
 struct PathTarget {
-  std::vector<LocatedValue> way;    ///< from the root to the last value that is there
-  std::vector<std::size_t> places;  ///< of each but the root in the one before
-  std::vector<PathStep> missing;    ///< steps that lead to nothing that is there
+  std::vector<LocatedValue> way;    ///< from the root to the last existing value
+  std::vector<std::size_t> places;  ///< index of each value, except the root, in the value before it
+  std::vector<PathStep> missing;    ///< steps that do not exist
 
   LocatedValue last() const { return way.back(); }
-  LocatedValue container() const { return way[way.size() - 2]; }  ///< of the last, which is not the root
+  /// Returns the container of the last value, which must not be the root.
+  LocatedValue container() const { return way[way.size() - 2]; }
 };
 
-/// Follows a path from the root; throws an InputError with the path where it is not well formed.
+/// Follows a path from the root. Throws an InputError with the path if it is not well formed.
 PathTarget follow_path(const LocatedTree& tree, std::string_view path);
 
-/// Follows the path of something that is there, other than the root. Throws an InputError that names the nearest path
-/// for all others.
+/// Follows the path of an existing value other than the root. For any other path, throws an InputError that names the
+/// nearest path.
 PathTarget find_path(const LocatedTree& tree, std::string_view path);
 
-/// What the paths lead to, each in the one before.
+/// Returns the value at these indices, each in the value before it.
 LocatedValue value_at(const LocatedTree& tree, const std::vector<std::size_t>& places);
 
-/// Throws the InputError for a path that ends in `target.missing`.
+/// Throws the InputError for a path whose steps `target.missing` do not exist.
 [[noreturn]] void throw_missing(const PathTarget& target, std::string_view path);
 
-/// A path of `name` below `path` that follow_path reads as such.
+/// Returns the path of `name` below `path`, in the form that follow_path reads.
 std::string path_below(std::string_view path, std::string_view name);
 
 }  // namespace meristem

@@ -12,14 +12,14 @@
 
 namespace meristem {
 
-/// Renames a component with all that refers to it: ends of links, and symbols of grammars that stand in the document
-/// and place it (`placed_by` says whether the component of that id places it by its name). Throws an InputError where
-/// there is no such component, where the name is taken or cannot be one, or would have another meaning in a grammar.
+/// Renames a component, the ends of links that name it, and symbols of grammars in the document that place it.
+/// `placed_by` returns true if the component with that id places it by name. Throws an InputError if the component does
+/// not exist, if the name is taken or invalid, or if it would have another meaning in a grammar.
 Patch rename_component(const LocatedTree& tree, const std::string& id, const std::string& name,
                        const Registry& registry, const std::function<bool(const std::string& placer)>& placed_by);
 
-/// Renames a variable with all expressions that use it: those at `expression_paths`, and in grammars that stand in the
-/// document. Throws in the same way.
+/// Renames a variable in all expressions that use it: at `expression_paths`, and in grammars in the document. Throws
+/// like rename_component().
 Patch rename_variable(const LocatedTree& tree, const std::string& variable, const std::string& name,
                       const Registry& registry, const std::vector<std::string>& expression_paths);
 

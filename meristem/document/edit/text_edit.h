@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of a JSON text as a person would make them: comments, layout, lines' ends and all that an edit does not name
-// stay as they are. What is new is written like its neighbours: in their line where they share one, on a line of its
-// own and indented like them where they have theirs, and numbers with the fewest digits that say them.
+// Edits of a JSON text in the way a person makes them. Comments, layout, line ends and everything that an edit does not
+// name stay as they are. New parts are written like their neighbours: in one line with them, or on lines of their own
+// with equal indentation. Numbers get the fewest digits that represent them.
 //
-// A member or element that goes, or moves, takes along the comments between it and the comma or bracket behind it, and,
-// where it has its lines to itself, those behind the comma in its last line. Comments on lines of their own stay.
+// If a member or element is removed or moved, the comments between it and the next comma or bracket go with it. If it
+// has lines of its own, so do the comments after the comma in its last line. Comments on lines of their own stay.
 //
-// Paths are whole ones (path.h), from the root. All throw an InputError for paths that lead nowhere and for values that
-// JSON cannot say, and give no splices where there is nothing to change.
+// Paths are whole paths (path.h), from the root. All functions throw an InputError for paths that lead nowhere and for
+// values that JSON cannot represent. They return no splices if nothing changes.
 #pragma once
 
 #include <cstddef>
@@ -20,22 +20,22 @@
 
 namespace meristem {
 
-/// Has the path say `value`; members on the way that are not there are added behind the others, elements of lists must
-/// be there. Within lists and objects only what differs is written anew.
+/// Sets the value at a path. Missing members on the way are added after the others; elements of lists must exist.
+/// Within lists and objects only differences are rewritten.
 Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value);
 
-/// Puts an element before that of the path's index (or behind the last; a list that is not there is made), or adds a
-/// member that is not there yet, behind all others or so that it is number `index` among them.
+/// Inserts an element before the path's index, or after the last one; a missing list is added. Or adds a missing
+/// member, after all others or at `index`.
 Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
                    std::optional<std::size_t> index = {});
 
-/// Takes out a member or element.
+/// Removes a member or element.
 Patch remove_value(const LocatedTree& tree, std::string_view path);
 
-/// Gives a member another name, which must be free.
+/// Renames a member. The new name must be free.
 Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name);
 
-/// Moves a member or element within its object or list, so that it is number `index`.
+/// Moves a member or element within its object or list to `index`.
 Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index);
 
 }  // namespace meristem

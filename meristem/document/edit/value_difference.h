@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How one value differs from another in the parts that lists and objects have.
+// Differences between two values in the parts of their lists and objects.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace meristem {
 
-/// Whether both are lists of one length, or objects with the same names in the same order.
+/// Returns true if both are lists of equal length, or objects with equal names in equal order.
 bool have_same_parts(const Value& one, const Value& other);
 
-/// A part that one has and the other has not.
+/// A part that only one of two values has.
 struct PartDifference {
   LocatedValue container;             ///< in the old tree
-  std::size_t index = 0;              ///< in it: of the part that goes, or that the added one will have
-  const std::string* name = nullptr;  ///< of the added member
-  const Value* added = nullptr;       ///< null where the part goes
+  std::size_t index = 0;              ///< index of the removed or added part
+  const std::string* name = nullptr;  ///< name of the added member
+  const Value* added = nullptr;       ///< null if the part is removed
 };
 
-/// The first step, a part more or less, on the way from an old value to a new one. Nothing where all lists and objects
-/// have the same parts already, or are others altogether: other kinds of value, or members in another order.
+/// Returns the first step from an old value to a new one: one part to add or remove. Returns nothing if all lists and
+/// objects have equal parts, or if they differ entirely: other kinds of value, or members in another order.
 std::optional<PartDifference> first_part_difference(const LocatedTree& tree, LocatedValue old, const Value& value);
 
 }  // namespace meristem

@@ -136,10 +136,8 @@ class ParameterReader {
   void text_file(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// Returns the document's variables.
   const std::vector<ExpressionNames::Constant>& constants() const { return constants_.all(); }
-  const ConstantTable& constant_table() const {
-    return constants_;
-  }  ///< the document's variables with a table of
-     ///< their names
+  /// Returns the document's variables with a table of their names.
+  const ConstantTable& constant_table() const { return constants_; }
   /// Returns the text of a file that another file includes. The path starts at the folder of the including file. Throws
   /// an InputError.
   std::string included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Exports a film or numbered pictures. The last frame is grown first, to place the camera. Frames are then drawn in
+// order into a scratch folder, and ffmpeg joins the pictures of a film.
 #include "film_job.h"
 
 #include <filesystem>

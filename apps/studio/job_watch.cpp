@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Watches a job on a thread of its own, which checks the time and the memory in use at short intervals.
 #include "job_watch.h"
 
 #include <chrono>

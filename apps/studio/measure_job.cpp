@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Measures a document, or one plant for each value of a sweep. A grown plant is reused if there is one. The plants of a
+// sweep share a store of files and a growth cache, so each makes only what its value changes.
 #include "measure_job.h"
 
 #include <utility>

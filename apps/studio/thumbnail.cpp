@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Shrinks pictures by the mean of the pixels in each block. Colours are averaged as linear light and weighted by alpha.
 #include "thumbnail.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Hashes of sites, and the memory of results. The fields of a site are packed without gaps, since gaps have undefined
+// bytes. Sites are hashed in parallel, and the hash of a list is a hash of these hashes, equal on any number of
+// threads.
 #include "meristem/graph/batch.h"
 
 #include <algorithm>

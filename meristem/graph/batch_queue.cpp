@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// The order of expansion. Whole batches expand breadth-first. In slices, the children of a slice come before all other
+// batches, and each result is stored under its way from the root; results are gathered by way, in the order of whole
+// batches.
 #include "meristem/graph/batch_queue.h"
 
 #include <algorithm>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+// Builds the crown body of a skeleton and places sites on a jittered grid within it. A lower bound of the number of
+// sites, from one ball of the body, refuses much too dense crowns before any work. The key of a site contains its grid
+// cell, so that a site keeps its random numbers when the crown changes elsewhere.
+//
+// Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), 5.5.
 #include "meristem/graph/crown_placement.h"
 
 #include <algorithm>
@@ -75,7 +80,7 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
                 .spacing = 1 / math::pow(placement.density, 1.0 / 3),
                 .most = context.limits->instances};
   if (placement.depth) grid.depth = *placement.depth;
-  // One ball alone tells whether there are far too many.
+  // One ball of the body alone shows whether there are far too many.
   const double radius = 0.5 * surface.crown->diameter;
   const double in_ball = placement.depth ? 0 : placement.density * 4 * kPi / 3 * radius * radius * radius;
   const DVec3 size = body.high() - body.low() + 2 * body.reach();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Combines the records of a graph's own plants and of placed plants of other documents. Marks of placed plants are
+// copied to each position of the plant, up to a limit.
 #include "meristem/graph/growth_traces.h"
 
 #include <algorithm>

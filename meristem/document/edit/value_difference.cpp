@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Finds one part to insert or remove on the way from an old value to a new one. Lists are compared from both ends,
+// objects by the order of their shared names. Values with equal parts are compared part by part.
 #include "meristem/document/edit/value_difference.h"
 
 #include <algorithm>

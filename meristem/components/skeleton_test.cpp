@@ -12,8 +12,8 @@
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_skeleton.h"
-#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::skeleton_test {
 
@@ -121,16 +121,24 @@ TEST_F(SkeletonComponent, FaultsNameTheFileAndTheLine) {
   EXPECT_THAT(fault_of({}, (folder_ / "none.csv").string()), HasSubstr("none.csv"));
 }
 
-TEST_F(SkeletonComponent, TheDigitisedWalnutIsAsItsReaderHasIt) {
-  const auto path = find_shared_data("trees/noylum2.mtg");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  const Skeleton walnut = only(builder({{"unit", 0.01}, {"diameter_unit", 0.001}}, *path).grow());
-  EXPECT_EQ(walnut.node_count(), 6428U);
-  EXPECT_EQ(*std::ranges::max_element(walnut.order), 7);
-  EXPECT_EQ(*std::ranges::max_element(walnut.axis), 1874U);
-  const Box box = bounds(walnut);
-  EXPECT_NEAR(box.high.y, 7.95, 0.02);
-  EXPECT_EQ(walnut.position[0], Vec3(0));
+struct TreeFacts {
+  std::size_t segments;
+  unsigned laterals;
+  int highest_order;
+  double height;
+};
+
+TEST_F(SkeletonComponent, DigitisedTreesAreAsTheirReaderHasThem) {
+  for (const auto& [file, facts] : data_sets<TreeFacts>({{"tests/data/trees/sapling.mtg", {874, 333, 4, 4.66}}},
+                                                        {{"trees/noylum2.mtg", {6427, 1874, 7, 7.95}}})) {
+    SCOPED_TRACE(file);
+    const Skeleton tree = only(builder({{"unit", 0.01}, {"diameter_unit", 0.001}}, file).grow());
+    EXPECT_EQ(tree.node_count(), facts.segments + 1) << "and the base of the trunk";
+    EXPECT_EQ(*std::ranges::max_element(tree.order), facts.highest_order);
+    EXPECT_EQ(*std::ranges::max_element(tree.axis), facts.laterals);
+    EXPECT_NEAR(bounds(tree).high.y, facts.height, 0.02);
+    EXPECT_EQ(tree.position[0], Vec3(0));
+  }
 }
 
 }  // namespace meristem::skeleton_test

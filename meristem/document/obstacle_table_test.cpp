@@ -9,8 +9,8 @@
 
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
-#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::obstacle_table_test {
 
@@ -172,14 +172,22 @@ TEST_F(ObstacleDocument, TheirTrianglesCountAgainstTheLimits) {
   EXPECT_EQ(fault(two, R"("limits": {"triangles": 24},)"), "no fault");
 }
 
-TEST_F(ObstacleDocument, ARealHouseStandsOnTheGround) {
-  const auto path = find_shared_data("obstacles/house.obj");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  const Obstacles house = obstacles(fmt::format(R"([{{"mesh": "{}", "up": "z", "translate": [0, 0, 12]}}])", *path));
-  const Box box = house.bounds();
-  EXPECT_LT(glm::distance(box.low, Vec3(0, 0, 12 - 18.69F)), 0.02F);
-  EXPECT_LT(glm::distance(box.high, Vec3(13.49F, 9.41F, 12)), 0.02F);
-  EXPECT_TRUE(closedness_faults(house.bodies()[0].mesh).empty());
+struct HouseFacts {
+  const char* up;
+  Box bounds;
+};
+
+TEST_F(ObstacleDocument, HousesStandOnTheGround) {
+  for (const auto& [file, facts] :
+       data_sets<HouseFacts>({{"models/house.obj", {"y", {{-4.5F, 0, 12 - 5.5F}, {4.5F, 9.6F, 12 + 5.5F}}}}},
+                             {{"obstacles/house.obj", {"z", {{0, 0, 12 - 18.69F}, {13.49F, 9.41F, 12}}}}})) {
+    SCOPED_TRACE(file);
+    const Obstacles house =
+        obstacles(fmt::format(R"([{{"mesh": "{}", "up": "{}", "translate": [0, 0, 12]}}])", file, facts.up));
+    EXPECT_LT(glm::distance(house.bounds().low, facts.bounds.low), 0.02F);
+    EXPECT_LT(glm::distance(house.bounds().high, facts.bounds.high), 0.02F);
+    EXPECT_TRUE(closedness_faults(house.bodies()[0].mesh).empty());
+  }
 }
 
 }  // namespace meristem::obstacle_table_test

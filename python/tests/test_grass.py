@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stages of a grass leaf, compared with closed forms, and on measured leaves if they exist."""
+"""The stages of a grass leaf, compared with closed forms, and on synthetic and measured leaves."""
 
 from __future__ import annotations
 
 import base64
 import json
-import os
 import pickle
 from pathlib import Path
 from typing import Any
@@ -13,13 +12,9 @@ from typing import Any
 import meristem
 import numpy as np
 import pytest
+from data_sets import data_files
 from meristem import grass
 
-BESIDE_THE_PROJECT = Path(__file__).resolve().parents[3] / "shared" / "data"
-MEASURED = Path(os.environ.get("MERISTEM_SHARED_DATA", BESIDE_THE_PROJECT)) / "grass"
-needs_measured = pytest.mark.skipif(
-    not MEASURED.is_dir(), reason="the measured data is not here; MERISTEM_SHARED_DATA may name its folder"
-)
 PIECES = 90
 
 
@@ -349,20 +344,20 @@ def test_sheath_and_ligule_are_strips_of_radius_one() -> None:
 # --- the measured leaves ----------------------------------------------------------------------------------------------
 
 
-def maize_leaves() -> list[tuple[np.ndarray[Any, np.dtype[np.float64]], ...]]:
+def blades_of(path: Path) -> list[tuple[np.ndarray[Any, np.dtype[np.float64]], ...]]:
     """Returns x, y, s and r of each leaf."""
-    text = (MEASURED / "simpleleavesdb.json").read_text(encoding="utf-8")
 
     def array(stored: dict[str, Any]) -> np.ndarray[Any, np.dtype[np.float64]]:
         return np.frombuffer(base64.b64decode(stored["__ndarray__"]), dtype="<f8").reshape(stored["shape"])
 
-    return [tuple(map(array, leaf)) for leaves in json.loads(text).values() for leaf in leaves]
+    by_rank = json.loads(path.read_text(encoding="utf-8"))
+    return [tuple(map(array, leaf)) for leaves in by_rank.values() for leaf in leaves]
 
 
-@needs_measured
-def test_all_maize_leaves_are_fitted_within_the_bounds() -> None:
-    leaves = maize_leaves()
-    assert len(leaves) == 13
+@pytest.mark.parametrize("path", data_files("grass/blades.json", "grass/simpleleavesdb.json"))
+def test_all_blades_are_fitted_within_the_bounds(path: Path) -> None:
+    leaves = blades_of(path)
+    assert len(leaves) == {"blades.json": 12, "simpleleavesdb.json": 13}[path.name]
     for x, y, s, r in leaves:
         fitted = grass.fit_leaf(x, y, s, r)
         polyline = np.hypot(np.diff(x), np.diff(y)).sum()
@@ -375,11 +370,14 @@ def test_all_maize_leaves_are_fitted_within_the_bounds() -> None:
         assert len(grass.make_grass_blade(grass.reduced(fitted.leaf, pieces=8)).triangles) in (30, 32)
 
 
-@needs_measured
-def test_all_wheat_leaves_go_through_all_stages() -> None:
-    midribs = grass.read_midribs(MEASURED / "So99.csv")
-    widths = {curve.rank: curve.points.T for curve in grass.read_widths(MEASURED / "SRSo.csv")}
-    assert len(midribs) == 450
+WIDTHS = {"midribs.csv": "widths.csv", "So99.csv": "SRSo.csv"}
+
+
+@pytest.mark.parametrize("path", data_files("grass/midribs.csv", "grass/So99.csv"))
+def test_all_leaves_go_through_all_stages(path: Path) -> None:
+    midribs = grass.read_midribs(path)
+    widths = {curve.rank: curve.points.T for curve in grass.read_widths(path.parent / WIDTHS[path.name])}
+    assert len(midribs) == {"midribs.csv": 72, "So99.csv": 450}[path.name]
     for midrib in midribs:
         fitted = grass.fit_leaf(*midrib.points.T, *widths[midrib.rank])
         if len(midrib) >= 12:

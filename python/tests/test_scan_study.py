@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The study of a scanned walnut, with few points."""
+"""The study of a scanned walnut, with few points: of the published walnut, and of a synthetic tree in its place."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from pathlib import Path
 import meristem
 import numpy as np
 import pytest
+from data_sets import linked
 
 STUDIES = Path(__file__).resolve().parents[2] / "studies"
 sys.path.insert(0, str(STUDIES))
@@ -35,9 +36,12 @@ def test_points_are_located_on_their_own_shoots() -> None:
     np.testing.assert_allclose(located.distance, [0.1, 0.1, 0.02, 0.01], atol=1e-6)
 
 
-@pytest.mark.skipif(not walnut.FILE.is_file(), reason="the walnut is not here; MERISTEM_SHARED_DATA may name its folder")
-def test_quick_study(tmp_path: Path) -> None:
+@pytest.mark.parametrize("tree", ["synthetic", "walnut"] if walnut.FILE.is_file() else ["synthetic"])
+def test_quick_study(tree: str, tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": str(Path(meristem.__file__).parents[1])}
+    if tree == "synthetic":
+        data = linked(tmp_path / "data", {"trees/noylum2.mtg": "trees/sapling.mtg"})
+        environment["MERISTEM_SHARED_DATA"] = str(data)
     command = [sys.executable, "-B", str(STUDIES / "scan_walnut.py"), "--quick", "-o", str(tmp_path)]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr

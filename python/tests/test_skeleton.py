@@ -2,18 +2,27 @@
 from __future__ import annotations
 
 import gc
-import os
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
 import meristem
+from data_sets import data_files
 from plants import grown_small_tree
 
-BESIDE_THE_PROJECT = Path(__file__).resolve().parents[3] / "shared" / "data"
-TREES = Path(os.environ.get("MERISTEM_SHARED_DATA", BESIDE_THE_PROJECT)) / "trees"
+
+class Digitised(NamedTuple):
+    nodes: int
+    axes: int
+    height: float  #: metres
+
+
+#: Digitised trees in cm, with diameters in mm: a synthetic one of the project, and a published walnut
+KNOWN = {"sapling.mtg": Digitised(875, 334, 4.66), "noylum2.mtg": Digitised(6428, 1875, 7.95)}
+TREES = data_files("trees/sapling.mtg", "trees/noylum2.mtg")
+on_digitised_trees = pytest.mark.parametrize("file", TREES, ids=[file.name for file in TREES])
 
 
 def forked() -> meristem.Skeleton:
@@ -155,27 +164,23 @@ def test_odd_skeletons_of_users_become_tubes() -> None:
         assert np.isfinite(mesh.positions).all()
 
 
-def test_digitised_trees_can_be_read() -> None:
-    file = TREES / "noylum2.mtg"
-    if not file.is_file():
-        pytest.skip(f"{file} is not there")
-    walnut = meristem.read_mtg(file, unit=0.01, diameter_unit=0.001)
-    assert len(walnut) > 1000
-    assert 5 < walnut.measure()["height"] < 12
+@on_digitised_trees
+def test_digitised_trees_can_be_read(file: Path) -> None:
+    tree = meristem.read_mtg(file, unit=0.01, diameter_unit=0.001)
+    assert len(tree) == KNOWN[file.name].nodes
+    assert tree.measure()["height"] == pytest.approx(KNOWN[file.name].height, abs=0.005)
 
 
-def test_digitised_trees_come_back_from_files_of_ours(tmp_path: Path) -> None:
-    file = TREES / "noylum2.mtg"
-    if not file.is_file():
-        pytest.skip(f"{file} is not there")
-    walnut = meristem.read_mtg(file, unit=0.01, diameter_unit=0.001)
-    walnut.save_mtg(tmp_path / "walnut.mtg")
-    again = meristem.read_mtg(tmp_path / "walnut.mtg")
-    assert again.hash == walnut.hash
-    assert again.labels == walnut.labels and len(again.labels) == 1875
+@on_digitised_trees
+def test_digitised_trees_come_back_from_files_of_ours(file: Path, tmp_path: Path) -> None:
+    tree = meristem.read_mtg(file, unit=0.01, diameter_unit=0.001)
+    tree.save_mtg(tmp_path / "tree.mtg")
+    again = meristem.read_mtg(tmp_path / "tree.mtg")
+    assert again.hash == tree.hash
+    assert again.labels == tree.labels and len(again.labels) == KNOWN[file.name].axes
     again.save_mtg(tmp_path / "again.mtg", threads=1)
-    assert (tmp_path / "again.mtg").read_bytes() == (tmp_path / "walnut.mtg").read_bytes()
-    assert walnut["NFe"].dtype == np.float32
+    assert (tmp_path / "again.mtg").read_bytes() == (tmp_path / "tree.mtg").read_bytes()
+    assert tree["NFe"].dtype == np.float32
 
 
 def test_grown_plants_come_back_from_mtg_files(tmp_path: Path) -> None:

@@ -62,11 +62,12 @@ THINNEST = 0.08  #: metres; approximate begin of the diameter bands of most spec
 Bands = dict[str, tuple[float, float, float]]  #: 5th, 50th and 95th percentile of each quantity
 
 
-def read_bands(measured: str | None) -> Bands:
-    """Returns the bands of a species of the file."""
+def read_bands(measured: str | None, path: Path = FILE) -> Bands:
+    """Returns the bands of a species of the file. Without a species, returns the bands of all broad-leaved
+    trees."""
     if measured is None:
         return dict(ALL_BROAD_LEAVED)
-    with open(FILE, newline="", encoding="utf-8") as file:
+    with open(path, newline="", encoding="utf-8") as file:
         [row] = [row for row in csv.DictReader(file) if row["species"] == measured]
     bands: Bands = {}
     for quantity, (column, factor) in QUANTITIES.items():

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grass leaves for tests and benchmarks: of known form, random, and measured ones if the data exist.
+// Grass leaves for tests and benchmarks: of known form, random, synthetic, and measured ones if the data exist.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,7 @@
 #include "meristem/base/read_file.h"
 #include "meristem/shape/grass/fit_leaf.h"
 #include "meristem/shape/grass/measured_leaves.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem {
 
@@ -88,34 +87,41 @@ inline MeasuredCurve plain_widths() {
   return {.points = {{0, 0.6}, {0.1, 0.8}, {0.3, 1}, {0.5, 0.95}, {0.7, 0.75}, {0.9, 0.35}, {1, 0}}};
 }
 
-inline constexpr const char* kWheatMidribs = "grass/So99.csv";
-inline constexpr const char* kWheatWidths = "grass/SRSo.csv";
-inline constexpr const char* kWheatByAge = "grass/median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv";
+/// The leaves of a species as their observers list them.
+struct MeasuredGrass {
+  std::string name;
+  std::vector<MeasuredCurve> midribs;
+  std::vector<MeasuredCurve> by_age;  ///< midribs of classes of leaves at many ages
+  std::vector<MeasuredCurve> widths;  ///< one profile for each class of ranks
 
-/// Returns measured midribs, or an empty list if the data do not exist.
-inline std::vector<MeasuredCurve> measured_midribs(const char* name) {
-  const auto path = find_shared_data(name);
-  if (!path) return {};
-  std::vector<Diagnostic> warnings;
-  return read_midribs(read_file(*path, Limits{}.file_bytes), {}, warnings);
-}
-
-inline std::vector<MeasuredCurve> measured_widths(const char* name) {
-  const auto path = find_shared_data(name);
-  if (!path) return {};
-  std::vector<Diagnostic> warnings;
-  return read_widths(read_file(*path, Limits{}.file_bytes), {}, warnings);
-}
-
-/// Fits every `every`-th wheat leaf, with the widths of the classes in turn.
-inline std::vector<GrassLeaf> wheat_leaves(std::size_t every) {
-  const std::vector<MeasuredCurve> midribs = measured_midribs(kWheatMidribs), widths = measured_widths(kWheatWidths);
-  std::vector<GrassLeaf> leaves;
-  if (widths.empty()) return leaves;
-  for (std::size_t k = 0; k < midribs.size(); k += every) {
-    leaves.push_back(fit_leaf(midribs[k], widths[k % widths.size()]).leaf);
+  /// Fits about `count` leaves, evenly spread over the midribs, with the widths of the classes in turn. Fits all leaves
+  /// if there are fewer.
+  std::vector<GrassLeaf> fitted(std::size_t count) const {
+    std::vector<GrassLeaf> leaves;
+    for (std::size_t k = 0; k < midribs.size(); k += std::max<std::size_t>(1, midribs.size() / count)) {
+      leaves.push_back(fit_leaf(midribs[k], widths[k % widths.size()]).leaf);
+    }
+    return leaves;
   }
-  return leaves;
+};
+
+/// Returns the synthetic leaves of the project, and the leaves of wheat if their measurements are on this machine.
+inline std::vector<MeasuredGrass> measured_grasses() {
+  const std::string own = "tests/data/grass/", wheat = "grass/";
+  const std::vector<std::string> files =
+      data_files({own + "midribs.csv", own + "midribs_by_age.csv", own + "widths.csv"},
+                 {wheat + "So99.csv", wheat + "median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv",
+                  wheat + "SRSo.csv"});
+  std::vector<Diagnostic> warnings;
+  const auto text = [&](std::size_t k) { return read_file(files[k], Limits{}.file_bytes); };
+  std::vector<MeasuredGrass> grasses;
+  for (std::size_t k = 0; k + 2 < files.size(); k += 3) {
+    grasses.push_back({.name = k == 0 ? "synthetic leaves" : "leaves of wheat",
+                       .midribs = read_midribs(text(k), {}, warnings),
+                       .by_age = read_midribs(text(k + 1), {}, warnings),
+                       .widths = read_widths(text(k + 2), {}, warnings)});
+  }
+  return grasses;
 }
 
 }  // namespace meristem

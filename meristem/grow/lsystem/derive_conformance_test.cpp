@@ -10,7 +10,7 @@
 #include "meristem/grow/lsystem/grammar_reader.h"
 #include "tests/support/build_grammar.h"
 #include "tests/support/sha256.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::derive_conformance_test {
 
@@ -50,10 +50,9 @@ std::map<std::string, int> counts_of(const Word& word, const Alphabet& alphabet)
   return counts;
 }
 
-TEST(DeriveConformance, AgreesWithAnotherProgramByLengthsCountsAndDigests) {
-  const auto path = find_shared_data("reference/lsystems.json");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  std::ifstream file(*path);
+/// Compares derivations with a table that another program wrote. Returns the number of grammars.
+int compare_words(const std::string& path) {
+  std::ifstream file(path);
   const Json entries = Json::parse(file);
   int compared = 0;
   for (const auto& [name, entry] : entries.items()) {
@@ -71,7 +70,15 @@ TEST(DeriveConformance, AgreesWithAnotherProgramByLengthsCountsAndDigests) {
     EXPECT_EQ(sha256(word_text(last, grammar.alphabet)), entry["sha256"]);
     ++compared;
   }
-  EXPECT_EQ(compared, 11);
+  return compared;
+}
+
+TEST(DeriveConformance, AgreesWithOtherProgramsByLengthsCountsAndDigests) {
+  for (const auto& [file, grammars] :
+       data_sets<int>({{"tests/data/reference/lsystems.json", 11}}, {{"reference/lsystems.json", 11}})) {
+    SCOPED_TRACE(file);
+    EXPECT_EQ(compare_words(file), grammars);
+  }
 }
 
 // ABOP, page 42.

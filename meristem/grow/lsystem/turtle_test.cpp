@@ -12,7 +12,7 @@
 #include "meristem/grow/lsystem/derive.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
 #include "tests/support/check_skeleton.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::turtle_test {
 
@@ -314,11 +314,10 @@ TEST(TurtlePolygon, DrawsTheLeavesOfTheBooksBush) {
   }
 }
 
-/// The plane figures of the reference. Their drawing letters become F.
-TEST(TurtleReference, DrawsTheBooksFigures) {
-  const auto path = find_shared_data("reference/lsystems.json");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  std::ifstream file(*path);
+/// Draws the plane figures of a reference and compares segments, ends and bounds. Their drawing letters become F.
+/// Returns the number of figures.
+int compare_figures(const std::string& path) {
+  std::ifstream file(path);
   const nlohmann::json entries = nlohmann::json::parse(file);
   int figures = 0;
   for (const auto& [name, entry] : entries.items()) {
@@ -364,7 +363,14 @@ TEST(TurtleReference, DrawsTheBooksFigures) {
     EXPECT_TRUE(std::ranges::any_of(stem.of(0), ends_at)) << name;
     ++figures;
   }
-  EXPECT_GE(figures, 8);
+  return figures;
+}
+
+TEST(TurtleReference, DrawsTheBooksFigures) {
+  for (const std::string& file : data_files({"tests/data/reference/lsystems.json"}, {"reference/lsystems.json"})) {
+    SCOPED_TRACE(file);
+    EXPECT_GE(compare_figures(file), 8);
+  }
 }
 
 TEST(Turtle, TheColumnEndMarksWhereBranchesEnd) {

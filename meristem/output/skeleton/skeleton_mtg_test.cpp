@@ -20,7 +20,7 @@
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/mtg/mtg_skeleton.h"
 #include "tests/support/sample_plants.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::skeleton_mtg_test {
 
@@ -258,37 +258,34 @@ TEST(SkeletonMtg, ALongStemStaysInOneColumn) {
   EXPECT_NE(text.find("\n^<S2999\t"), std::string::npos);
 }
 
-struct DigitisedTree {
-  const char* path;
-  MtgGeometry geometry;
-};
-
-/// Two trees have no coordinates. Other features replace them, since these tests check how entities are joined.
-const std::vector<DigitisedTree>& digitised_trees() {
-  static const std::vector<DigitisedTree> kTrees{
-      {"trees/noylum2.mtg", {.length_unit = 0.01, .diameter_unit = 0.001}},
-      {"trees/noylum2.mtg", {}},
-      {"trees/monopodial_plant.mtg", {.position = {"diam", "diam", "diam"}, .diameter = "diam"}},
-      {"trees/simple_plant.mtg", {.position = {"XEuler", "XEuler", "XEuler"}}}};
-  return kTrees;
+/// Two trees of each list have no coordinates. Other features replace them, since these tests check how entities are
+/// joined.
+std::vector<DataSet<MtgGeometry>> digitised_trees() {
+  const MtgGeometry units{.length_unit = 0.01, .diameter_unit = 0.001};
+  return data_sets<MtgGeometry>(
+      {{"tests/data/trees/sapling.mtg", units},
+       {"tests/data/trees/sapling.mtg", {}},
+       {"tests/data/trees/coded_shoot.mtg", {.position = {"width", "width", "width"}, .diameter = "width"}},
+       {"tests/data/trees/dated_shoot.mtg", {.position = {"Angle", "Angle", "Angle"}}}},
+      {{"trees/noylum2.mtg", units},
+       {"trees/noylum2.mtg", {}},
+       {"trees/monopodial_plant.mtg", {.position = {"diam", "diam", "diam"}, .diameter = "diam"}},
+       {"trees/simple_plant.mtg", {.position = {"XEuler", "XEuler", "XEuler"}}}});
 }
 
 TEST(SkeletonMtg, DigitisedTreesComeBack) {
-  for (const DigitisedTree& tree : digitised_trees()) {
-    const auto path = find_shared_data(tree.path);
-    if (!path) GTEST_SKIP() << kNoSharedData;
-    SCOPED_TRACE(tree.path);
-    check_round_trip(read(read_file(*path, Limits{}.file_bytes), tree.geometry));
+  for (const auto& [file, geometry] : digitised_trees()) {
+    SCOPED_TRACE(file);
+    check_round_trip(read(read_file(file, Limits{}.file_bytes), geometry));
   }
 }
 
 TEST(SkeletonMtg, TreesWithoutCoordinatesHaveNoSkeleton) {
-  for (const char* name : {"trees/monopodial_plant.mtg", "trees/simple_plant.mtg"}) {
-    const auto path = find_shared_data(name);
-    if (!path) GTEST_SKIP() << kNoSharedData;
+  for (const std::string& file : data_files({"tests/data/trees/coded_shoot.mtg", "tests/data/trees/dated_shoot.mtg"},
+                                            {"trees/monopodial_plant.mtg", "trees/simple_plant.mtg"})) {
     try {
-      read(read_file(*path, Limits{}.file_bytes));
-      ADD_FAILURE() << name;
+      read(read_file(file, Limits{}.file_bytes));
+      ADD_FAILURE() << file;
     } catch (const InputError& error) {
       EXPECT_EQ(error.diagnostics()[0].message, "there is no feature 'XX'");
     }

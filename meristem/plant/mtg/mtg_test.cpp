@@ -8,7 +8,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/read_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::mtg_test {
 
@@ -241,22 +241,53 @@ TEST(Mtg, ColumnsOfFaultsCountCharacters) {
   expect_fault("/P1\t\t\t\t\xC3\xA9t\xC3\xA9\tx\n", "18:12: 'x' cannot be the Length");
 }
 
-TEST(Mtg, FilesOfOthers) {
-  const auto simple = find_shared_data("trees/simple_plant.mtg");
-  const auto monopodial = find_shared_data("trees/monopodial_plant.mtg");
-  if (!simple || !monopodial) GTEST_SKIP() << kNoSharedData;
-  const MtgTree plant = read_mtg(read_file(*simple, 1'000'000), *simple, {});
-  EXPECT_EQ(joints(plant),
-            "Individual0/$ Axis0/Individual0 Internode0/Axis0 Leaf0+Internode0 Internode1<Internode0 "
-            "Leaf0+Internode1");
-  EXPECT_EQ(plant.numbers(*plant.find_feature("Width"))[6], 0.1);
-  EXPECT_EQ(plant.texts(*plant.find_feature("dateDeath"))[4], "24/08/2022");
-  const MtgTree shoot = read_mtg(read_file(*monopodial, 1'000'000), *monopodial, {});
-  EXPECT_EQ(shoot.vertex_count(), 40U);
-  EXPECT_EQ(shoot.finest_scale(), 4);
-  EXPECT_EQ(shoot.label(21), "E8");
-  EXPECT_EQ(shoot.label(shoot.complex[21]), "U2");
-  EXPECT_EQ(shoot.parent[19], 15U) << "the first internode of U2 follows the last one of U1";
+struct DatedFacts {
+  const char* joints;
+  const char* size;  ///< a feature of type ALPHA
+  double sixth;      ///< its value of vertex 6
+  const char* date;  ///< a feature of type DD/MM/YY
+  const char* fourth;
+};
+
+TEST(Mtg, FilesWithNumbersDatesAndNotes) {
+  for (const auto& [file, facts] : data_sets<DatedFacts>(
+           {{"tests/data/trees/dated_shoot.mtg",
+             {"Plant1/$ Stem1/Plant1 Node1/Stem1 Blade1+Node1 Node2<Node1 Blade1+Node2 Blade2+Node2", "Span", 0.15,
+              "dateSeen", "03/05/2024"}}},
+           {{"trees/simple_plant.mtg",
+             {"Individual0/$ Axis0/Individual0 Internode0/Axis0 Leaf0+Internode0 Internode1<Internode0 "
+              "Leaf0+Internode1",
+              "Width", 0.1, "dateDeath", "24/08/2022"}}})) {
+    SCOPED_TRACE(file);
+    const MtgTree plant = read_mtg(read_file(file, 1'000'000), file, {});
+    EXPECT_EQ(joints(plant), facts.joints);
+    EXPECT_EQ(plant.numbers(*plant.find_feature(facts.size))[6], facts.sixth);
+    EXPECT_EQ(plant.texts(*plant.find_feature(facts.date))[4], facts.fourth);
+  }
+}
+
+struct CodedFacts {
+  std::size_t vertices;
+  int finest_scale;
+  MtgVertex inner;  ///< a vertex within a growth unit
+  const char* label;
+  const char* unit;  ///< the label of its growth unit
+  MtgVertex first;   ///< the first internode of a second growth unit
+  MtgVertex last;    ///< the last one of the unit before
+};
+
+TEST(Mtg, FilesCodedByHand) {
+  for (const auto& [file, facts] :
+       data_sets<CodedFacts>({{"tests/data/trees/coded_shoot.mtg", {23, 3, 14, "N6", "Y2", 18, 16}}},
+                             {{"trees/monopodial_plant.mtg", {40, 4, 21, "E8", "U2", 19, 15}}})) {
+    SCOPED_TRACE(file);
+    const MtgTree shoot = read_mtg(read_file(file, 1'000'000), file, {});
+    EXPECT_EQ(shoot.vertex_count(), facts.vertices);
+    EXPECT_EQ(shoot.finest_scale(), facts.finest_scale);
+    EXPECT_EQ(shoot.label(facts.inner), facts.label);
+    EXPECT_EQ(shoot.label(shoot.complex[facts.inner]), facts.unit);
+    EXPECT_EQ(shoot.parent[facts.first], facts.last) << "the first of a unit follows the last one of the unit before";
+  }
 }
 
 }  // namespace meristem::mtg_test

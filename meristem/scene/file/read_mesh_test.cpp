@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::read_mesh_test {
 
@@ -94,18 +94,22 @@ TEST(ReadMesh, WhatIsNoNumberOrPromisesTooMuchIsRefused) {
             "body:16: row 2 of 'face': the list 'vertex_indices' has 1000000000 entries, which the file cannot hold");
 }
 
-TEST(ReadMesh, ARealBuildingIsClosedAndHasItsVolume) {
-  const auto path = find_shared_data("obstacles/house.obj");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  const TriangleMesh house = read_mesh(*path, Limits{});
-  EXPECT_EQ(house.positions.size(), 64U);
-  EXPECT_EQ(house.triangles.size(), 124U);
+struct BuildingFacts {
+  std::size_t vertices, triangles;
+  double volume;
+  Vec3 size;
+};
+
+void check_building(const std::string& file, const BuildingFacts& facts) {
+  const TriangleMesh house = read_mesh(file, Limits{});
+  EXPECT_EQ(house.positions.size(), facts.vertices);
+  EXPECT_EQ(house.triangles.size(), facts.triangles);
   EXPECT_TRUE(closedness_faults(house).empty());
-  const ClosedMesh closed = read_closed_mesh(*path, Limits{});
-  EXPECT_NEAR(closed.volume(), 991.18, 0.01);
+  const ClosedMesh closed = read_closed_mesh(file, Limits{});
+  EXPECT_NEAR(closed.volume(), facts.volume, 1e-5 * facts.volume);
   Box box;
   for (const DVec3 position : closed.positions()) box.add(Vec3(position));
-  EXPECT_LT(glm::length(box.size() - Vec3(13.49F, 18.69F, 9.41F)), 0.02F);
+  EXPECT_LT(glm::length(box.size() - facts.size), 0.02F);
 
   // The inside's share of the bounds matches the volume within three standard deviations for this number of trials.
   constexpr int kParts = 60;
@@ -115,7 +119,18 @@ TEST(ReadMesh, ARealBuildingIsClosedAndHasItsVolume) {
     inside += closed.contains(DVec3(box.low + share * box.size())) ? 1 : 0;
   }
   const Vec3 size = box.size();
-  EXPECT_NEAR(inside / double{kParts * kParts * kParts} * size.x * size.y * size.z, 991.18, 5);
+  EXPECT_NEAR(inside / double{kParts * kParts * kParts} * size.x * size.y * size.z, facts.volume, 0.005 * facts.volume);
+}
+
+TEST(ReadMesh, BuildingsAreClosedAndHaveTheirVolumes) {
+  // The house is a box of 9 x 6 x 11 m under a gable of 3.6 m.
+  const double volume = 9 * 6 * 11 + 0.5 * 9 * 3.6 * 11;
+  for (const auto& [file, facts] :
+       data_sets<BuildingFacts>({{"models/house.obj", {10, 16, volume, {9, 9.6F, 11}}}},
+                                {{"obstacles/house.obj", {64, 124, 991.18, {13.49F, 18.69F, 9.41F}}}})) {
+    SCOPED_TRACE(file);
+    check_building(file, facts);
+  }
 }
 
 }  // namespace meristem::read_mesh_test

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::sun_test {
 
@@ -30,6 +30,7 @@ struct Day {
   double declination;
   std::array<Place, 4> places;
   double sunrise;
+  double latitude = kDortmund;
 };
 
 constexpr std::array<Day, 8> kDays{{
@@ -52,24 +53,25 @@ void expect_agrees(const Day& day) {
   SCOPED_TRACE(day.day);
   EXPECT_NEAR(degrees(declination(day.day)), day.declination, kTolerance);
   for (std::size_t k = 0; k < day.places.size(); ++k) {
-    const Place sun = sun_deg(kDortmund, day.day, 6 + 3.0 * static_cast<double>(k));
+    const Place sun = sun_deg(day.latitude, day.day, 6 + 3.0 * static_cast<double>(k));
     EXPECT_NEAR(sun.altitude, day.places[k].altitude, kTolerance);
     EXPECT_NEAR(sun.azimuth, day.places[k].azimuth, kTolerance);
   }
-  const auto light = daylight(radians(kDortmund), day.day);
+  const auto light = daylight(radians(day.latitude), day.day);
   ASSERT_TRUE(light.has_value());
   EXPECT_NEAR(light->first, day.sunrise, kTolerance);
   EXPECT_NEAR(light->second, 24 - day.sunrise, kTolerance);
 }
 
-/// Parses a row "| day | declination | altitude azimuth | ... | sunrise |" with four positions. Returns nothing for
-/// other lines.
-std::optional<Day> day_in(std::string line) {
+/// Parses a row "| day | declination | altitude azimuth | ... | sunrise |" with four positions.
+/// If `has_latitude`, the latitude is the first cell. Returns nothing for other lines.
+std::optional<Day> day_in(std::string line, bool has_latitude) {
   for (char& c : line) {
     if (c == '|') c = ' ';
   }
   std::istringstream words(line);
   Day day{};
+  if (has_latitude) words >> day.latitude;
   words >> day.day >> day.declination;
   for (Place& place : day.places) words >> place.altitude >> place.azimuth;
   words >> day.sunrise;
@@ -80,18 +82,25 @@ TEST(Sun, AgreesWithReferenceDaysInDortmund) {
   for (const Day& day : kDays) expect_agrees(day);
 }
 
-TEST(Sun, AgreesWithThePublishedTable) {
-  const auto path = find_shared_data("reference/sun.md");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  std::ifstream table(*path);
-  int days = 0;
-  for (std::string line; std::getline(table, line);) {
-    const std::optional<Day> day = line.starts_with("|") ? day_in(line) : std::nullopt;
-    if (!day) continue;
-    ++days;
-    expect_agrees(*day);
+struct TableFacts {
+  int days;
+  bool has_latitudes;
+};
+
+TEST(Sun, AgreesWithTablesOfOtherPrograms) {
+  for (const auto& [file, facts] :
+       data_sets<TableFacts>({{"tests/data/reference/sun.md", {24, true}}}, {{"reference/sun.md", {8, false}}})) {
+    SCOPED_TRACE(file);
+    std::ifstream table(file);
+    int days = 0;
+    for (std::string line; std::getline(table, line);) {
+      const std::optional<Day> day = line.starts_with("|") ? day_in(line, facts.has_latitudes) : std::nullopt;
+      if (!day) continue;
+      ++days;
+      expect_agrees(*day);
+    }
+    EXPECT_EQ(days, facts.days);
   }
-  EXPECT_EQ(days, 8);
 }
 
 TEST(Sun, StandsAt55DegreesAtNoonOnDay126) { EXPECT_NEAR(sun_deg(kDortmund, 126, 12).altitude, 55.03, 0.005); }

@@ -13,7 +13,7 @@
 #include "meristem/base/random.h"
 #include "meristem/scene/file/read_mesh.h"
 #include "tests/support/sample_bodies.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace meristem::obstacles_test {
 
@@ -346,10 +346,7 @@ TEST(Obstacles, StandOverTheCentroidOfTheirVolume) {
   EXPECT_LT(glm::distance(bodies.ground_centroid(3), Vec3(1e5F + 1.1F, 0, -1.1F)), 0.01F);
 }
 
-TEST(Obstacles, ARealHouseHasItsInside) {
-  const auto path = find_shared_data("obstacles/house.obj");
-  if (!path) GTEST_SKIP() << kNoSharedData;
-  const TriangleMesh mesh = read_mesh(*path, Limits{});
+void check_inside(const TriangleMesh& mesh) {
   const Obstacles house = obstacles_of({mesh});
   const ClosedMesh closed(mesh);
   const Box box = house.bounds();
@@ -368,6 +365,13 @@ TEST(Obstacles, ARealHouseHasItsInside) {
   const Vec3 size = box.size();
   const double volume = double{size.x} * size.y * size.z * static_cast<double>(inside) / kTrials;
   EXPECT_NEAR(volume, closed.volume(), 0.02 * closed.volume());
+}
+
+TEST(Obstacles, HousesHaveTheirInside) {
+  for (const std::string& file : data_files({"models/house.obj"}, {"obstacles/house.obj"})) {
+    SCOPED_TRACE(file);
+    check_inside(read_mesh(file, Limits{}));
+  }
 }
 
 TEST(Obstacles, NumbersThatAreNoneMeetNothing) {

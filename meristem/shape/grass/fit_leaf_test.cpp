@@ -187,35 +187,29 @@ TEST(FitLeaf, RejectsOptionsOutOfRangeAndBadCurves) {
   EXPECT_THROW(fit_leaf(midrib, curve({{0, 1}, {0.5, -1}, {1, 0}})), InputError);
 }
 
-class FitLeafOfWheat : public testing::Test {
- protected:
-  void SetUp() override {
-    midribs_ = measured_midribs(kWheatMidribs);
-    by_age_ = measured_midribs(kWheatByAge);
-    widths_ = measured_widths(kWheatWidths);
-    if (midribs_.empty() || by_age_.empty() || widths_.empty()) GTEST_SKIP() << kNoSharedData;
+TEST(FitLeafOfGrasses, PointsAreMetWithin15PerMilAnd7InTheMedian) {
+  for (const MeasuredGrass& grass : measured_grasses()) {
+    SCOPED_TRACE(grass.name);
+    std::vector<double> distances;
+    for (const MeasuredCurve& midrib : grass.midribs) {
+      if (midrib.points.size() < 12) continue;
+      const FittedLeaf fitted = fit_leaf(midrib, grass.widths[0]);
+      distances.push_back(distance_of(fitted, midrib));
+      EXPECT_NEAR(fitted.distance / fitted.midrib_length, distances.back(), 5e-4) << "line " << midrib.lines[0];
+      EXPECT_LT(distances.back(), 0.015) << "line " << midrib.lines[0];
+    }
+    EXPECT_GT(distances.size(), 4 * grass.midribs.size() / 9);
+    EXPECT_LT(median(distances), 0.007);
   }
-
-  std::vector<MeasuredCurve> midribs_, by_age_, widths_;
-};
-
-TEST_F(FitLeafOfWheat, PointsAreMetWithin15PerMilAnd7InTheMedian) {
-  std::vector<double> distances;
-  for (const MeasuredCurve& midrib : midribs_) {
-    if (midrib.points.size() < 12) continue;
-    const FittedLeaf fitted = fit_leaf(midrib, widths_[0]);
-    distances.push_back(distance_of(fitted, midrib));
-    EXPECT_NEAR(fitted.distance / fitted.midrib_length, distances.back(), 5e-4) << "line " << midrib.lines[0];
-    EXPECT_LT(distances.back(), 0.015) << "line " << midrib.lines[0];
-  }
-  EXPECT_GT(distances.size(), 200U);
-  EXPECT_LT(median(distances), 0.007);
 }
 
-TEST_F(FitLeafOfWheat, SmoothMidribsKeepTheirLengthWithinOnePercent) {
-  for (const MeasuredCurve& midrib : by_age_) {
-    const FittedLeaf fitted = fit_leaf(midrib, widths_[0]);
-    EXPECT_NEAR(fitted.midrib_length / fitted.polyline_length, 1, 0.01) << "line " << midrib.lines[0];
+TEST(FitLeafOfGrasses, SmoothMidribsKeepTheirLengthWithinOnePercent) {
+  for (const MeasuredGrass& grass : measured_grasses()) {
+    SCOPED_TRACE(grass.name);
+    for (const MeasuredCurve& midrib : grass.by_age) {
+      const FittedLeaf fitted = fit_leaf(midrib, grass.widths[0]);
+      EXPECT_NEAR(fitted.midrib_length / fitted.polyline_length, 1, 0.01) << "line " << midrib.lines[0];
+    }
   }
 }
 
@@ -233,13 +227,16 @@ TEST(FitLeaf, FewRowsOfWidthsKeepTheirArea) {
   }
 }
 
-TEST_F(FitLeafOfWheat, AllSurviveWithWidthsOfAnyClassAndKeepTheirAreaWithin2Percent) {
-  for (std::size_t k = 0; k < midribs_.size(); ++k) {
-    for (const MeasuredCurve& widths : widths_) {
-      const FittedLeaf fitted = fit_leaf(midribs_[k], widths);
-      check_grass_leaf(fitted.leaf);
-      EXPECT_NEAR(area(fitted.leaf) / (fitted.leaf.length * trapezoids(widths)), 1, 0.02)
-          << "line " << midribs_[k].lines[0] << ", class " << *widths.rank;
+TEST(FitLeafOfGrasses, AllSurviveWithWidthsOfAnyClassAndKeepTheirAreaWithin2Percent) {
+  for (const MeasuredGrass& grass : measured_grasses()) {
+    SCOPED_TRACE(grass.name);
+    for (const MeasuredCurve& midrib : grass.midribs) {
+      for (const MeasuredCurve& widths : grass.widths) {
+        const FittedLeaf fitted = fit_leaf(midrib, widths);
+        check_grass_leaf(fitted.leaf);
+        EXPECT_NEAR(area(fitted.leaf) / (fitted.leaf.length * trapezoids(widths)), 1, 0.02)
+            << "line " << midrib.lines[0] << ", class " << *widths.rank;
+      }
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -254,52 +255,65 @@ std::optional<double> imbalance_in(const GrassLeaf& leaf, double stiffness, Vec 
   }
 }
 
-TEST(LoadLeaf, LeavesOfWheatComeToRestInWind) {
-  const std::vector<GrassLeaf> leaves = wheat_leaves(7);
-  if (leaves.empty()) GTEST_SKIP() << kNoSharedData;
-  for (std::size_t k = 0; k < leaves.size(); ++k) {
-    for (const double stiffness : {0.1, 0.3, 1.0}) {
-      for (const Vec wind : {Vec(1, 0), Vec(-1, 0), Vec(2, 0), Vec(0.7, 2)}) {
-        if (stiffness == 0.1 && wind.y > 0) continue;  // tested below
-        // A leaf that flutters is within 0.005 radians of its mean.
-        const std::optional<double> left = imbalance_in(leaves[k], stiffness, wind);
-        EXPECT_TRUE(left && *left < 5e-3) << k << ", " << stiffness << ", " << wind.x;
-      }
+void check_rest_in_wind(const GrassLeaf& leaf) {
+  for (const double stiffness : {0.1, 0.3, 1.0}) {
+    for (const Vec wind : {Vec(1, 0), Vec(-1, 0), Vec(2, 0), Vec(0.7, 2)}) {
+      if (stiffness == 0.1 && wind.y > 0) continue;  // tested below
+      // A leaf that flutters is within 0.005 radians of its mean.
+      const std::optional<double> left = imbalance_in(leaf, stiffness, wind);
+      EXPECT_TRUE(left && *left < 5e-3) << stiffness << ", " << wind.x;
+    }
+  }
+}
+
+TEST(LoadLeaf, MeasuredLeavesComeToRestInWind) {
+  for (const MeasuredGrass& grass : measured_grasses()) {
+    const std::vector<GrassLeaf> leaves = grass.fitted(64);
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      SCOPED_TRACE(fmt::format("{}, leaf {}", grass.name, k));
+      check_rest_in_wind(leaves[k]);
     }
   }
 }
 
 TEST(LoadLeaf, ALimpLeafThatFluttersInWindFromBelowHasAFormNearItsMean) {
-  const std::vector<GrassLeaf> leaves = wheat_leaves(45);
-  if (leaves.empty()) GTEST_SKIP() << kNoSharedData;
-  for (const GrassLeaf& leaf : leaves) {
-    const std::optional<double> left = imbalance_in(leaf, 0.1, {0, 1});
-    EXPECT_TRUE(left && *left < 0.2);
+  for (const MeasuredGrass& grass : measured_grasses()) {
+    for (const GrassLeaf& leaf : grass.fitted(10)) {
+      const std::optional<double> left = imbalance_in(leaf, 0.1, {0, 1});
+      EXPECT_TRUE(left && *left < 0.2) << grass.name;
+    }
   }
 }
 
-TEST(LoadForTurn, AgreesWithLoadingWithinOnePercentOnWheat) {
-  const std::vector<GrassLeaf> leaves = wheat_leaves(11);
-  if (leaves.empty()) GTEST_SKIP() << kNoSharedData;
-  int asked = 0, solved = 0;
-  for (const GrassLeaf& leaf : leaves) {
-    for (const double place : {0.4, 0.9}) {
-      for (const double angle : {0.15, -0.15}) {
-        ++asked;
-        const LeafLoads one = with_pull(angle > 0 ? Vec(0.5, -1) : Vec(-0.5, 1));
-        try {
-          const double factor = load_for_turn(leaf, {}, one, place, angle);
-          const GrassLeaf now = loaded(leaf, {}, with_pull(factor * one.pull));
-          const double turn = angle_along(now, piece_angles(now), place) - angle_along(leaf, piece_angles(leaf), place);
-          EXPECT_NEAR(turn / angle, 1, 0.01) << place;
-          ++solved;
-        } catch (const std::invalid_argument&) {
-          // Beyond its fall, no load of this kind holds the leaf.
+/// Turns a place of the leaf by the load that was found for the turn. Returns false if no load of this kind holds the
+/// leaf there, as beyond its fall.
+bool check_load_for_turn(const GrassLeaf& leaf, double place, double angle) {
+  const LeafLoads one = with_pull(angle > 0 ? Vec(0.5, -1) : Vec(-0.5, 1));
+  try {
+    const double factor = load_for_turn(leaf, {}, one, place, angle);
+    const GrassLeaf now = loaded(leaf, {}, with_pull(factor * one.pull));
+    const double turn = angle_along(now, piece_angles(now), place) - angle_along(leaf, piece_angles(leaf), place);
+    EXPECT_NEAR(turn / angle, 1, 0.01) << place;
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+TEST(LoadForTurn, AgreesWithLoadingWithinOnePercentOnMeasuredLeaves) {
+  for (const MeasuredGrass& grass : measured_grasses()) {
+    SCOPED_TRACE(grass.name);
+    int asked = 0, solved = 0;
+    for (const GrassLeaf& leaf : grass.fitted(41)) {
+      for (const double place : {0.4, 0.9}) {
+        for (const double angle : {0.15, -0.15}) {
+          ++asked;
+          solved += check_load_for_turn(leaf, place, angle) ? 1 : 0;
         }
       }
     }
+    EXPECT_GT(solved, 0.9 * asked);
   }
-  EXPECT_GT(solved, 0.9 * asked);
 }
 
 }  // namespace meristem::load_leaf_test

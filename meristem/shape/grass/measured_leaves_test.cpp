@@ -222,15 +222,21 @@ TEST(MeasuredLeaves, TurningIsToldAsAWarningAtTheFirstRow) {
   for (const MeasuredCurve& of_class : widths) EXPECT_EQ(of_class.points, widths[0].points);
 }
 
-TEST(MeasuredLeaves, ThoseOfWheatAllRead) {
-  const auto midribs = measured_midribs(kWheatMidribs);
-  if (midribs.empty()) GTEST_SKIP() << kNoSharedData;
-  EXPECT_EQ(midribs.size(), 450U);
-  EXPECT_EQ(measured_midribs(kWheatByAge).size(), 50U);
-  for (const auto& [name, classes] : {std::pair(kWheatWidths, 6U), std::pair("grass/srdb_GrignonMercia2010.csv", 2U)}) {
+TEST(MeasuredLeaves, FilesOfManyMidribsAllRead) {
+  for (const auto& [file, midribs] : data_sets<std::size_t>(
+           {{"tests/data/grass/midribs.csv", 72}, {"tests/data/grass/midribs_by_age.csv", 30}},
+           {{"grass/So99.csv", 450}, {"grass/median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv", 50}})) {
+    EXPECT_EQ(midribs_in(read_file(file, Limits{}.file_bytes)).size(), midribs) << file;
+  }
+}
+
+TEST(MeasuredLeaves, FilesOfWidthsAllReadWithoutWarnings) {
+  for (const auto& [file, classes] :
+       data_sets<std::size_t>({{"tests/data/grass/widths.csv", 6}, {"tests/data/grass/few_widths.csv", 2}},
+                              {{"grass/SRSo.csv", 6}, {"grass/srdb_GrignonMercia2010.csv", 2}})) {
     Faults warnings;
-    EXPECT_EQ(read_widths(read_file(*find_shared_data(name), Limits{}.file_bytes), {}, warnings).size(), classes);
-    EXPECT_TRUE(warnings.empty()) << name;
+    EXPECT_EQ(read_widths(read_file(file, Limits{}.file_bytes), {}, warnings).size(), classes) << file;
+    EXPECT_TRUE(warnings.empty()) << file;
   }
 }
 

@@ -31,7 +31,7 @@ class PlantRanges : public testing::Test {
     return PlantMaker(plan_, builtin_components(), {.documents = folder("one") + "/documents"});
   }
 
-  /// Returns the content of all files that a range has made below a folder: those of plants, and the rows.
+  /// Returns the content of all files of a range below a folder: files of plants, and the rows.
   std::map<std::string, std::string> made_below(const std::string& name, PlantRange range) const {
     std::map<std::string, std::string> files = files_below(root_ / name / "plants");
     files["rows"] = file_content(rows_path(folder(name), range));

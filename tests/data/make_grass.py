@@ -3,13 +3,14 @@
 """Writes grass/: synthetic leaves of a cereal in the forms in which measured leaves are published.
 
 `make_grass.py [FOLDER]` writes below FOLDER, or below its own folder. No measurement is in these files. A midrib bends
-from its angle at the stem to its angle at the tip. Its points have the errors of a person who clicks on a photograph. All random numbers have a fixed seed.
+from its angle at the stem to its angle at the tip. Its points have the errors of a person who clicks on a photograph.
+All random numbers have a fixed seed.
 
-- `midribs.csv`: 72 midribs of six ranks, in cm: rank, lindex, x away from the stem, y up
-- `widths.csv`: a width profile for each rank: s of 0 to 1 from the base, r = width / largest width
-- `few_widths.csv`: two profiles with quoted names of columns
-- `midribs_by_age.csv`: the midribs of two classes of leaves at 15 ages, without errors, of length 1
-- `blades.json`: 12 blades as arrays x, y, s, r in cm; each array is base64 of 64-bit floats, little-endian
+- `midribs.csv`: 72 midribs of six ranks, in cm. x points away from the stem, y up.
+- `widths.csv`: a width profile for each rank. s goes from 0 to 1, r is width / largest width.
+- `few_widths.csv`: two profiles with quoted names of columns.
+- `midribs_by_age.csv`: the midribs of two classes of leaves at 15 ages, without errors, of length 1.
+- `blades.json`: 12 blades as arrays x, y, s, r in cm. Each array is base64 of 64-bit floats, little-endian.
 """
 
 from __future__ import annotations

@@ -10,7 +10,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-FEW = 60  # percent of the lines of a source below which the source is listed
+FEW = 60  # percent of the lines of a source; sources below it are listed
+SHORT = 20  # lines; shorter sources are not listed
 
 
 class Share:
@@ -51,14 +52,14 @@ def main() -> int:
         for room in (room_of(path), "all"):
             lines[room].add(summary["lines"])
             functions[room].add(summary["functions"])
-        if summary["lines"]["percent"] < FEW:
+        if summary["lines"]["percent"] < FEW and summary["lines"]["count"] >= SHORT:
             few.append((summary["lines"]["percent"], summary["lines"]["count"], path))
     print(f"{'room':24} {'lines':>8} {'run':>8} {'functions':>10} {'run':>8}")
     for room in sorted(lines, key=lambda name: (name == "all", name)):
         print(f"{room:24} {lines[room].count:8} {lines[room].percent():7.1f} % {functions[room].count:9} "
               f"{functions[room].percent():7.1f} %")
     if few:
-        print(f"\nsources of which less than {FEW} % of the lines run:")
+        print(f"\nsources of at least {SHORT} lines of which less than {FEW} % run:")
         for percent, count, path in sorted(few, key=lambda entry: (entry[0], str(entry[2]))):
             print(f"{percent:6.1f} % of {count:4}  {path}")
     return 0

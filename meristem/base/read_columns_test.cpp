@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/base/read_columns.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -152,6 +153,70 @@ TEST(ReadColumns, GathersAllFaultsOfRowsUpToTheLimit) {
   Limits limits;
   limits.diagnostics = 7;
   EXPECT_EQ(faults_of(text, limits).size(), 7U);
+}
+
+std::vector<Diagnostic> table_faults(std::string_view text, const Limits& limits = {}) {
+  try {
+    read_text_table(text, limits);
+  } catch (const InputError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+TEST(ReadTextTable, ColumnsWithATextAreTextsAndOthersNumbers) {
+  const TextTable table = read_text_table("x,kind,y\n1,oak,2\n\n3,\"a, b\",\n4,oak,6\n", {});
+  EXPECT_EQ(table.names(), (std::vector<std::string>{"x", "kind", "y"}));
+  EXPECT_EQ(table.row_count(), 3U);
+  EXPECT_EQ(table.lines, (std::vector<int>{2, 4, 5}));
+  EXPECT_EQ(table.find("x")->numbers, (List{1, 3, 4}));
+  ASSERT_TRUE(table.find("y")->has_numbers());
+  EXPECT_TRUE(std::isnan(table.find("y")->numbers[1])) << "an empty cell";
+  const TextTable::Column& kind = *table.find("kind");
+  EXPECT_FALSE(kind.has_numbers());
+  EXPECT_EQ(kind.distinct, (std::vector<std::string>{"oak", "a, b"}));
+  EXPECT_EQ(kind.text(1), "a, b");
+  EXPECT_EQ(kind.text(2), "oak");
+  EXPECT_EQ(table.find("z"), nullptr);
+}
+
+TEST(ReadTextTable, AColumnKnowsItsFirstCellThatIsNoNumber) {
+  const TextTable table = read_text_table("x;y\n1;2,5\n2;about 3\n3;4\n", {});
+  const TextTable::Column& column = *table.find("y");
+  EXPECT_FALSE(column.has_numbers());
+  EXPECT_EQ(column.odd_row, 1U);
+  EXPECT_EQ(column.odd_column, 3);
+  EXPECT_EQ(column.text(0), "2,5");
+}
+
+TEST(ReadTextTable, RejectsTablesThatAreNone) {
+  for (const char* text : {"", "\n\n", "x,y\n"}) EXPECT_EQ(table_faults(text).size(), 1U) << text;
+}
+
+TEST(ReadTextTable, RejectsTwoColumnsOfOneNameAndRowsOfAnotherWidth) {
+  const std::vector<Diagnostic> twice = table_faults("x,y,x\n1,2,3\n");
+  ASSERT_EQ(twice.size(), 1U);
+  EXPECT_EQ(twice[0].line, 1);
+  EXPECT_EQ(twice[0].column, 5);
+  const std::vector<Diagnostic> rows = table_faults("x,y\n1\n1,2\n1,2,3\n");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].line, 2);
+  EXPECT_EQ(rows[1].line, 4);
+}
+
+TEST(ReadTextTable, RejectsNumbersBeyondAllFiles) {
+  const std::vector<Diagnostic> faults = table_faults("x,y\n1,2\n3,1e300\n");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].line, 3);
+  EXPECT_EQ(faults[0].column, 3);
+}
+
+TEST(ReadTextTable, RejectsMoreRowsThanATableMayHave) {
+  std::string text = "x\n";
+  for (std::uint64_t k = 0; k <= kMostRows; ++k) text += "1\n";
+  const std::vector<Diagnostic> faults = table_faults(text);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].text().find("1000000"), std::string::npos) << faults[0].text();
 }
 
 }  // namespace meristem::read_columns_test

@@ -26,7 +26,7 @@ struct Probe : ComponentBase {
 
 using Expansion = std::function<void(const Probe& probe, const Site& site, Emitter& out)>;
 
-/// What a child has seen of its site, and of its time in seconds.
+/// A child's site, and its time in seconds.
 struct Seen {
   Site site;
   double time = 0;

@@ -59,6 +59,11 @@ file(STRINGS ${PROJECT_SOURCE_DIR}/CHANGELOG.md release REGEX "^## ${PROJECT_VER
 string(REGEX REPLACE ".* - " "" release_day "${release}")
 execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C date --utc --date=${release_day} "+%a, %d %b %Y"
                 OUTPUT_VARIABLE release_day OUTPUT_STRIP_TRAILING_WHITESPACE)
+# The packages are for the release that builds them, whose libraries they need.
+cmake_host_system_information(RESULT MERISTEM_DEBIAN_RELEASE QUERY DISTRIB_VERSION_CODENAME)
+if(NOT MERISTEM_DEBIAN_RELEASE)
+  set(MERISTEM_DEBIAN_RELEASE unstable)
+endif()
 configure_file(cmake/debian/changelog.in debian/changelog.Debian @ONLY)
 configure_file(CHANGELOG.md debian/changelog COPYONLY)
 set(CPACK_MERISTEM_DOCUMENTS ${PROJECT_SOURCE_DIR}/cmake/debian/copyright ${PROJECT_BINARY_DIR}/debian/changelog.Debian

@@ -32,11 +32,13 @@ as_user_inside() {
     bash -euo pipefail -c "cd /home/user; $1" >"$log" 2>&1 || fail "$2"
 }
 
-step "an empty Debian"
+release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+version=$(sed -nE 's/^VERSION_ID="?([0-9]+).*/\1/p' /etc/os-release)
+step "an empty Debian $release"
 mirror=$(apt-get indextargets --format '$(ORIGIN) $(CODENAME) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
-  awk '$1 == "Debian" && $2 == "bookworm" && $3 == "main" { print $4; exit }')
-[[ -n $mirror ]] || fail "the machine has no package source of Debian bookworm"
-debootstrap --variant=minbase bookworm "$root" "$mirror" >"$log" 2>&1 || fail "debootstrap"
+  awk -v release="$release" '$1 == "Debian" && $2 == release && $3 == "main" { print $4; exit }')
+[[ -n $mirror ]] || fail "the machine has no package source of Debian $release"
+debootstrap --variant=minbase "$release" "$root" "$mirror" >"$log" 2>&1 || fail "debootstrap"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 # A proxy, if this machine has one.
@@ -97,8 +99,8 @@ as_root_inside 'while read -r path; do [[ -d $path || ! -e $path ]] || echo "$pa
   cat /packages/left; test ! -s /packages/left' "files are left"
 
 step "the wheel grows, with the libraries that README.md names"
-libraries=$(sed -nE 's/^sudo apt-get install .*(libembree3-3 .*python3-venv)$/\1/p' "$source/README.md")
-[[ -n $libraries ]] || fail "README.md does not name the wheel's libraries"
+libraries=$(sed -nE "s/^sudo apt-get install (libembree.*python3-venv) +# Debian $version$/\1/p" "$source/README.md")
+[[ -n $libraries ]] || fail "README.md does not name the wheel's libraries on Debian $version"
 as_root_inside "apt-get autoremove -y -qq; $install $libraries" "the wheel's libraries"
 as_user_inside 'python3 -m venv --system-site-packages env; env/bin/pip install --no-index /packages/*.whl
   env/bin/python -c "import meristem; assert meristem.read(\"oak\", set={\"age\": 6}).grow().measure()[\"height\"] > 0.5"' \

@@ -36,6 +36,7 @@ class Study(NamedTuple):
     folder: Path  #: has the files that the study has written
     leaves: int
     failures: list[tuple[str, str]]  #: the expectations that do not hold: how they begin, and a part of what was found
+    ties: int  #: number of steps to the finest levels that may come no nearer
 
 
 # Three measured midribs with few points turn sharply: a curve through them is longer than their chords.
@@ -58,7 +59,8 @@ def quick(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     done = run_script(["--quick", "--data", str(data), "-o", str(folder)], HERE)
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
-    return Study(folder, 84, []) if is_own else Study(folder, 463, [TO_AND_FRO])
+    # Smooth synthetic leaves need no more triangles than the second finest levels have.
+    return Study(folder, 84, [], 2) if is_own else Study(folder, 463, [TO_AND_FRO], 0)
 
 
 def read_rows(path: Path) -> list[dict[str, str]]:
@@ -151,8 +153,7 @@ def test_all_expectations_hold_in_a_quick_study_but_for_known_ones(quick: Study)
 
 def test_more_triangles_come_nearer(quick: Study) -> None:
     steps = np.diff([float(row["distance"]) for row in read_rows(quick.folder / "levels.csv")])
-    # The finest levels of smooth leaves may be equally near.
-    assert np.all(steps <= 0) and np.all(steps[:-2] < 0)
+    assert np.all(steps <= 0) and np.all(steps[: len(steps) - quick.ties] < 0)
 
 
 def test_curved_leaves_take_more_light_than_straight_erect_ones(quick: Study) -> None:

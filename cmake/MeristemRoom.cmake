@@ -139,7 +139,7 @@ function(meristem_room name)
     # In larger batches tests would see headers whose functions have equal names to the tests' helpers.
     set_target_properties(${target}_tests PROPERTIES UNITY_BUILD_BATCH_SIZE 24)
     target_link_libraries(${target}_tests PRIVATE meristem::${name} ${ROOM_TESTED_WITH} meristem_test_support
-                          GTest::gtest_main)
+                          GTest::gmock GTest::gtest_main)
     gtest_discover_tests(${target}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${name})
   endif()
 endfunction()

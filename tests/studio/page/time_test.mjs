@@ -11,7 +11,7 @@ import { meristem, open_page, settled, start_browser, start_server, temporary_fo
 
 const kFilm = `{
   "meristem": 1,
-  // The state after opening.
+  // How it opens.
   "animation": {"length": 4, "fps": 10, "keys": {
     "stem.length": [[0, 0.2], [4, 1, "smooth"]] // it grows
   }},

@@ -29,6 +29,7 @@
 #include "meristem/graph/instances.h"
 #include "meristem/graph/link_sites.h"
 #include "meristem/graph/memory_limit.h"
+#include "meristem/graph/mesh_bytes.h"
 #include "meristem/graph/omission.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
@@ -66,7 +67,7 @@ class Expansion {
         is_sliced_(options.cache == nullptr),
         made_(graph.components.size()),
         meshes_(graph.components.size()),
-        counted_mesh_bytes_(graph.components.size()) {
+        mesh_bytes_(graph.components.size()) {
     for (const Prototype& prototype : graph.components) {
       if (watches_growth(prototype)) watched_.insert(prototype.shown);
     }
@@ -80,7 +81,7 @@ class Expansion {
     }
     walk();
     for (FinishedBatch& finished : queue_.take_results()) hand_on(std::move(finished));
-    Plant plant = assembly_.run(mesh_bytes_, progress_);
+    Plant plant = assembly_.run(mesh_bytes_.sum(), progress_);
     plant.plantings = grow_plantings(graph_, std::move(planting_), view_, traces_, results_, progress_);
     results_.end();
     return plant;
@@ -409,10 +410,10 @@ class Expansion {
     for (const Emitted& block : result->blocks) {
       for (const Emitted::EmittedPrototype& made : block.prototypes) meshes.keep(made.key, made.mesh);
     }
-    count_mesh_bytes(component);
+    mesh_bytes_.set(component, meshes.bytes());
     const Limits& limits = graph_.limits;
     const bool fits = nodes_ + result->nodes <= limits.nodes && instances_ + result->offered <= limits.instances &&
-                      mesh_bytes_ <= limits.mesh_bytes;
+                      mesh_bytes_.sum() <= limits.mesh_bytes;
     return fits ? result : nullptr;
   }
 
@@ -427,13 +428,6 @@ class Expansion {
     meshes = std::make_shared<SharedMeshes>(std::move(earlier));
     results_.store(key, meshes);
     return *meshes;
-  }
-
-  /// Adds the growth of a component's meshes since the last call, in bytes.
-  void count_mesh_bytes(ComponentIndex component) {
-    const std::uint64_t bytes = meshes_of(component).bytes();
-    mesh_bytes_ += bytes - counted_mesh_bytes_[component];
-    counted_mesh_bytes_[component] = bytes;
   }
 
   /// Returns the context for emitters of the batch's instances. The caller sets its progress.
@@ -455,7 +449,7 @@ class Expansion {
             .wants_branch_sites = wants(links, true),
             .site_names = graph_.site_names.size(),
             .site_names_hash = variables_.names_hash(),
-            .mesh_bytes = mesh_bytes_ - counted_mesh_bytes_[batch.component],
+            .mesh_bytes = mesh_bytes_.sum_without(batch.component),
             .instances = instances_,
             .nodes = nodes_};
   }
@@ -485,7 +479,7 @@ class Expansion {
     for (const Emitted& emitted : result->blocks) {
       result->growth_steps = std::max(result->growth_steps, emitted.growth_steps);
     }
-    count_mesh_bytes(batch.component);
+    mesh_bytes_.set(batch.component, meshes_of(batch.component).bytes());
     result->nodes = context.nodes - nodes_;
     result->offered = context.instances - instances_;
     return result;
@@ -664,9 +658,8 @@ class Expansion {
   std::uint64_t instances_ = 1;                    // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
-  std::vector<std::uint64_t> counted_mesh_bytes_;      // by component
-  std::uint64_t mesh_bytes_ = 0;                       // sum of these
-  std::unordered_set<std::string_view> watched_;       // ids of components whose growth other components show
+  MeshBytes mesh_bytes_;
+  std::unordered_set<std::string_view> watched_;  // ids of components whose growth other components show
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ STUDIES_OF = ["synthetic"] if measured.missing_files(measured.FOLDER) else ["syn
 def run_script(arguments: list[str], path: Path) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-B", str(STUDIES / "grass_leaves.py"), *arguments]
     environment = {**os.environ, "PYTHONPATH": str(path)}
-    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=1200)
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
 
 
 @pytest.fixture(scope="module", params=STUDIES_OF)

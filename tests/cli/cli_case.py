@@ -67,6 +67,14 @@ class Case(unittest.TestCase):
         with open(self.path(name), "wb") as file:
             file.write(text if isinstance(text, bytes) else text.encode())
 
+    def resources(self, *arguments):
+        """Runs the program without its output. Returns its exit code and what the system counted of the run (rusage)."""
+        command = [PROGRAM, *arguments, "--quiet"]
+        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return process.returncode, usage
+
     def read(self, name):
         with open(self.path(name), "rb") as file:
             return file.read()

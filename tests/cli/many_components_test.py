@@ -3,8 +3,6 @@
 """Documents of many components grow in time in proportion to their number, however they are linked."""
 
 import json
-import os
-import subprocess
 import unittest
 
 import cli_case
@@ -23,11 +21,8 @@ def ten_below_each(count):
 class ManyComponentsTest(cli_case.Case):
     def seconds(self, name):
         """Returns the processor time of growing a document, seconds."""
-        process = subprocess.Popen([cli_case.PROGRAM, "check", name, "--quiet"], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        self.assertEqual(process.returncode, cli_case.DONE)
+        code, usage = self.resources("check", name)
+        self.assertEqual(code, cli_case.DONE)
         return usage.ru_utime
 
     def test_ten_times_as_many_take_ten_times_as_long(self):

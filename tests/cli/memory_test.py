@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Peak memory of growth, as reported by the system. It does not depend on the speed of the program."""
 
-import os
-import subprocess
 import unittest
 
 import cli_case
@@ -32,11 +30,8 @@ NESTED = """{
 class MemoryTest(cli_case.Case):
     def peak(self, *arguments):
         """Returns the exit code and the peak memory of one run in bytes."""
-        command = [cli_case.PROGRAM, *arguments, "--quiet"]
-        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        return process.returncode, 1024 * usage.ru_maxrss
+        code, usage = self.resources(*arguments)
+        return code, 1024 * usage.ru_maxrss
 
     def test_an_instance_takes_less_than_200_bytes(self):
         peaks = []

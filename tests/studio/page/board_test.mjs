@@ -93,7 +93,7 @@ const links = async () => (await said()).links;
 async function is_one_step(act) {
   const [text, count] = [await text_of(page), await undo_count(page)];
   await changes(page, act);
-  await page.waitForTimeout(100);
+  await settled(page);
   const [after_it, chose] = [await text_of(page), await chosen(page)];
   assert.equal(await undo_count(page), count + 1);
   await leave_fields(page);

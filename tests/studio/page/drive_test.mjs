@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 
 import { box_faults, faint_texts, serious_faults } from './boxes.mjs';
 import { choose, drag, field, leave_fields, open_file, pick, point_at, retype, row, slider, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, open_page, ready, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
+import { kAxe, kept, open_page, ready, settled, start_browser, start_server, still, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
 
 const kSmall = `\ufeff// A sapling.\r\n{\r\n\t"meristem": 1, /* the form */\r\n\t"name": "Sapling",\r\n\t"seed": 4,\r\n\t"variables": {\r\n\t\t"size": {"value": 0.12, "min": 0.05, "max": 0.25, "unit": "m", "doc": "Length of the leaves."},\r\n\t\t"bend": {"value": 30, "min": 0, "max": 90, "doc": "How they bend."}\r\n\t},\r\n\t"components": {\r\n\t\t"tree": {"type": "tree", "length": 1.5, "radius": 0.02}, // the stem\r\n\t\t"leaf": {"type": "leaf", "length": "size", "width": "size/2", "curl": "bend + 5*rand(-1,1)", "colour": "#587a30"}\r\n\t},\r\n\t"links": [{"from": "tree", "to": "leaf", "kind": "branch", "count": 12, "angle": 60}]\r\n}\r\n`;
 
@@ -196,7 +196,7 @@ test('a reload offers unsaved work with what differs, and gives it back with its
   await reopen();
   await step(page, () => type_into(page, field(page, 'bend'), '77'));
   const text = await text_of(page);
-  await page.waitForTimeout(600);
+  await kept(page);
   await page.reload();
   await ready(page);
   const banner = page.locator('[data-banner="kept"]');
@@ -267,7 +267,7 @@ test('a killed server loses nothing', async () => {
   const { port } = new URL(other.address);
   const lone = await open_page(context, other.address);
   await step(lone, () => type_into(lone, field(lone, 'bend'), '66'));
-  await lone.waitForTimeout(600);
+  await kept(lone);
   await other.stop('SIGKILL');
   await lone.getByText('The server is gone.').waitFor();
   assert.match(await text_of(lone), /"bend": \{"value": 66,/);
@@ -275,7 +275,7 @@ test('a killed server loses nothing', async () => {
   await leave_fields(lone);
   await lone.keyboard.press('t');
   await retype(lone, 'Sapling', 'Whip');
-  await lone.waitForTimeout(600);
+  await kept(lone);
   const text = await text_of(lone);
   const again = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', port);
   await visit(lone, again.address);
@@ -361,7 +361,7 @@ test('axe finds nothing serious, light and dark', async () => {
     for (const [name, come, go] of kViews) {
       await leave_fields(page);
       await come();
-      await page.waitForTimeout(250);
+      await still(page);
       assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], `${theme}, ${name}`);
       await go?.();
     }

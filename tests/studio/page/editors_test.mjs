@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { choose, drag, leave_fields, open_file, pick, point_at, row, step, type_into, undo_all } from './hands.mjs';
-import { kSource, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { kSource, open_page, settled, start_browser, start_server, still, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kShapes = `{
   "meristem": 1, // shapes of all forms
@@ -52,7 +52,7 @@ async function enlarge(component, name) {
   await target.hover();
   await target.getByRole('button', { name: `Enlarge ${name}` }).click();
   await drawer().waitFor();
-  await page.waitForTimeout(100);
+  await still(page);
 }
 
 /// Does what changes the text as one step of the undo list.

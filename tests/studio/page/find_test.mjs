@@ -6,7 +6,7 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { choose, drag, field, leave_fields, open_file, open_model, row, step, type_into, undo_all } from './hands.mjs';
-import { open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { frames, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kSmall = `{
   "meristem": 1,
@@ -176,11 +176,12 @@ test('two states are pinned beside the present one and seen from its side; one i
   await page.locator('.pinned canvas').first().hover();
   await page.mouse.wheel(0, -300);
   await page.waitForFunction((known) => window.studio.view.orbit.distance < known, far);
-  await page.waitForTimeout(300);
+  await frames(page, 10); // the turn of the wheel has ended
   const near = await distance();
   const size = page.viewportSize();
   await page.setViewportSize({ width: size.width - 100, height: size.height - 100 });
-  await page.waitForTimeout(300);
+  await page.evaluate(() => window.studio.view.drawn());
+  await frames(page, 10);
   assert.equal(await distance(), near);
   await page.setViewportSize(size);
   await step(page, () => page.locator('.pinned[data-pin=A]').getByRole('button', { name: 'Take' }).click());
@@ -193,7 +194,7 @@ test('two states are pinned beside the present one and seen from its side; one i
   assert.equal(await page.locator('.pinned').count(), 0);
   // The page keeps no drawing contexts of the pinned views. React itself may keep the last one until it draws again.
   const session = await page.context().newCDPSession(page);
-  await page.waitForTimeout(100);
+  await frames(page);
   await session.send('HeapProfiler.collectGarbage');
   const held = await page.evaluate(() => window.pinned_contexts.filter((one) => one.deref() !== undefined).length);
   assert.ok(held <= 1, `${held} of 2 are held`);

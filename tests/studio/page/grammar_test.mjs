@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { leave_fields, open_file, step, undo_all } from './hands.mjs';
-import { open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { open_page, set_theme, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const document_of = (grammar, more = '') => `{
   "meristem": 1,
@@ -243,8 +243,7 @@ test('a grammar in a file is read, and taken into the document', async () => {
 
 test('axe finds nothing serious in the grammar, light and dark', async () => {
   for (const theme of ['light', 'dark']) {
-    await page.emulateMedia({ colorScheme: theme });
-    await page.waitForTimeout(250);
+    await set_theme(page, theme);
     assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
   }
   await page.emulateMedia({ colorScheme: null });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Actions of a user with mouse and keyboard. The page's own state is read for results, and its functions are never
 // called.
-import { changes, patient, settled, text_of } from './support.mjs';
+import { changes, frames, kept_work, patient, settled, text_of } from './support.mjs';
 
 export const slider = (page, name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
 export const field = (page, name) => page.getByRole('textbox', { name, exact: true });
@@ -10,21 +10,6 @@ export const row = (page, path) => page.locator(`.inspector [data-path="${path}"
 /// Removes the focus, as a click beside all elements does.
 export async function leave_fields(page) {
   await page.locator('.status').click({ position: { x: 300, y: 10 } });
-}
-
-/// Returns the text of unsaved work on a file that the browser keeps for this tab. Null if there is no such work.
-async function kept_text(page, name) {
-  return page.evaluate(async (wanted) => {
-    const database = await new Promise((done, fail) => {
-      const asked = indexedDB.open('meristem-studio');
-      asked.onsuccess = () => done(asked.result);
-      asked.onerror = () => fail(asked.error);
-    });
-    const asked = database.transaction('slots').objectStore('slots').getAll();
-    const all = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
-    database.close();
-    return all.find((one) => one.path === wanted && one.tab === sessionStorage.getItem('meristem.tab'))?.text ?? null;
-  }, name);
 }
 
 /// Chooses a file of the server's folder in the dialog.
@@ -50,9 +35,9 @@ export async function open_file(page, name) {
   // The page removes kept work shortly after it was undone, so earlier work may be missing by now.
   const banner = page.locator('[data-banner="kept"]');
   while (!(await banner.isVisible())) {
-    const kept = await kept_text(page, name);
-    if (kept === null || kept === (await text_of(page))) return;
-    await page.waitForTimeout(50);
+    const kept = await kept_work(page, name);
+    if (kept === null || kept.text === (await text_of(page))) return;
+    await frames(page, 1);
   }
   await banner.getByRole('button', { name: 'Discard' }).click();
   await banner.waitFor({ state: 'detached' });

@@ -6,7 +6,7 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { field, leave_fields, step, type_into, undo_all } from './hands.mjs';
-import { meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { meristem, open_page, settled, start_browser, start_server, still, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kTree = `{
   "meristem": 1,
@@ -96,12 +96,13 @@ test('a measure is drawn over a handle, and a point of the plot takes its value'
 test('axe finds nothing serious in the measures, light and dark', async () => {
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
-    // While the previous document is still being measured, its measures are pale. The next document is measured
-    // afterwards.
-    do {
-      await page.locator('.measured.old').waitFor({ state: 'detached' });
-      await page.waitForTimeout(500);
-    } while (await page.locator('.measured.old').count());
+    // While a document is being measured, the measures are pale.
+    await page.waitForFunction(() => {
+      const { studio } = window;
+      const { measures } = studio.bench;
+      return measures.seen_.startsWith(studio.growth.get().grown.hash) && !measures.state.get().is_working;
+    });
+    await still(page);
     assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
   }
 });

@@ -7,7 +7,7 @@ import process from 'node:process';
 import { after, before, test } from 'node:test';
 
 import { drag, field, leave_fields, open_file, retype, row, slider, type_into } from './hands.mjs';
-import { open_page, ready, settled, start_browser, start_server, temporary_folder, text_of, write_document } from './support.mjs';
+import { kept, open_page, ready, settled, start_browser, start_server, temporary_folder, text_of, write_document } from './support.mjs';
 
 const kBush = `// A bush.
 {
@@ -29,7 +29,6 @@ let place, server, browser, context, page;
 const pictures = process.env.MERISTEM_PICTURES; // a folder for pictures of what was tried
 const picture = async (of, name) => pictures && of.screenshot({ path: path.join(pictures, `${name}.png`) });
 const banner = (of, name) => of.locator(`[data-banner="${name}"]`);
-const saved_soon = (of) => of.waitForTimeout(600); // unsaved work is kept after 300 ms
 
 before(async () => {
   place = await temporary_folder();
@@ -57,7 +56,7 @@ test('edits without a server are kept, and given back to another tab of the next
   assert.match(await text_of(page), /"bend": \{"value": 71,/);
   assert.equal(await field(page, 'bend').inputValue(), '71');
   await picture(page, 'lost');
-  await saved_soon(page);
+  await kept(page);
   const text = await text_of(page);
   assert.notEqual(text, kBush.replace('"value": 30', '"value": 71'), 'the slider has changed the text, too');
 
@@ -74,7 +73,7 @@ test('edits without a server are kept, and given back to another tab of the next
   assert.match(restored, /"bend": \{"value": 71,/);
   assert.equal(/"size": \{"value": ([\d.]+)/.exec(restored)[1], /"size": \{"value": ([\d.]+)/.exec(text)[1]);
   // The work of the previous tab is offered only once.
-  await saved_soon(next);
+  await kept(next);
   assert.equal(await next.evaluate(async () => (await new Promise((done) => {
     const asked = indexedDB.open('meristem-studio');
     asked.onsuccess = () => {
@@ -94,7 +93,7 @@ test('a second tab with the same file is announced, and each keeps its own work 
   assert.equal(await banner(other, 'kept').count(), 0);
   await type_into(page, field(page, 'bend'), '41');
   await type_into(other, field(other, 'bend'), '42');
-  for (const one of [page, other]) await saved_soon(one);
+  for (const one of [page, other]) await kept(one);
   for (const one of [page, other]) {
     const text = await text_of(one);
     await one.reload();

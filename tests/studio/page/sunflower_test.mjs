@@ -11,7 +11,7 @@ import { after, before, test } from 'node:test';
 import { add_by_keyboard, add_by_mouse, chosen, click_node, go_to, hang_by_mouse, name_variable, open_board, rename_by_keyboard, rename_by_mouse, retype_by_keyboard, set_kind_by_mouse, tab_to } from './board_hands.mjs';
 import { choose } from './hands.mjs';
 import { at_path, below, RowHand } from './row_hands.mjs';
-import { changes, kSource, meristem, open_page, start_browser, start_server, temporary_folder, text_of, undo_count } from './support.mjs';
+import { changes, frames, kSource, meristem, open_page, start_browser, start_server, still, temporary_folder, text_of, undo_count } from './support.mjs';
 
 let place, server, browser, shipped, tables;
 
@@ -85,7 +85,7 @@ async function give_rows(page, at, said, ...names) {
       else waiting.push(row);
     }
     assert.ok(waiting.length < rows.length || round < 20, `no rows for ${waiting.map((one) => one.name)} of ${at}`);
-    if (waiting.length === rows.length) await page.waitForTimeout(100);
+    if (waiting.length === rows.length) await frames(page);
     rows = waiting;
   }
 }
@@ -171,7 +171,7 @@ test('with the keyboard alone', async () => {
   // Leaves the text: Tab indents there unless Escape is pressed before. Then changes the kind of a link with the keys
   // of the board. The first Escape may close a list of completions.
   await page.keyboard.press('Escape');
-  await page.waitForTimeout(200);
+  await still(page);
   await page.keyboard.press('Escape');
   await page.keyboard.press('Tab');
   await go_to(page, 'petiole');

@@ -153,6 +153,53 @@ export async function changes(page, act) {
   throw new Error(`the text stays what it is: ${state.join('\n')}`);
 }
 
+/// Waits until the page has drawn some frames. What had to happen by itself has then happened.
+export const frames = (page, count = 3) => page.evaluate(async (wanted) => {
+  for (let k = 0; k < wanted; k += 1) await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+}, count);
+
+/// Gives the page a theme, or the system's (null), and waits for the end of all transitions to its colours.
+export async function set_theme(page, theme) {
+  await page.emulateMedia({ colorScheme: theme });
+  await still(page);
+}
+
+/// Waits until no transition or animation of the page that ends by itself runs.
+export async function still(page) {
+  await frames(page);
+  await page.waitForFunction(() => document.getAnimations().every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity));
+}
+
+/// Returns the record of unsaved work on a file that the browser keeps for this tab, or on the open document if no
+/// file is given. Null if there is no such work.
+export async function kept_work(page, name) {
+  return page.evaluate(async (wanted) => {
+    const database = await new Promise((done, fail) => {
+      const asked = indexedDB.open('meristem-studio');
+      asked.onsuccess = () => done(asked.result);
+      asked.onerror = () => fail(asked.error);
+    });
+    const asked = database.transaction('slots').objectStore('slots').getAll();
+    const all = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
+    database.close();
+    const path = wanted ?? window.studio.document.state.get().path;
+    return all.find((one) => one.path === path && one.tab === sessionStorage.getItem('meristem.tab')) ?? null;
+  }, name);
+}
+
+/// Waits until the browser keeps the present text and the edits that wait for the server.
+export async function kept(page) {
+  for (;;) {
+    const work = await kept_work(page);
+    const is_kept = (known) => {
+      const { text, waiting } = window.studio.document.state.get();
+      return known !== null && known.text === text && known.waiting === waiting.length;
+    };
+    if (await page.evaluate(is_kept, work && { text: work.text, waiting: work.waiting.length })) return;
+    await frames(page, 1);
+  }
+}
+
 export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);
 export const undo_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
 

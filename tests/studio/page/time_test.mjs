@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { choose, drag, leave_fields, open_file, row, step, type_into, undo_all } from './hands.mjs';
-import { meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import { frames, meristem, open_page, set_theme, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
 
 const kFilm = `{
   "meristem": 1,
@@ -57,7 +57,7 @@ const height = () => page.evaluate(() => window.studio.view.plant.seen.length &&
 async function scrub_to(seconds) {
   await type_into(page, page.getByRole('textbox', { name: 'Time', exact: true }), String(seconds));
   await page.waitForFunction((wanted) => window.studio.bench.time.time === wanted, seconds);
-  await page.waitForTimeout(250); // all detail is asked for
+  await page.waitForFunction(() => window.studio.bench.time.moves_until_ === 0); // all detail is asked for
   await settled(page);
 }
 
@@ -173,7 +173,7 @@ test('playing goes on in its own time and stops; another document begins at 0', 
   await page.getByRole('button', { name: 'Stop playing' }).click();
   const stood = await time();
   await settled(page);
-  await page.waitForTimeout(300);
+  await frames(page, 20);
   assert.equal(await time(), stood);
   assert.equal(await undo_count(page), 0);
   await open_file(page, 'film.json');
@@ -237,8 +237,7 @@ test('axe finds nothing serious in the timeline, light and dark', async () => {
   await lane('stem.length').locator('.lane-name').click();
   await page.locator('.track-editor').waitFor();
   for (const theme of ['light', 'dark']) {
-    await page.emulateMedia({ colorScheme: theme });
-    await page.waitForTimeout(250);
+    await set_theme(page, theme);
     assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
   }
   await page.emulateMedia({ colorScheme: null });

@@ -10,7 +10,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 
-import { start_browser, temporary_folder } from './support.mjs';
+import { frames, start_browser, temporary_folder } from './support.mjs';
 
 /// Writes the pages, and prints their expected contents.
 const kProgram = `
@@ -132,7 +132,7 @@ test('a hand turns, moves and zooms; a double click fits', async () => {
   assert.ok(Math.abs(fitted.target[1] - first.target[1]) < 1e-6);
   assert.equal(await page.locator('#hint').isVisible(), false);
   await page.setViewportSize({ width: 400, height: 600 }); // what a hand has set stays
-  await page.waitForTimeout(200);
+  await frames(page, 10);
   assert.equal((await camera(page)).distance, fitted.distance);
   await page.close();
 });

@@ -7,7 +7,8 @@ Out: one line per error, `page:line: link: message`, and exit code 1.
 
 A link leads to a file or folder of the tree. With `#` it leads to a heading of that page, named like code hosts name
 headings. A picture is a file with a picture's extension. Links from the README must lead to every page below `docs`,
-directly or indirectly. The rule reads only links of the form `[text](target)`; other forms are errors.
+directly or indirectly. Every picture below `docs` is shown or linked by a page. The rule reads only links of the form
+`[text](target)`; other forms are errors.
 """
 
 from __future__ import annotations
@@ -126,6 +127,11 @@ class Tree:
             waiting += [file for file in files if file is not None]
         return seen
 
+    def pictures(self) -> set[PurePosixPath]:
+        """Returns the pictures below `docs`."""
+        found = (path for path in (self.root / "docs").rglob("*") if path.suffix in PICTURES)
+        return {PurePosixPath(path.relative_to(self.root).as_posix()) for path in found}
+
 
 def check(root: Path, least: int = LEAST_LINKS) -> list[str]:
     tree, faults, count = Tree(root), [], 0
@@ -140,6 +146,9 @@ def check(root: Path, least: int = LEAST_LINKS) -> list[str]:
             faults.append(f"{page}:{line}: {found[0].strip()}: links have the form [text](target)")
     lost = sorted(page for page in tree.texts.keys() - tree.reached() if page.parts[0] == "docs")
     faults += [f"{page}:1: no link leads here from {START}" for page in lost]
+    named = {file_of(page, link.target) for page, text in tree.texts.items() for link in links_of(text)}
+    unseen = sorted(picture for picture in tree.pictures() if picture not in named)
+    faults += [f"{picture}:1: no page shows this picture" for picture in unseen]
     if count < least:
         faults.append(f"only {count} links were found: the rule reads too little")
     return faults

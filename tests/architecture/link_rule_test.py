@@ -14,8 +14,9 @@ class LinkRule(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.root = Path(self.folder.name)
-        self.write("README.md", "# Trees\n\nRead [the manual](docs/manual.md).\n")
         self.write("docs/manual.md", "# Manual\n\n## Twigs and `leaves`\n\n## Twigs and leaves\n")
+        self.write("docs/pictures.md", "# Pictures\n\n![An oak](oak.jpg)\n")
+        self.write("README.md", "# Trees\n\nRead [the manual](docs/manual.md), see [pictures](docs/pictures.md).\n")
         self.write("docs/oak.jpg", "")
 
     def write(self, name: str, text: str) -> None:
@@ -64,6 +65,10 @@ class LinkRule(unittest.TestCase):
     def test_a_page_that_no_link_leads_to(self) -> None:
         self.write("docs/lost.md", "# Lost\n")
         self.assertEqual(self.faults(), ["docs/lost.md:1: no link leads here from README.md"])
+
+    def test_a_picture_that_no_page_shows(self) -> None:
+        self.write("docs/manual/elm.png", "")
+        self.assertEqual(self.faults(), ["docs/manual/elm.png:1: no page shows this picture"])
 
     def test_a_rule_that_reads_nothing_is_broken(self) -> None:
         self.assertEqual(len(link_rule.check(self.root)), 1)

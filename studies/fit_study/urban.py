@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import meristem
+import numpy as np
 
 BESIDE_THE_PROJECT = Path(__file__).resolve().parents[3] / "shared" / "data"
 FILE = Path(os.environ.get("MERISTEM_SHARED_DATA", BESIDE_THE_PROJECT)) / "trees" / "urban_tree_ranges.csv"
@@ -77,15 +78,17 @@ def read_bands(measured: str | None, path: Path = FILE) -> Bands:
 
 
 def breast_diameter(skeleton: meristem.Skeleton) -> float:
-    """Returns the diameter of the thickest stem 1.3 m above the root."""
-    rise = skeleton.position[:, 1] - skeleton.position[0, 1]
-    diameter = math.nan
-    for node, parent in enumerate(skeleton.parent):
-        if parent >= 0 and min(rise[node], rise[parent]) <= BREAST_HEIGHT < max(rise[node], rise[parent]):
-            share = (BREAST_HEIGHT - rise[parent]) / (rise[node] - rise[parent])
-            radius = float(skeleton.radius[parent] + share * (skeleton.radius[node] - skeleton.radius[parent]))
-            diameter = max(2 * radius, diameter) if not math.isnan(diameter) else 2 * radius
-    return diameter
+    """Returns the diameter of the thickest stem 1.3 m above the root, NaN if no stem passes this height."""
+    parent = skeleton.parent
+    node = np.flatnonzero(parent >= 0)
+    parent = parent[node]
+    rise, radius = (values.astype(float) for values in (skeleton.position[:, 1] - skeleton.position[0, 1], skeleton.radius))
+    passes = (np.minimum(rise[node], rise[parent]) <= BREAST_HEIGHT) & (BREAST_HEIGHT < np.maximum(rise[node], rise[parent]))
+    node, parent = node[passes], parent[passes]
+    if node.size == 0:
+        return math.nan
+    share = (BREAST_HEIGHT - rise[parent]) / (rise[node] - rise[parent])
+    return float(2 * np.max(radius[parent] + share * (radius[node] - radius[parent])))
 
 
 def measure_tree(plant: meristem.Plant) -> dict[str, float]:

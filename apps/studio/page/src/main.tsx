@@ -5,10 +5,10 @@ import { createRoot } from 'react-dom/client';
 import { claim_tab } from './base/tab.ts';
 import { start_tooltips } from './controls/tooltip.ts';
 import { App } from './panels/app.tsx';
-import { listen_to_keys } from './shortcuts.ts';
-import type { Json } from './document/json.ts';
+import { listen_to_keys } from './panels/shortcuts.ts';
+import type { Json } from './values/json.ts';
 import { Studio } from './studio.ts';
-import { StudioContext } from './studio_context.ts';
+import { StudioContext } from './page/use_page.ts';
 import type { Tables } from './tables/tables.ts';
 
 declare global {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tools that are open beside the document: a large editor, a strip of plants, pinned states, a derivation, a growth.
 import { Store } from './base/store.ts';
-import { CrownCloud } from './crown/crown_cloud.ts';
+import { CrownCloud } from './editors/crown_cloud.ts';
 import { PinList } from './find/pins.ts';
 import { DerivationModel } from './grammar/derivation.ts';
 import { LeafCurvesModel } from './grass/leaf_curves.ts';
@@ -9,9 +9,9 @@ import { GrowthLook } from './growth/growth_look.ts';
 import { MeasureModel } from './measures/measure_model.ts';
 import { Pruning } from './pruning/pruning.ts';
 import type { Studio } from './studio.ts';
-import { Recording } from './time/recording.ts';
+import { Recording } from './dialogs/recording.ts';
 import { TimeModel } from './time/time_model.ts';
-import { Gizmo } from './view/gizmo/gizmo.ts';
+import { Gizmo } from './gizmo/gizmo.ts';
 
 export class Workbench {
   readonly enlarged = new Store<string | null>(null); // path of the row with the large editor

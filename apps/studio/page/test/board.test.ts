@@ -8,7 +8,7 @@ import { lay_out } from '../src/board/board_layout.ts';
 import { edge_above, fitting_direction, neighbour } from '../src/board/board_places.ts';
 import type { PlantGraph } from '../src/board/plant_graph.ts';
 import { graph_of, held_by, refusal_of_link, way_between } from '../src/board/plant_graph.ts';
-import type { Json } from '../src/document/json.ts';
+import type { Json } from '../src/values/json.ts';
 
 const kTypes = { camera: { doc: '', table: 'camera', is_camera: true }, tree: { doc: '', table: 'tree', makes_stems: true }, leaf: { doc: '', table: 'leaf' } };
 

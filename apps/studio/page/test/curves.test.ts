@@ -5,8 +5,8 @@ import { test } from 'node:test';
 
 import { frame_of, least_points, line_of, mirrored, shape_of, with_point, with_point_after, with_point_at, with_points, without_point } from '../src/editors/shape.ts';
 import type { Shape } from '../src/editors/shape.ts';
-import { endings_in } from '../src/rows/file_endings.ts';
-import { folder_of, path_from } from '../src/rows/file_path.ts';
+import { endings_in } from '../src/files/file_endings.ts';
+import { folder_of, path_from } from '../src/files/file_path.ts';
 
 const kCurve: Shape = { points: [[0, 1], [0.5, 0.8], [1, 0]], joining: 'spline', form: 'function' };
 

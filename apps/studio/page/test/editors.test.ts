@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { azimuths_of, turned_points } from '../src/crown/crown_cloud.ts';
-import { colour_of, colours_in, full_colour, hsv_of } from '../src/editors/colour.ts';
+import { azimuths_of, turned_points } from '../src/editors/crown_cloud.ts';
+import { colour_of, colours_in, full_colour, hsv_of } from '../src/values/colour.ts';
 import { grid_lines, levels_of, Scale, snapped } from '../src/editors/plane.ts';
 import { count_named, entries_of, named_numbers } from '../src/editors/selection_set.ts';
 import { frame_from, kSides, moved_in, names_of, places_of, seen_from } from '../src/editors/space.ts';

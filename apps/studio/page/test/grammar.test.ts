@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { parse_json } from '../src/document/json.ts';
-import { node_at } from '../src/document/path.ts';
+import { parse_json } from '../src/values/json.ts';
+import { node_at } from '../src/values/path.ts';
 import { nearest_place, place_of } from '../src/grammar/drawn_places.ts';
 import { offset_in_text, text_in, with_text } from '../src/grammar/grammar_source.ts';
 import { grammars_of } from '../src/grammar/derivation.ts';

@@ -10,9 +10,9 @@ import { frame_of, with_point } from '../src/editors/shape.ts';
 import { kSides, limits_from } from '../src/editors/space.ts';
 import { legal_value, legal_values } from '../src/tables/legal.ts';
 import type { Row, Tables } from '../src/tables/tables.ts';
-import { bound_group } from '../src/view/gizmo/bound_group.ts';
-import { groups_of_object } from '../src/view/gizmo/row_groups.ts';
-import { kWorld } from '../src/view/gizmo/space_math.ts';
+import { bound_group } from '../src/gizmo/bound_group.ts';
+import { groups_of_object } from '../src/gizmo/row_groups.ts';
+import { kWorld } from '../src/values/space_math.ts';
 
 const row = (part: Partial<Row>): Row => ({ name: 'size', kind: 'number', doc: '', ...part });
 /// Half widths from 0 to 1 over places along the blade, as of the polygon of a leaf.

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { tree_of } from '../src/document/document_state.ts';
-import { node_at, value_at } from '../src/document/path.ts';
+import { node_at, value_at } from '../src/values/path.ts';
 import { text_with_edits } from '../src/document/text_edits.ts';
 import { variables_of_text } from '../src/document/text_variables.ts';
 import { limits_of, with_legal_point } from '../src/editors/limits.ts';

@@ -4,11 +4,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { without } from '../src/base/lists.ts';
-import type { Json } from '../src/document/json.ts';
+import type { Json } from '../src/values/json.ts';
 import type { Studio } from '../src/studio.ts';
 import { Store } from '../src/base/store.ts';
 import { dragged_values, set_values, value_now } from '../src/time/values_now.ts';
-import { moved_delay } from '../src/time/clock_rows.tsx';
+import { moved_delay } from '../src/timeline/clock_rows.tsx';
 import { animation_of, dragged_keys, key_at, keys_edits, name_of_path, path_of_name, tracks_of, with_key, with_time } from '../src/time/keys.ts';
 import { TimeModel } from '../src/time/time_model.ts';
 import type { Key } from '../src/time/track.ts';

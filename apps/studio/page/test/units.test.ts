@@ -4,12 +4,12 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { calculate, fitting_step, rounded } from '../src/document/arithmetic.ts';
+import { calculate, fitting_step, rounded } from '../src/values/arithmetic.ts';
 import { text_hash } from '../src/document/hash.ts';
-import { JsonFault, keep_values, parse_json, write_json } from '../src/document/json.ts';
+import { JsonFault, keep_values, parse_json, write_json } from '../src/values/json.ts';
 import { line_difference } from '../src/document/line_difference.ts';
-import { apply_patch, inverse_patch, patch_between, rebased } from '../src/document/patch.ts';
-import { node_at, path_at, path_below, steps_of, value_at } from '../src/document/path.ts';
+import { apply_patch, inverse_patch, patch_between, rebased } from '../src/values/patch.ts';
+import { node_at, path_at, path_below, steps_of, value_at } from '../src/values/path.ts';
 import { kNothingDone, step_back, step_forward, with_step } from '../src/document/undo_list.ts';
 import { in_form } from '../src/rows/number_form.ts';
 import { read_packet, floats } from '../src/server/packet.ts';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the board, and the actions on it.
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { Studio } from '../studio.ts';
 import { BoardActions } from './board_actions.ts';
 import type { BoardState } from './board_state.ts';

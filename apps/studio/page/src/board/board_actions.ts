@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The user's actions on the board. Each action is one edit of the document and one step of the undo list.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { first_object } from '../tables/tables.ts';

@@ -5,7 +5,7 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { BoardEdgeView, DraggedLine } from './board_edge.tsx';
 import { component_of, link_of } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';

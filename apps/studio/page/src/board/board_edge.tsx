@@ -4,7 +4,7 @@
 import type { ReactElement } from 'react';
 
 import { use_faults } from '../rows/row_actions.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { link_path } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';
 import type { BoardEdge } from './board_layout.ts';

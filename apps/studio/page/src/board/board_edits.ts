@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Actions on the board as edits of the document. New parts are written where a reader would look for them: a component
 // after its siblings, a link after the other links of its parent.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { GraphLink, LinkKind, PlantGraph } from './plant_graph.ts';
 import { ends_of, held_by, standing_on } from './plant_graph.ts';

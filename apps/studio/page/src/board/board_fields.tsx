@@ -4,7 +4,7 @@ import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef, useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 /// Moves the keyboard focus back to the component on the board.
 function return_to(id: string): void {

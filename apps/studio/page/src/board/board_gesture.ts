@@ -4,7 +4,7 @@
 import type { PointerEvent, RefObject } from 'react';
 import { useEffect, useState } from 'react';
 
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { BoardLayout, BoardNode } from './board_layout.ts';
 import { edge_above, place_of, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';

@@ -6,7 +6,7 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
 import { use_faults } from '../rows/row_actions.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import type { BoardGesture } from './board_gesture.ts';
 import { component_of, component_path, link_of, link_path } from './board_edits.ts';
 import type { BoardLayout, BoardNode } from './board_layout.ts';

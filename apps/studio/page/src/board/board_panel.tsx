@@ -3,7 +3,7 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { BoardCanvas } from './board_canvas.tsx';
 import { BoardTools } from './board_tools.tsx';
 import { NoteField, RenameField } from './board_fields.tsx';

@@ -7,7 +7,7 @@ import { Button, IconButton, Segments } from '../controls/button.tsx';
 import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
 import type { Studio } from '../studio.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { component_of, link_of, links_from } from './board_edits.ts';
 import type { BoardLayout } from './board_layout.ts';
 import { edge_above } from './board_places.ts';

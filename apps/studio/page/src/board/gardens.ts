@@ -2,8 +2,8 @@
 // Documents that are components of other documents. The user enters, changes and leaves them. Unsaved changes are kept
 // by the browser, as whenever another document is opened.
 import { Store } from '../base/store.ts';
-import { member_of } from '../document/path.ts';
-import { folder_of } from '../rows/file_path.ts';
+import { member_of } from '../values/path.ts';
+import { folder_of } from '../files/file_path.ts';
 import type { OpenWish } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 

@@ -9,11 +9,11 @@ import { Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { use_models } from '../dialogs/models_dialog.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { graph_of } from './plant_graph.ts';
 import type { LinkKind } from './plant_graph.ts';
 import { icon_of } from './component_icon.ts';
-import { ChoiceCard, PlantChoices } from './plant_choices.tsx';
+import { ChoiceCard, PlantChoices } from '../files/plant_choices.tsx';
 import type { ReadParts } from '../server/protocol.ts';
 
 type Tab = 'types' | 'parts' | 'plants';

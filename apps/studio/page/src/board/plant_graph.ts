@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The p-graph of a document, read from its text: components, links, and links back to an ancestor. It exists even while
 // the text has faults. Facts that only the library knows, such as components that a grammar places, are passed in.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import type { Tables } from '../tables/tables.ts';
 
 export type LinkKind = 'child' | 'branch' | 'leaf' | 'crown' | 'placed';

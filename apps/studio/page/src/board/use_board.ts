@@ -3,7 +3,7 @@
 import { useMemo } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import type { BoardLayout } from './board_layout.ts';
 import { lay_out } from './board_layout.ts';
 import type { PlantGraph } from './plant_graph.ts';

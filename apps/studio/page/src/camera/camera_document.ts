@@ -2,8 +2,8 @@
 // The camera of a document: its view, and edits that copy the page's view into it.
 import { component_path, link_path, written_link } from '../board/board_edits.ts';
 import type { PlantGraph } from '../board/plant_graph.ts';
-import type { Json } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { CameraState } from '../view/orbit.ts';
 

@@ -6,7 +6,7 @@ import { useState } from 'react';
 import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { component_groups } from '../tables/tables.ts';
 import { kFieldOfView } from '../view/orbit.ts';
 import { bookmarks_of, keep_bookmarks, next_name } from './bookmarks.ts';

@@ -3,7 +3,7 @@
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
-import { calculate, rounded, tidy } from '../document/arithmetic.ts';
+import { calculate, rounded, tidy } from '../values/arithmetic.ts';
 
 export interface NumberActions {
   drag: (value: number) => void; // temporary value

@@ -2,11 +2,11 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { StillDialog } from '../camera/still_dialog.tsx';
+import { StillDialog } from './still_dialog.tsx';
 import { Dialog } from '../controls/dialog.tsx';
-import { kShortcuts } from '../shortcuts.ts';
+import { kShortcuts } from '../panels/shortcuts.ts';
 import { ChanceDialog } from '../find/chance_dialog.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { ExportDialog } from './export_dialog.tsx';
 import { PaletteDialog } from '../board/palette_dialog.tsx';
 import { OpenDialog, SaveDialog } from './file_dialogs.tsx';

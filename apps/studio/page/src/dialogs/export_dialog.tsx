@@ -9,8 +9,8 @@ import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
 import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
-import { take_file } from '../time/recording.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
+import { take_file } from './recording.ts';
 import { ExportFooter } from './export_footer.tsx';
 import { size_text } from './file_dialogs.tsx';
 

@@ -3,9 +3,9 @@
 import type { ReactElement, ReactNode } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import type { ExportWish } from '../copy_command.ts';
-import { copy_command } from '../copy_command.ts';
-import { use_studio } from '../studio_context.ts';
+import type { ExportWish } from './copy_command.ts';
+import { copy_command } from './copy_command.ts';
+import { use_studio } from '../page/use_page.ts';
 
 export function ExportFooter({ wish, children }: { wish: ExportWish; children: ReactNode }): ReactElement {
   const studio = use_studio();

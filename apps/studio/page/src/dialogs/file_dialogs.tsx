@@ -8,7 +8,7 @@ import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { ListedFile } from '../server/file_protocol.ts';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 interface FilesProps {
   folder: string;

@@ -5,7 +5,7 @@ import { useEffect, useState } from 'react';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { ShippedModel } from '../server/protocol.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 
 /// Returns the shipped plants. The list is empty until the server has answered.
 export function use_models(): ShippedModel[] {

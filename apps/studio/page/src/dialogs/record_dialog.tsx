@@ -9,7 +9,7 @@ import { Button, Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
 import type { ExportOptions } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { Made } from './export_dialog.tsx';
 import { ExportFooter } from './export_footer.tsx';
 

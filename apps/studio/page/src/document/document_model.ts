@@ -14,8 +14,8 @@ import { kNoDocument, reading_of, tree_of, whole_reading } from './document_stat
 import { text_hash } from './hash.ts';
 import { text_with_edits } from './text_edits.ts';
 import { variables_of_text } from './text_variables.ts';
-import type { Patch } from './patch.ts';
-import { apply_patch, inverse_patch, joined_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
+import type { Patch } from '../values/patch.ts';
+import { apply_patch, inverse_patch, joined_patch, patch_between, patch_of_plain, plain_patch, rebased } from '../values/patch.ts';
 import type { UndoState, UndoStep } from './undo_list.ts';
 import { kTypingPause, step_back, step_forward, with_last, with_step } from './undo_list.ts';
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the open document.
 import type { Edit, Fault, ImpliedLink, Reading, Variable } from '../server/protocol.ts';
-import type { JsonNode } from './json.ts';
-import { is_object, keep_values, parse_broken_json, parse_json } from './json.ts';
+import type { JsonNode } from '../values/json.ts';
+import { is_object, keep_values, parse_broken_json, parse_json } from '../values/json.ts';
 import type { UndoState } from './undo_list.ts';
 import { variables_of_text } from './text_variables.ts';
 import { kNothingDone } from './undo_list.ts';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of changes of a text, for undo and redo. It is plain data, so that the browser can keep it.
-import type { Patch } from './patch.ts';
+import type { Patch } from '../values/patch.ts';
 
 export interface UndoStep {
   label: string;

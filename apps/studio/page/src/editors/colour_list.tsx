@@ -6,11 +6,11 @@ import { useRef, useState } from 'react';
 
 import { moved, with_behind, without } from '../base/lists.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
-import { TextField } from '../rows/text_field.tsx';
-import { full_colour } from './colour.ts';
+import type { Json } from '../values/json.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { full_colour } from '../values/colour.ts';
 import { ColourPicker } from './colour_picker.tsx';
-import { use_held } from './use_held.ts';
+import { use_held } from '../controls/use_held.ts';
 
 interface ColourListProps {
   label: string;

@@ -5,9 +5,9 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
 import { Slider } from '../controls/slider.tsx';
-import { use_document } from '../studio_context.ts';
-import type { Hsv } from './colour.ts';
-import { colour_of, colours_in, hsv_of } from './colour.ts';
+import { use_document } from '../page/use_page.ts';
+import type { Hsv } from '../values/colour.ts';
+import { colour_of, colours_in, hsv_of } from '../values/colour.ts';
 
 interface ColourPickerProps {
   label: string;

@@ -4,10 +4,10 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
-import { TextField } from '../rows/text_field.tsx';
-import { full_colour } from './colour.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { full_colour } from '../values/colour.ts';
 import { ColourList } from './colour_list.tsx';
 import { ColourPicker } from './colour_picker.tsx';
 

@@ -5,11 +5,11 @@ import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import { path_below, path_of, steps_of, value_at } from '../document/path.ts';
+import { path_below, path_of, steps_of, value_at } from '../values/path.ts';
 import { excluded_by } from '../rows/exclusion.ts';
 import { use_faults, use_row_actions, use_shown_value } from '../rows/row_actions.ts';
 import { Faults, kEditors } from '../rows/row_editor.tsx';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { groups_at, rows_at } from '../tables/resolve.ts';
 import type { Row } from '../tables/tables.ts';
 

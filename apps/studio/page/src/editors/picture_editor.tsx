@@ -3,11 +3,11 @@
 import type { ReactElement } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
-import { FileChooser, ShippedFiles } from '../rows/file_chooser.tsx';
+import { FileChooser, ShippedFiles } from './file_chooser.tsx';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
-import { TextField } from '../rows/text_field.tsx';
+import { TextField } from '../controls/text_field.tsx';
 import { Button } from '../controls/button.tsx';
-import { use_document } from '../studio_context.ts';
+import { use_document } from '../page/use_page.ts';
 import { use_thumbnail } from './thumbnail.tsx';
 
 const kPixels = 512; // pixels along the longer side of the shown picture

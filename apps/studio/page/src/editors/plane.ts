@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A piece of a plane in a picture: its scale, the lines of its grid, and snapping of points.
-import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
 import type { Frame, Point, Range } from './shape.ts';
 
 export interface PictureSize {

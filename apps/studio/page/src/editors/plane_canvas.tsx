@@ -12,7 +12,7 @@ import { DrawnLine } from './plane_lines.tsx';
 import { LimitLines } from './limit_lines.tsx';
 import type { Limits } from './limits.ts';
 import type { Frame, Point } from './shape.ts';
-import { use_held } from './use_held.ts';
+import { use_held } from '../controls/use_held.ts';
 
 export interface PlaneCanvasProps {
   label: string;

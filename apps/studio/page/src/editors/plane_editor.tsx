@@ -5,7 +5,7 @@ import { useRef, useState } from 'react';
 
 import { IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { fitting_step } from '../document/arithmetic.ts';
+import { fitting_step } from '../values/arithmetic.ts';
 import type { PlaneLine } from './plane_lines.tsx';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import { use_snapping } from './snapping.ts';

@@ -4,7 +4,7 @@
 import type { ReactElement } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import { NumberOrText } from '../rows/number_row.tsx';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
 import { legal_value } from '../tables/legal.ts';

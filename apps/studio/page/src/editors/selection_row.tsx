@@ -6,14 +6,14 @@ import { useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
-import { steps_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { steps_of } from '../values/path.ts';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
-import { TextField } from '../rows/text_field.tsx';
-import { use_studio } from '../studio_context.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { use_studio } from '../page/use_page.ts';
 import { count_named, entries_of, named_numbers } from './selection_set.ts';
 import { entry_of, entry_text } from './selection_text.ts';
-import { use_held } from './use_held.ts';
+import { use_held } from '../controls/use_held.ts';
 
 export function SelectionRow({ label, path, value, row, actions, is_faulty, size = 'row' }: RowEditorProps): ReactElement {
   const entries = Array.isArray(value) ? value : [];

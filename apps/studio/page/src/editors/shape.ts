@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves and outlines in documents: their course between points, and how their points move.
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
 
 export type Point = readonly [number, number];
 export type Joining = 'spline' | 'linear';

@@ -5,7 +5,7 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import { use_crown_cloud } from '../crown/use_crown_cloud.ts';
+import { use_crown_cloud } from './use_crown_cloud.ts';
 import { WrittenRow } from '../rows/plain_rows.tsx';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
 import { PlaneEditor } from './plane_editor.tsx';

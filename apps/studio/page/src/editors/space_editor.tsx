@@ -5,7 +5,7 @@ import { useRef, useState } from 'react';
 
 import type { Vec } from '../base/vec.ts';
 import { IconButton, Segments } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import { next_position } from './next_position.ts';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import type { Range } from './shape.ts';

@@ -5,7 +5,7 @@ import { useEffect, useState } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 export interface MadeThumbnail {
   picture: string; // base 64 of a PNG

@@ -10,7 +10,7 @@ import { LatestSender } from '../server/latest_sender.ts';
 import { read_packet } from '../server/packet.ts';
 import type { Opened } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { budgets_of } from '../view/budgets.ts';
 import { View } from '../view/view.ts';
 import type { Pin } from './pins.ts';

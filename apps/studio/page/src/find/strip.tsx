@@ -2,10 +2,10 @@
 // Small plants side by side, one for each of a few values of a row, which show the effect of the row.
 import type { ReactElement } from 'react';
 
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import { StillPicture } from './still_picture.tsx';
 import type { StripState } from './strip_states.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { dragged_values } from '../time/values_now.ts';
 import { use_stills } from './use_stills.ts';
 

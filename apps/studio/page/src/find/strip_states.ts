@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The values of a row for which a strip shows plants, and random values.
-import { fitting_step, rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
 import type { Variable } from '../server/protocol.ts';
 import type { Row } from '../tables/tables.ts';
 import { within_hard_range } from '../tables/tables.ts';

@@ -2,10 +2,10 @@
 // Small pictures of states of the document, made by the server, and made again when the document changes.
 import { useEffect, useState } from 'react';
 
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { Still } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 export type StateValues = Record<string, Json>;
 

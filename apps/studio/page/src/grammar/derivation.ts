@@ -3,8 +3,8 @@
 // plant of that step.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 import type { Derivation } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';

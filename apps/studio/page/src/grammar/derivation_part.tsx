@@ -7,7 +7,7 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { WordView } from './word_view.ts';
 
 const kNumbers = new Intl.NumberFormat('en');

@@ -6,8 +6,8 @@ import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 
-import { patch_between } from '../document/patch.ts';
-import { node_at } from '../document/path.ts';
+import { patch_between } from '../values/patch.ts';
+import { node_at } from '../values/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Fault } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';

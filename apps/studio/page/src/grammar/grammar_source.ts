@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A text that a document holds as a string or as a list of lines: its content, the positions of its characters in the
 // document, and its replacement. Comments and layout around unchanged lines are kept.
-import type { JsonNode } from '../document/json.ts';
+import type { JsonNode } from '../values/json.ts';
 
 /// Returns the text of a value, or null if it is neither a text nor a list of texts.
 export function text_in(node: JsonNode | null): string | null {

@@ -5,7 +5,7 @@ import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
 import type { Studio } from '../studio.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { View } from '../view/view.ts';
 import { nearest_place, place_of } from './drawn_places.ts';
 import { short_module } from './word_view.ts';

@@ -6,15 +6,15 @@ import { useEffect, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
-import { member_of, path_below, value_at } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of, path_below, value_at } from '../values/path.ts';
 import { PlaneEditor } from '../editors/plane_editor.tsx';
 import type { PlaneLine } from '../editors/plane_lines.tsx';
 import { StillPlane } from '../editors/still_plane.tsx';
 import { limits_of } from '../editors/limits.ts';
 import { shape_of, with_points } from '../editors/shape.ts';
 import type { Edit } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import type { LeafCurves } from './curves.ts';
 import { row_at } from '../tables/resolve.ts';
 import { draw_midrib, draw_widths, line_length, name_of } from './curves.ts';

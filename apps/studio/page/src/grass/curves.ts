@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The midrib and the width of a grass leaf: measured points, the curves fitted to them, and edits that replace files by
 // editable curves.
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { path_below } from '../document/path.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { path_below } from '../values/path.ts';
 import type { Point } from '../editors/shape.ts';
 import type { Edit } from '../server/protocol.ts';
-import type { Vec } from '../view/gizmo/space_math.ts';
+import type { Vec } from '../values/space_math.ts';
 
 export interface LeafName {
   rank: number | null;

@@ -3,8 +3,8 @@ import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
-import { steps_of } from '../document/path.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { steps_of } from '../values/path.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { groups_at } from '../tables/resolve.ts';
 
 const kDrawnBy = ['midrib_points', 'profile']; // rows of components that are drawn by midrib and width

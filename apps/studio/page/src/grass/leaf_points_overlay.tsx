@@ -4,8 +4,8 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../studio_context.ts';
-import { frame_of_rows, point_in } from '../view/gizmo/space_math.ts';
+import { use_studio } from '../page/use_page.ts';
+import { frame_of_rows, point_in } from '../values/space_math.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import { line_length, place_beside } from './curves.ts';
 

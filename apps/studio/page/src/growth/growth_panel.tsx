@@ -5,7 +5,7 @@ import type { KeyboardEvent, ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { LegendKey } from './layers.ts';
 
 export function GrowthButton(): ReactElement {

@@ -2,8 +2,8 @@
 // Small plots of lists: bars side by side, and the leaf area of layers one above another.
 import type { ReactElement } from 'react';
 
-import type { Json } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import { shown_measure } from './measure_groups.ts';
 
 const kHigh = 28; // pixels

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups of measures with headings, and their values as text.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { MeasureRow } from './measure_model.ts';
 
 export interface MeasureGroup {

@@ -3,7 +3,7 @@
 // over the values of a handle.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { Job } from '../server/connection.ts';
 import type { Fault, Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';

@@ -6,8 +6,8 @@ import { useEffect, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
-import type { Json } from '../document/json.ts';
-import { use_studio } from '../studio_context.ts';
+import type { Json } from '../values/json.ts';
+import { use_studio } from '../page/use_page.ts';
 import { Bars, Layers } from './bars.tsx';
 import type { Fact } from './facts.ts';
 import { kFacts } from './facts.ts';

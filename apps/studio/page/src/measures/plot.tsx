@@ -2,7 +2,7 @@
 // A line over values with a point for each, the present value, and a published range.
 import type { KeyboardEvent, ReactElement } from 'react';
 
-import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
 
 export type PlotPoint = readonly [number, number];
 

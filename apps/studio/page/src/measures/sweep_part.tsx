@@ -6,10 +6,10 @@ import { useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
-import { rounded } from '../document/arithmetic.ts';
-import { step_of } from '../panels/handle_step.ts';
+import { rounded } from '../values/arithmetic.ts';
+import { step_of } from '../find/handle_step.ts';
 import type { Variable } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { kFacts } from './facts.ts';
 import { shown_measure } from './measure_groups.ts';
 import type { MeasureRow, SweepState } from './measure_model.ts';

@@ -8,7 +8,7 @@ import { Button } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { line_difference } from '../document/line_difference.ts';
 import type { Studio } from '../studio.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 
 export function LostBanner(): ReactElement | null {
   const studio = use_studio();

@@ -7,21 +7,21 @@ import { free_name } from '../board/board_edits.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { rounded } from '../document/arithmetic.ts';
-import { is_object } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import { rounded } from '../values/arithmetic.ts';
+import { is_object } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import { Strip } from '../find/strip.tsx';
 import { variable_states } from '../find/strip_states.ts';
-import { TextField } from '../rows/text_field.tsx';
+import { TextField } from '../controls/text_field.tsx';
 import { Faults } from '../rows/row_editor.tsx';
 import { use_faults } from '../rows/row_actions.ts';
 import type { Variable } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { KeyButton } from '../time/key_button.tsx';
 import { use_keyed } from '../time/use_keyed.ts';
 import { drag_values, set_values } from '../time/values_now.ts';
-import { step_of } from './handle_step.ts';
+import { step_of } from '../find/handle_step.ts';
 
 export function Handles(): ReactElement {
   const studio = use_studio();

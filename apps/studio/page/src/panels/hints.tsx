@@ -6,7 +6,7 @@ import { prefer } from '../base/preferences.ts';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 
 export function Hints(): ReactElement | null {
   const studio = use_studio();

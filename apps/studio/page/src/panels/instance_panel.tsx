@@ -5,10 +5,10 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { shown_number } from '../controls/number_field.tsx';
-import type { Json } from '../document/json.ts';
-import { path_below, value_at } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { path_below, value_at } from '../values/path.ts';
 import type { FoundInstance } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 export function InstancePanel({ path }: { path: string }): ReactElement | null {
   const studio = use_studio();

@@ -5,9 +5,9 @@ import type { ReactElement } from 'react';
 
 import { component_of } from '../board/board_edits.ts';
 import { IconButton } from '../controls/button.tsx';
-import { path_below, steps_of } from '../document/path.ts';
-import { TextField } from '../rows/text_field.tsx';
-import { use_studio } from '../studio_context.ts';
+import { path_below, steps_of } from '../values/path.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { use_studio } from '../page/use_page.ts';
 
 export function NamedTools({ path }: { path: string }): ReactElement | null {
   const studio = use_studio();

@@ -7,12 +7,12 @@ import { use_part } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import type { IconName } from '../controls/icon.tsx';
 import { Icon } from '../controls/icon.tsx';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { link_kind } from '../tables/resolve.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import type { Tables } from '../tables/tables.ts';
 
 interface Item {

@@ -6,7 +6,7 @@ import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { Grown } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 const count = (number: number): string => number.toLocaleString('en');
 const counted = (number: number, what: string): string => `${count(number)} ${what}${number === 1 ? '' : 's'}`;

@@ -3,10 +3,10 @@ import type { ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
-import { node_at } from '../document/path.ts';
+import { node_at } from '../values/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Fault } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { TextEditor } from '../text/editor.ts';
 
 /// The panel of the whole document as text, with its faults below.

@@ -3,7 +3,7 @@ import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 
 /// Short messages that disappear after a while.
 export function Toasts(): ReactElement {

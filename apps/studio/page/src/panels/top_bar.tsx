@@ -6,12 +6,12 @@ import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { copy_command } from '../copy_command.ts';
-import { member_of } from '../document/path.ts';
-import { use_document, use_studio } from '../studio_context.ts';
-import { save_here } from '../shortcuts.ts';
+import { copy_command } from '../dialogs/copy_command.ts';
+import { member_of } from '../values/path.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
+import { save_here } from './shortcuts.ts';
 import type { Studio } from '../studio.ts';
-import type { Theme } from '../studio_state.ts';
+import type { Theme } from '../page/page_state.ts';
 
 /// The text of a new document.
 const kNewPlant = `{

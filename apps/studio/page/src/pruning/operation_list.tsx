@@ -4,12 +4,12 @@ import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { Faults } from '../rows/row_editor.tsx';
 import { TableRows } from '../rows/nested_rows.tsx';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { ParameterTable } from '../tables/tables.ts';
 import { table_of } from '../tables/tables.ts';

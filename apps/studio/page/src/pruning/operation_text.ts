@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations of a document as text, and sorted by the years in which they have acted.
-import type { Json } from '../document/json.ts';
-import { is_object, write_json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
+import { is_object, write_json } from '../values/json.ts';
 import type { OperationAct } from '../server/growth_protocol.ts';
 
 /// Members that all kinds of operations have: when they act, and on which trees and shoots.

@@ -6,8 +6,8 @@ import { useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
-import { path_below, value_at } from '../document/path.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { path_below, value_at } from '../values/path.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { OperationList } from './operation_list.tsx';
 import type { PlanYear } from './operation_text.ts';
 import { counted_act, index_in, what_of, years_of } from './operation_text.ts';

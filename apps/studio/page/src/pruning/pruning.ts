@@ -2,8 +2,8 @@
 // Operations on trees: their acts, the chosen operation, and additions to the list.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
-import { member_of, node_at, path_below, steps_of, value_at } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of, node_at, path_below, steps_of, value_at } from '../values/path.ts';
 import type { FoundShoot, ToldOperations } from '../server/growth_protocol.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';

@@ -6,8 +6,8 @@ import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { places_of_numbers } from '../base/vec.ts';
-import { InstanceChoice } from '../instance_choice.ts';
-import { use_studio } from '../studio_context.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import { use_studio } from '../page/use_page.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import { use_plan_component } from './use_plan_component.ts';
 import { kept_metamers, parts_of } from './shoot_cut.ts';

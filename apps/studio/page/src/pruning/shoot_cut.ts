@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Acts on one chosen shoot as operations of the document.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { FoundShoot } from '../server/growth_protocol.ts';
 
 export type Deed = 'cut' | 'bend' | 'tie' | 'mark';

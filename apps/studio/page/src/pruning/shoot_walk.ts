@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves the choice from shoot to shoot along the tree, by keys.
 import { Store } from '../base/store.ts';
-import { InstanceChoice } from '../instance_choice.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
 import type { FoundShoot, ShootName, ShootWay } from '../server/growth_protocol.ts';
 import type { Studio } from '../studio.ts';
 import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';

@@ -7,7 +7,7 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import type { FoundShoot } from '../server/growth_protocol.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { Deed } from './shoot_cut.ts';
 import { measures_of } from './shoot_text.ts';
 import type { ShootWalk } from './shoot_walk.ts';

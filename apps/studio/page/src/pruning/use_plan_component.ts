@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { use_store } from '../base/store.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 
 /// Returns the component whose operations are listed, or null if no component can have operations.
 export function use_plan_component(): string | null {

@@ -2,7 +2,7 @@
 // Rows that exclude each other: when one is given, the others are removed.
 import { createContext } from 'react';
 
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { ParameterTable } from '../tables/tables.ts';
 import { as_object } from '../tables/tables.ts';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The forms in which documents write a number that varies.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
 
 export type NumberForm = 'number' | 'range' | 'expression' | 'both';
 

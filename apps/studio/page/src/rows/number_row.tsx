@@ -4,13 +4,13 @@ import type { ReactElement } from 'react';
 
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { fitting_step } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object, write_json } from '../document/json.ts';
+import { fitting_step } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object, write_json } from '../values/json.ts';
 import { legal_value } from '../tables/legal.ts';
 import type { Row } from '../tables/tables.ts';
 import { slider_range, within_hard_range } from '../tables/tables.ts';
-import { TextField } from './text_field.tsx';
+import { TextField } from '../controls/text_field.tsx';
 import type { RowActions } from './row_actions.ts';
 
 interface NumberRowProps {

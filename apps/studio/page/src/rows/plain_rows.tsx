@@ -3,11 +3,11 @@
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
-import type { Json } from '../document/json.ts';
-import { write_json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
+import { write_json } from '../values/json.ts';
 import { NumberOrText } from './number_row.tsx';
 import type { RowEditorProps } from './row_editor.tsx';
-import { TextField } from './text_field.tsx';
+import { TextField } from '../controls/text_field.tsx';
 
 export function BooleanRow({ label, value, row, actions }: RowEditorProps): ReactElement {
   const is_on = (value ?? row.default) === true;

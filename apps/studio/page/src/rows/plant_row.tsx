@@ -3,16 +3,16 @@
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
-import { PlantChoices } from '../board/plant_choices.tsx';
+import { PlantChoices } from '../files/plant_choices.tsx';
 import { IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { use_models } from '../dialogs/models_dialog.tsx';
-import type { JsonNode } from '../document/json.ts';
-import { path_below, steps_of, value_at } from '../document/path.ts';
+import type { JsonNode } from '../values/json.ts';
+import { path_below, steps_of, value_at } from '../values/path.ts';
 import type { Row, Tables } from '../tables/tables.ts';
 import type { RowEditorProps } from './row_editor.tsx';
-import { TextField } from './text_field.tsx';
+import { TextField } from '../controls/text_field.tsx';
 
 /// Returns true if the row at a path names a whole plant.
 export function names_plant(tables: Tables, tree: JsonNode | null, row: Row, path: string): boolean {

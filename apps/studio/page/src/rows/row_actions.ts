@@ -3,9 +3,9 @@
 import { useContext, useSyncExternalStore } from 'react';
 
 import { use_part } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { Fault } from '../server/protocol.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import { use_keyed } from '../time/use_keyed.ts';
 import { drag_values, has_keys_below, set_values, value_now } from '../time/values_now.ts';
 import { ExcludedPaths } from './exclusion.ts';

@@ -3,8 +3,8 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import { FileDialog } from '../rows/file_row.tsx';
-import { use_studio } from '../studio_context.ts';
+import { FileDialog } from '../editors/file_row.tsx';
+import { use_studio } from '../page/use_page.ts';
 import { table_of } from '../tables/tables.ts';
 import type { Row } from '../tables/tables.ts';
 

@@ -5,12 +5,12 @@ import type { ReactElement } from 'react';
 
 import { free_name } from '../board/board_edits.ts';
 import { Button } from '../controls/button.tsx';
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { path_below, value_at } from '../document/path.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { path_below, value_at } from '../values/path.ts';
 import type { Edit } from '../server/protocol.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { Studio } from '../studio.ts';
 import { MeshButton } from './mesh_button.tsx';
 

@@ -6,10 +6,10 @@ import { useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
-import { value_at } from '../document/path.ts';
-import { use_held } from '../editors/use_held.ts';
-import type { Json } from '../document/json.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { value_at } from '../values/path.ts';
+import { use_held } from '../controls/use_held.ts';
+import type { Json } from '../values/json.ts';
+import { use_document, use_studio } from '../page/use_page.ts';
 import { drag_values, set_values, value_now } from '../time/values_now.ts';
 import type { SkyPlace } from './sun_math.ts';
 import { day_of, day_text, daylight, declination, hour_and_declination, hour_text, kSolstices, sun_place } from './sun_math.ts';

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sun in the scene, and the values that the dial writes.
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import type { SkyPlace } from './sun_math.ts';
 import { date_of_day, day_of_date, hour_of, hour_text } from './sun_math.ts';
 

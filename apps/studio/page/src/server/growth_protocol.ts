@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages about growth: shoots, acts of operations, and overlays.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { ArrayPlace } from './packet.ts';
 import type { FoundInstance } from './protocol.ts';
 

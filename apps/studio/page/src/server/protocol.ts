@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages between page and server, as apps/studio/protocol.md defines them.
-import type { Json } from '../document/json.ts';
-import type { PlainPatch } from '../document/patch.ts';
+import type { Json } from '../values/json.ts';
+import type { PlainPatch } from '../values/patch.ts';
 import type { OverlayPart } from './growth_protocol.ts';
 
 export interface Fault {

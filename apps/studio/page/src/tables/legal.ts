@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The values that a row allows, and the nearest allowed value to another one.
-import type { Json, JsonNode } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { path_of, steps_of } from '../document/path.ts';
+import type { Json, JsonNode } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { path_of, steps_of } from '../values/path.ts';
 import { row_at } from './resolve.ts';
 import type { NumberRange, Row, Tables } from './tables.ts';
 import { table_of, within_hard_range } from './tables.ts';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the rows at a path of a document.
-import type { Json, JsonNode } from '../document/json.ts';
-import { member_of, path_below, path_of, steps_of, value_at } from '../document/path.ts';
+import type { Json, JsonNode } from '../values/json.ts';
+import { member_of, path_below, path_of, steps_of, value_at } from '../values/path.ts';
 import type { Row, RowGroup, Tables } from './tables.ts';
 import { component_groups, document_groups, document_parts, link_groups, table_of } from './tables.ts';
 

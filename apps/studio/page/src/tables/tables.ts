@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parameter tables as `meristem components --json` prints them. The page knows parameters only from these tables.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 
 /// The legal values of a number.
 export interface NumberRange {

@@ -2,9 +2,9 @@
 // Completion at the cursor, from the parameter tables.
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
 
-import { is_object, write_json } from '../document/json.ts';
-import type { JsonNode } from '../document/json.ts';
-import { member_of, path_of } from '../document/path.ts';
+import { is_object, write_json } from '../values/json.ts';
+import type { JsonNode } from '../values/json.ts';
+import { member_of, path_of } from '../values/path.ts';
 import { rows_at } from '../tables/resolve.ts';
 import type { Row, Tables } from '../tables/tables.ts';
 import { document_names, first_value } from '../tables/tables.ts';

@@ -7,8 +7,8 @@ import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 
-import { patch_between } from '../document/patch.ts';
-import { node_at, path_at } from '../document/path.ts';
+import { patch_between } from '../values/patch.ts';
+import { node_at, path_at } from '../values/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Studio } from '../studio.ts';
 import { chosen_with } from '../tables/resolve.ts';

@@ -4,10 +4,10 @@ import type { ReactElement } from 'react';
 
 import { use_part } from '../base/store.ts';
 import { shown_number } from '../controls/number_field.tsx';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { steps_of } from '../document/path.ts';
-import { use_studio } from '../studio_context.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { steps_of } from '../values/path.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
 import type { Keyed } from './use_keyed.ts';

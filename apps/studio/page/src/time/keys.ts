@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys of a document's animation, and edits of them. The text uses short names such as "stem.length", like --set.
 // Rows have full paths such as "components.stem.length".
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below, path_of, steps_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below, path_of, steps_of } from '../values/path.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Key, Way } from './track.ts';
 import { kWays } from './track.ts';

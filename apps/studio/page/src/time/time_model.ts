@@ -2,7 +2,7 @@
 // The time that the view shows, which the user scrubs or plays. While it moves, the server is asked only for few
 // triangles and for the newest time. At rest it is asked for full detail.
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { Studio } from '../studio.ts';
 import { document_names } from '../tables/tables.ts';

@@ -4,8 +4,8 @@
 //
 // Based on: F. N. Fritsch, J. Butland: A method for constructing local monotone piecewise cubic interpolants (1984),
 // for smooth keys.
-import type { Json } from '../document/json.ts';
-import { full_colour } from '../editors/colour.ts';
+import type { Json } from '../values/json.ts';
+import { full_colour } from '../values/colour.ts';
 
 export type Way = 'linear' | 'smooth' | 'step';
 export const kWays: readonly Way[] = ['linear', 'smooth', 'step'];

@@ -4,10 +4,10 @@ import { useSyncExternalStore } from 'react';
 
 import { without } from '../base/lists.ts';
 import { use_part } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import type { Studio } from '../studio.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_studio } from '../page/use_page.ts';
 import type { Track } from './keys.ts';
 import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
 import type { Key } from './track.ts';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values with keys are shown and edited at the view's time. A new value at a path becomes a key if the path has keys,
 // and the value in the text otherwise.
-import type { Json } from '../document/json.ts';
-import { steps_of } from '../document/path.ts';
-import type { PathStep } from '../document/path.ts';
-import { value_within, with_value, with_values } from '../document/put_values.ts';
+import type { Json } from '../values/json.ts';
+import { steps_of } from '../values/path.ts';
+import type { PathStep } from '../values/path.ts';
+import { value_within, with_value, with_values } from '../values/put_values.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import type { Track } from './keys.ts';

@@ -2,7 +2,7 @@
 // Converts positions of the world into pixels of the canvas, and pixels into lines of sight.
 import * as three from 'three';
 
-import type { Ray, Vec } from './gizmo/space_math.ts';
+import type { Ray, Vec } from '../values/space_math.ts';
 import type { Orbit } from './orbit.ts';
 
 export class Eye {

@@ -8,7 +8,7 @@ import { App } from './panels/app.tsx';
 import { listen_to_keys } from './panels/shortcuts.ts';
 import type { Json } from './values/json.ts';
 import { Studio } from './studio.ts';
-import { StudioContext } from './page/use_page.ts';
+import { PageContext } from './page/use_page.ts';
 import type { Tables } from './tables/tables.ts';
 
 declare global {
@@ -45,9 +45,9 @@ async function start(): Promise<void> {
   start_tooltips(document.body);
   createRoot(root).render(
     <StrictMode>
-      <StudioContext.Provider value={studio}>
+      <PageContext.Provider value={studio}>
         <App />
-      </StudioContext.Provider>
+      </PageContext.Provider>
     </StrictMode>,
   );
   studio.connection.connect();

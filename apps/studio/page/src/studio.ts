@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's central model: the connection, the open document, growth and view, and the actions of panels on them.
-import { prefer } from './base/preferences.ts';
+// The page's central model: the connection, the open document, growth and view. It composes the tools of all panels.
+// Panels know it as a `Page` only.
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
@@ -8,36 +8,38 @@ import type { EditWish } from './document/edit_queue.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './values/json.ts';
 import { InstanceChoice } from './page/instance_choice.ts';
+import type { Page, ToolKind } from './page/page.ts';
 import { Keeper } from './saving/keeper.ts';
 import { save_document } from './saving/saving.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
-import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './page/page_state.ts';
+import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
 import { first_shell, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
 import type { Tables } from './tables/tables.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
 import { Workbench } from './workbench.ts';
 
-export class Studio {
+export class Studio implements Page {
+  private readonly tools_ = new Map<ToolKind<object>, object>();
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
   readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null });
-  readonly view_facts = new Store<ViewFacts | null>(null); // facts about the last picture
-  // The part under the resting pointer
-  readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null);
-  readonly instance = new InstanceChoice(this);
-  readonly board = new Board(this);
+  readonly view_facts = new Store<ViewFacts | null>(null);
+  readonly pointed = new Store<PointedPart | null>(null);
+  readonly instance = this.add(new InstanceChoice(this));
+  readonly board = this.add(new Board(this));
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
   readonly locks = new Store<ReadonlySet<string>>(new Set());
-  /// Values of the variables when the document was opened, to which handles are reset.
+  readonly enlarged = new Store<string | null>(null);
+  readonly strip = new Store<string | null>(null);
   readonly first_values = new Store<Record<string, Json>>({});
-  readonly bench = new Workbench(this);
+  readonly bench = new Workbench(this, (tool) => this.add(tool));
   readonly document: DocumentModel;
   readonly connection: Connection;
   readonly keeper: Keeper;
@@ -56,11 +58,17 @@ export class Studio {
       on_packet: (bytes) => this.show_packet(bytes),
       on_lost: () => this.keeper.note_lost(),
     });
-    this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.tell(message, true));
-    this.keeper = new Keeper(this, tab);
+    this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.notify(message, true));
+    this.keeper = this.add(new Keeper(this, tab));
   }
 
-  tell(text: string, is_fault = false, kind = ''): void {
+  tool<T>(kind: ToolKind<T>): T {
+    const tool = this.tools_.get(kind as ToolKind<object>);
+    if (!tool) throw new Error(`the page has no ${kind.name}`);
+    return tool as T;
+  }
+
+  notify(text: string, is_fault = false, kind = ''): void {
     this.toasts.add(text, is_fault, kind);
   }
 
@@ -96,7 +104,6 @@ export class Studio {
     this.view?.shine(is_sunlit);
   }
 
-  /// Changes the document as one step of the undo list.
   async edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
     // Fields show the new values until the text has them.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
@@ -112,13 +119,12 @@ export class Studio {
     void this.edit([{ set: path, value }], label);
   }
 
-  /// Grows with other values temporarily. The text stays. While an answer is open, only the newest values are kept.
+  /// While an answer is open, only the newest values are kept.
   drag(values: Record<string, Json>): void {
     this.dragged.set(values);
     this.drags_.ask();
   }
 
-  /// Restores the document's values.
   stop_drag(): void {
     if (Object.keys(this.dragged.get()).length > 0) this.drag({});
   }
@@ -131,14 +137,12 @@ export class Studio {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  /// Opens a document. Returns false and reports the reason if this fails.
   async open(wish: OpenWish): Promise<boolean> {
     const fault = await this.try_open(wish);
-    if (fault !== null) this.tell(fault, true);
+    if (fault !== null) this.notify(fault, true);
     return fault === null;
   }
 
-  /// Opens a document. Returns the reason if this fails, else null.
   async try_open(wish: OpenWish): Promise<string | null> {
     await this.document.idle();
     await this.keeper.flush();
@@ -150,7 +154,7 @@ export class Studio {
       void this.keeper.flush(); // keeps text that was typed meanwhile; not awaited, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
-      if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
+      if (is_changed && is_another) this.notify(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
       await this.keeper.offer(opened);
       return null;
     } catch (fault) {
@@ -166,15 +170,9 @@ export class Studio {
     return save_document(this, path, over);
   }
 
-  set_theme(theme: Theme): void {
-    prefer('theme', theme);
-    this.shell.merge({ theme });
-  }
-
-  /// Continues the growth that reached its time limit.
-  continue_growth(): void {
-    this.growth.merge({ failed: null });
-    this.connection.tell('continue');
+  private add<T extends object>(tool: T): T {
+    this.tools_.set(tool.constructor as ToolKind<object>, tool);
+    return tool;
   }
 
   private take_opened(opened: Opened): void {
@@ -187,6 +185,8 @@ export class Studio {
     this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();
+    this.enlarged.set(null);
+    this.strip.set(null);
     this.bench.clear();
     this.choose('');
   }
@@ -194,7 +194,7 @@ export class Studio {
   private take_back(step: { label: string; chosen: string } | null, what: string): void {
     this.dragged.set({});
     if (step && step.chosen !== this.chosen.get()) this.choose(step.chosen);
-    if (step) this.tell(`${what}: ${step.label}`, false, 'undo');
+    if (step) this.notify(`${what}: ${step.label}`, false, 'undo');
   }
 
   private hear(news: News): void {

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { Store } from '../src/base/store.ts';
 import { MeasureModel } from '../src/measures/measure_model.ts';
 import { Refusal } from '../src/server/protocol.ts';
-import type { Studio } from '../src/studio.ts';
+import type { Page } from '../src/page/page.ts';
 
 interface Asked {
   what: string;
@@ -14,7 +14,7 @@ interface Asked {
   refuse: (fault: Error) => void;
 }
 
-/// Returns a model with a studio that answers only when the test tells it to.
+/// Returns a model with a page that answers only when the test tells it to.
 function asking(): { model: MeasureModel; asked: Asked[]; grow: (hash: string) => void; wait: () => void } {
   let due: (() => void) | null = null;
   Object.assign(globalThis, { window: { setTimeout: (act: () => void) => ((due = act), 1) } });
@@ -26,8 +26,8 @@ function asking(): { model: MeasureModel; asked: Asked[]; grow: (hash: string) =
     due?.();
     due = null;
   };
-  const studio = { growth, connection: { request, begin }, bench: { time: { time: 0 } } } as unknown as Studio;
-  return { model: new MeasureModel(studio), asked, grow: (hash) => growth.set({ grown: { hash, dragged: false } }), wait };
+  const page = { growth, connection: { request, begin }, tool: () => ({ time: 0 }) } as unknown as Page;
+  return { model: new MeasureModel(page), asked, grow: (hash) => growth.set({ grown: { hash, dragged: false } }), wait };
 }
 
 const cancelled = (): Refusal => new Refusal('cancelled', { cancelled: true });

@@ -11,11 +11,12 @@ import { InstanceChoice } from '../src/page/instance_choice.ts';
 import { kept_metamers, kFirstChoice, operation_of, parts_of, why_not } from '../src/pruning/shoot_cut.ts';
 import { bearers_of, measures_of, moved_metamer, place_of } from '../src/pruning/shoot_text.ts';
 import { counted_act, text_with_off, times_of, what_of, when_of, years_of } from '../src/pruning/operation_text.ts';
-import type { Studio } from '../src/studio.ts';
+import type { Page } from '../src/page/page.ts';
 import { kNoGrowth } from '../src/page/page_state.ts';
 import type { Json } from '../src/values/json.ts';
 import type { Variable } from '../src/server/protocol.ts';
-import type { FoundShoot, OperationAct } from '../src/server/growth_protocol.ts';
+import type { FoundShoot } from '../src/page/instance_choice.ts';
+import type { OperationAct } from '../src/server/growth_protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
 import { with_values } from '../src/values/put_values.ts';
 import { bound_group } from '../src/gizmo/bound_group.ts';
@@ -234,23 +235,23 @@ test('operations are told in words, and by years', () => {
   assert.equal(text_with_off('[{"do": "cut"}]', 1, false), '[{"off": true, "do": "cut"}]');
 });
 
-/// Returns a studio that answers questions for an instance when the test tells it to.
-function asked_studio(): { studio: Studio; grow: () => void; answer: (shoot: string | null, iteration: number) => Promise<void> } {
+/// Returns a page that answers questions for an instance when the test tells it to.
+function asked_page(): { page: Page; grow: () => void; answer: (shoot: string | null, iteration: number) => Promise<void> } {
   const growth = new Store(kNoGrowth);
   const waiting: ((answer: object) => void)[] = [];
   const request = (): Promise<object> => new Promise((done) => waiting.push(done));
-  const studio = { growth, chosen: new Store('components.tree'), choose: () => undefined, connection: { request } } as unknown as Studio;
+  const page = { growth, chosen: new Store('components.tree'), choose: () => undefined, connection: { request } } as unknown as Page;
   const answer = async (shoot: string | null, iteration: number): Promise<void> => {
     const instance = shoot === null ? null : { component: 'tree', shoot, tree: 0, metamer: 1, course: [0, 0, 0], metamers: [1], iteration };
     waiting.shift()?.({ instance });
     await new Promise((done) => setTimeout(done, 40));
   };
-  return { studio, answer, grow: () => growth.merge({ grown: { dragged: false } as never }) };
+  return { page, answer, grow: () => growth.merge({ grown: { dragged: false } as never }) };
 }
 
 test('a chosen shoot is one of the growth on show, or let go', async () => {
-  const { studio, grow, answer } = asked_studio();
-  const choice = new InstanceChoice(studio);
+  const { page, grow, answer } = asked_page();
+  const choice = new InstanceChoice(page);
   choice.choose({ component: 'tree', frame: [], position: [0, 1, 0] });
   await answer('main.2', 8);
   assert.equal(choice.found.get()?.iteration, 8);
@@ -264,8 +265,8 @@ test('a chosen shoot is one of the growth on show, or let go', async () => {
 });
 
 test('a shoot is held by its name, and its place moves while the server is asked', async () => {
-  const { studio, grow, answer } = asked_studio();
-  const choice = new InstanceChoice(studio);
+  const { page, grow, answer } = asked_page();
+  const choice = new InstanceChoice(page);
   const held = choice.hold('tree', null);
   await answer('main', 8);
   assert.equal(await held, true);
@@ -283,8 +284,8 @@ test('a shoot is held by its name, and its place moves while the server is asked
 });
 
 test('an answer for a shoot that was let go meanwhile counts no more', async () => {
-  const { studio, answer } = asked_studio();
-  const choice = new InstanceChoice(studio);
+  const { page, answer } = asked_page();
+  const choice = new InstanceChoice(page);
   choice.choose({ component: 'tree', frame: [], position: [0, 1, 0] });
   choice.forget();
   await answer('main.2', 8);

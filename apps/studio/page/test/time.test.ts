@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 import { without } from '../src/base/lists.ts';
 import type { Json } from '../src/values/json.ts';
-import type { Studio } from '../src/studio.ts';
+import type { Page } from '../src/page/page.ts';
 import { Store } from '../src/base/store.ts';
 import { dragged_values, set_values, value_now } from '../src/time/values_now.ts';
 import { moved_delay } from '../src/timeline/clock_rows.tsx';
@@ -81,15 +81,15 @@ test('a delay moves as a number and as a range, and not as an expression', () =>
   assert.equal(moved_delay('3*rand()', 1), null);
 });
 
-/// Returns a studio whose view shows a time, and that records its edits.
-function at_time(document: Json, time: number): { studio: Studio; edits: object[] } {
+/// Returns a page whose view shows a time, and that records its edits.
+function at_time(document: Json, time: number): { page: Page; edits: object[] } {
   const edits: object[] = [];
   const tracks = tracks_of(document, kTops);
   const edit = (all: object[], label: string): Promise<null> => {
     edits.push({ all, label });
     return Promise.resolve(null);
   };
-  return { studio: { edit, dragged: new Store({}), bench: { time: { document, tops: kTops, tracks, time } } } as unknown as Studio, edits };
+  return { page: { edit, dragged: new Store({}), tool: () => ({ document, tops: kTops, tracks, time }) } as unknown as Page, edits };
 }
 
 test('what has keys is seen and edited at the time of the view, whoever edits it', () => {
@@ -98,14 +98,14 @@ test('what has keys is seen and edited at the time of the view, whoever edits it
     components: { stem: { frame: { translate: [1, 0, 0] } } },
     animation: { length: 4, keys: { 'scene.sun.altitude': [[0, 10], [4, 50]], 'stem.frame.translate[1]': [[0, 0], [4, 2]] } },
   };
-  const { studio, edits } = at_time(document, 2);
-  assert.deepEqual(value_now(studio, 'scene', document.scene), { sun: { azimuth: 90, altitude: 30 } });
-  assert.deepEqual(value_now(studio, 'components.stem', document.components.stem), { frame: { translate: [1, 1, 0] } });
-  set_values(studio, { 'scene.sun.altitude': 40 }, 'Set the sun');
-  set_values(studio, { 'scene.sun.azimuth': 80, 'scene.sun.altitude': 40 }, 'Set the sun');
+  const { page, edits } = at_time(document, 2);
+  assert.deepEqual(value_now(page, 'scene', document.scene), { sun: { azimuth: 90, altitude: 30 } });
+  assert.deepEqual(value_now(page, 'components.stem', document.components.stem), { frame: { translate: [1, 1, 0] } });
+  set_values(page, { 'scene.sun.altitude': 40 }, 'Set the sun');
+  set_values(page, { 'scene.sun.azimuth': 80, 'scene.sun.altitude': 40 }, 'Set the sun');
   // An element with keys gets a key if its value differs from its keys.
-  set_values(studio, { 'components.stem.frame.translate': [3, 1, 0] }, 'Set the stem');
-  set_values(studio, { 'components.stem.frame.translate': [1, 1.5, 0] }, 'Set the stem');
+  set_values(page, { 'components.stem.frame.translate': [3, 1, 0] }, 'Set the stem');
+  set_values(page, { 'components.stem.frame.translate': [1, 1.5, 0] }, 'Set the stem');
   const sun = { set: 'animation.keys["scene.sun.altitude"]', value: [[0, 10], [2, 40], [4, 50]] };
   const still = { set: 'animation.keys["stem.frame.translate[1]"]', value: [[0, 0], [4, 2]] };
   assert.deepEqual(edits, [
@@ -114,14 +114,14 @@ test('what has keys is seen and edited at the time of the view, whoever edits it
     { all: [{ set: 'components.stem.frame.translate', value: [3, 1, 0] }], label: 'Set the stem' },
     { all: [{ set: 'components.stem.frame.translate', value: [1, 1.5, 0] }, { ...still, value: [[0, 0], [2, 1.5], [4, 2]] }], label: 'Set the stem' },
   ]);
-  assert.deepEqual(dragged_values(studio, { 'scene.sun.altitude': 40 }), { 'animation.keys': { ...document.animation.keys, 'scene.sun.altitude': sun.value } });
-  assert.deepEqual(dragged_values(studio, { 'scene.sun.azimuth': 1 }), { 'scene.sun.azimuth': 1 });
+  assert.deepEqual(dragged_values(page, { 'scene.sun.altitude': 40 }), { 'animation.keys': { ...document.animation.keys, 'scene.sun.altitude': sun.value } });
+  assert.deepEqual(dragged_values(page, { 'scene.sun.azimuth': 1 }), { 'scene.sun.azimuth': 1 });
 });
 
 test('a value within one that has keys as a whole changes its part of the key', () => {
   const document = { components: { stem: { frame: { translate: [1, 0, 0] } } }, animation: { length: 4, keys: { 'stem.frame.translate': [[0, [0, 0, 0]], [4, [4, 4, 4]]] } } };
-  const { studio, edits } = at_time(document, 2);
-  set_values(studio, { 'components.stem.frame.translate[2]': 9 }, 'Set the stem');
+  const { page, edits } = at_time(document, 2);
+  set_values(page, { 'components.stem.frame.translate[2]': 9 }, 'Set the stem');
   assert.deepEqual(edits, [{ all: [{ set: 'animation.keys["stem.frame.translate"]', value: [[0, [0, 0, 0]], [2, [2, 2, 9]], [4, [4, 4, 4]]] }], label: 'Key the stem' }]);
 });
 
@@ -133,8 +133,8 @@ function model_of_time(): { model: TimeModel; asked: Record<string, number>[]; v
     asked.push(members);
     return Promise.resolve({});
   };
-  const studio = { document: { state: new Store({ tree: null }) }, tables: { tables: {}, document: '' }, view, connection: { request: send, tell: send } };
-  return { model: new TimeModel(studio as unknown as Studio), asked, view };
+  const page = { document: { state: new Store({ tree: null }) }, tables: { tables: {}, document: '' }, view, connection: { request: send, tell: send } };
+  return { model: new TimeModel(page as unknown as Page), asked, view };
 }
 
 const later = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));

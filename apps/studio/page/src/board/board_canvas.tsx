@@ -5,7 +5,7 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { BoardEdgeView, DraggedLine } from './board_edge.tsx';
 import { component_of, link_of } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';
@@ -16,6 +16,7 @@ import { BoardNodeView } from './board_node.tsx';
 import { fitting_direction, kNode, place_of, size_of } from './board_places.ts';
 import type { Direction } from './board_state.ts';
 import type { PlantGraph } from './plant_graph.ts';
+import { Board } from './board.ts';
 
 interface Sight {
   x: number; // position of the board's corner in the panel, pixels
@@ -26,15 +27,15 @@ interface Sight {
 const kScales = { low: 0.25, high: 1.5, first: 0.62 };
 
 export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: BoardLayout }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const frame = useRef<HTMLDivElement>(null);
-  const board = use_store(studio.board.state);
-  const chosen = use_store(studio.chosen);
+  const board = use_store(page.tool(Board).state);
+  const chosen = use_store(page.chosen);
   const [area, set_area] = useState<[number, number]>([440, 320]);
   const [sight, set_sight] = useState<Sight>({ x: 0, y: 0, scale: 1 });
   const direction = board.direction ?? fitting_direction(layout, ...area);
   const size = size_of(layout, direction);
-  const { name } = studio.document.state.get();
+  const { name } = page.document.state.get();
 
   useLayoutEffect(() => {
     const element = frame.current;
@@ -48,8 +49,8 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
     // A document is fitted once, and again if the panel or the direction changes.
   }, [name, direction, area[0], area[1]]);
   useEffect(() => {
-    if (studio.board.fits.get() > 0) set_sight(fitted(size, area));
-  }, [use_store(studio.board.fits)]);
+    if (page.tool(Board).fits.get() > 0) set_sight(fitted(size, area));
+  }, [use_store(page.tool(Board).fits)]);
   // A node that is chosen elsewhere is scrolled into view.
   const chosen_id = component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
   useEffect(() => {
@@ -74,7 +75,7 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
     element?.addEventListener('wheel', wheel, { passive: false });
     return () => element?.removeEventListener('wheel', wheel);
   });
-  const key = (event: KeyboardEvent): void => press_key(event, studio, layout, direction, (by) => set_sight((now) => zoomed(now, by, area[0] / 2, area[1] / 2)));
+  const key = (event: KeyboardEvent): void => press_key(event, page, layout, direction, (by) => set_sight((now) => zoomed(now, by, area[0] / 2, area[1] / 2)));
   const pan = use_pan(set_sight);
   return (
     <div ref={frame} className={`board-canvas${board.connecting === null ? '' : ' connecting'}`} data-direction={direction} onKeyDown={key} {...pan(gesture)}>
@@ -100,8 +101,8 @@ interface LinesProps {
 }
 
 function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactElement {
-  const studio = use_studio();
-  const { refused } = use_store(studio.board.state);
+  const page = use_page();
+  const { refused } = use_store(page.tool(Board).state);
   const places = new Map(layout.nodes.map((node) => [node.key, place_of(node, direction)]));
   const chosen_link = link_of(chosen);
   const ends = refused ? [places.get(refused.from), places.get(refused.to)] : [];
@@ -121,7 +122,7 @@ function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactE
 
 /// Dragging beside all nodes moves the board. A click there chooses the document.
 function use_pan(set_sight: (change: (now: Sight) => Sight) => void) {
-  const studio = use_studio();
+  const page = use_page();
   const hand = useRef<{ x: number; y: number; moved: boolean } | null>(null);
   return (gesture: BoardGesture) => ({
     onPointerDown: (event: PointerEvent<HTMLDivElement>) => {
@@ -141,7 +142,7 @@ function use_pan(set_sight: (change: (now: Sight) => Sight) => void) {
       const held = hand.current;
       hand.current = null;
       if (!held) return gesture.drop(event);
-      if (!held.moved) studio.choose('');
+      if (!held.moved) page.choose('');
     },
     onPointerCancel: () => {
       hand.current = null;

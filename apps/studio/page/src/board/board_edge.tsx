@@ -4,7 +4,7 @@
 import type { ReactElement } from 'react';
 
 import { use_faults } from '../rows/row_actions.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { link_path } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';
 import type { BoardEdge } from './board_layout.ts';
@@ -21,13 +21,13 @@ interface BoardEdgeProps {
 }
 
 export function BoardEdgeView({ edge, from, to, direction, is_chosen }: BoardEdgeProps): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { index, kind } = edge.link;
   const faults = use_faults(index === null ? '-' : link_path(index), true);
   const curve = curve_between(from, to, direction);
   const classes = `board-line ${kind}${edge.is_doubled ? ' doubled' : ''}${is_chosen ? ' chosen' : ''}${faults.length > 0 ? ' faulty' : ''}`;
   return (
-    <g data-line={index ?? undefined} onClick={() => index !== null && studio.choose(link_path(index))}>
+    <g data-line={index ?? undefined} onClick={() => index !== null && page.choose(link_path(index))}>
       <path className={classes} d={curve} />
       {edge.is_doubled && <path className={`board-between ${kind}`} d={curve} />}
       {index !== null && <path className="board-hit" d={curve} />}

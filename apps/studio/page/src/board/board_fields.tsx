@@ -4,7 +4,8 @@ import type { KeyboardEvent, ReactElement } from 'react';
 import { useEffect, useRef, useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
 
 /// Moves the keyboard focus back to the component on the board.
 function return_to(id: string): void {
@@ -12,15 +13,15 @@ function return_to(id: string): void {
 }
 
 export function RenameField({ id }: { id: string }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const [name, set_name] = useState(id);
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => field.current?.select(), []);
   const end = (): void => {
-    studio.board.state.merge({ renaming: null });
+    page.tool(Board).state.merge({ renaming: null });
     return_to(id);
   };
-  const take = (): void => void studio.board.actions.rename(id, name.trim()).then(() => return_to(name.trim()));
+  const take = (): void => void page.tool(Board).actions.rename(id, name.trim()).then(() => return_to(name.trim()));
   const key = (event: KeyboardEvent): void => {
     event.stopPropagation();
     if (event.key === 'Enter') take();
@@ -37,15 +38,15 @@ export function RenameField({ id }: { id: string }): ReactElement {
 }
 
 export function NoteField({ id }: { id: string }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { notes } = use_document();
   const [text, set_text] = useState(notes[id] ?? '');
-  const take = (): void => void studio.board.actions.note(id, text).then(() => return_to(id));
+  const take = (): void => void page.tool(Board).actions.note(id, text).then(() => return_to(id));
   const key = (event: KeyboardEvent): void => {
     event.stopPropagation();
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) take();
     if (event.key !== 'Escape') return;
-    studio.board.state.merge({ noting: null });
+    page.tool(Board).state.merge({ noting: null });
     return_to(id);
   };
   return (

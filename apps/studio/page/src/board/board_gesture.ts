@@ -4,13 +4,14 @@
 import type { PointerEvent, RefObject } from 'react';
 import { useEffect, useState } from 'react';
 
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import type { BoardLayout, BoardNode } from './board_layout.ts';
 import { edge_above, place_of, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';
 import { links_from } from './board_edits.ts';
 import type { GraphLink, PlantGraph } from './plant_graph.ts';
 import { refusal_of_link } from './plant_graph.ts';
+import { Board } from './board.ts';
 
 export interface Held {
   kind: 'link' | 'node';
@@ -35,7 +36,7 @@ export interface BoardGesture {
 const kStill = 5; // pixels within which a press is a click
 
 export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: Direction, sight: () => { x: number; y: number; scale: number }, frame: RefObject<HTMLDivElement | null>): BoardGesture {
-  const studio = use_studio();
+  const page = use_page();
   const [held, set_held] = useState<Held | null>(null);
   const on_sheet = (event: PointerEvent): { x: number; y: number } => {
     const box = frame.current?.getBoundingClientRect();
@@ -48,7 +49,7 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
       .map((one) => one.closest<HTMLElement>('[data-node]')?.dataset['node'])
       .find((key) => key !== undefined) ?? null;
   const id_of = (key: string): string => layout.nodes.find((one) => one.key === key)?.id ?? key;
-  const refusal = (from: string, to: string): string | null => refusal_of_link(graph, id_of(from), id_of(to), (id) => studio.board.actions.recursion_of(id));
+  const refusal = (from: string, to: string): string | null => refusal_of_link(graph, id_of(from), id_of(to), (id) => page.tool(Board).actions.recursion_of(id));
 
   const hold = (event: PointerEvent, kind: Held['kind'], key: string): void => {
     if (event.button !== 0) return;
@@ -72,10 +73,10 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
     if (!held.moved) return;
     const below = node_below(event);
     if (held.kind === 'link') {
-      if (below !== null && below !== held.key) void studio.board.actions.connect(id_of(held.key), id_of(below), studio.board.actions.usual_kind(id_of(held.key), id_of(below)));
+      if (below !== null && below !== held.key) void page.tool(Board).actions.connect(id_of(held.key), id_of(below), page.tool(Board).actions.usual_kind(id_of(held.key), id_of(below)));
       return;
     }
-    const { actions } = studio.board;
+    const { actions } = page.tool(Board);
     const link = edge_above(layout, held.key)?.link;
     if (below !== null && below !== held.key) {
       if (link?.index !== undefined && link.index !== null) {

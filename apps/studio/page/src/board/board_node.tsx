@@ -6,7 +6,7 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
 import { use_faults } from '../rows/row_actions.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { BoardGesture } from './board_gesture.ts';
 import { component_of, component_path, link_of, link_path } from './board_edits.ts';
 import type { BoardLayout, BoardNode } from './board_layout.ts';
@@ -14,6 +14,7 @@ import type { Place } from './board_places.ts';
 import { kNode } from './board_places.ts';
 import { icon_of } from './component_icon.ts';
 import type { PlantGraph } from './plant_graph.ts';
+import { Board } from './board.ts';
 
 interface BoardNodeProps {
   node: BoardNode;
@@ -25,11 +26,11 @@ interface BoardNodeProps {
 }
 
 export function BoardNodeView({ node, graph, layout, place, gesture, is_first }: BoardNodeProps): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const element = useRef<HTMLDivElement>(null);
   const component = graph.components.get(node.id);
-  const path = use_store(studio.chosen);
-  const { refused, connecting } = use_store(studio.board.state);
+  const path = use_store(page.chosen);
+  const { refused, connecting } = use_store(page.tool(Board).state);
   const is_chosen = component_of(path) === node.id && !node.is_end;
   const is_end_of_link = link_of(path) !== null && layout.edges.some((edge) => edge.to === node.key && edge.link.index === link_of(path));
   const facts = use_node_facts(node.id, graph);
@@ -53,8 +54,8 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
     had_keyboard.current = is_chosen;
   }, [is_chosen]);
   const press = (): void => {
-    if (connecting !== null) void studio.board.actions.connect(connecting, node.id, studio.board.actions.usual_kind(connecting, node.id));
-    else studio.board.actions.choose(node.id);
+    if (connecting !== null) void page.tool(Board).actions.connect(connecting, node.id, page.tool(Board).actions.usual_kind(connecting, node.id));
+    else page.tool(Board).actions.choose(node.id);
   };
   const nobody_is_chosen = component_of(path) === null || !graph.components.has(component_of(path) ?? '');
   const down = (event: PointerEvent): void => {
@@ -75,11 +76,11 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
       aria-expanded={node.hides > 0 ? false : undefined}
       tabIndex={is_chosen || (nobody_is_chosen && is_first) ? 0 : -1}
       onClick={press}
-      onDoubleClick={() => void studio.board.gardens.enter(node.id)}
+      onDoubleClick={() => void page.tool(Board).gardens.enter(node.id)}
       onPointerDown={down}
     >
       <span className="board-icon">
-        <Icon name={icon_of(studio.tables.components, component?.type ?? '')} />
+        <Icon name={icon_of(page.tables.components, component?.type ?? '')} />
       </span>
       <span className="board-name">
         <b>{node.id}</b> <small>{component?.is_written === false ? 'added' : component?.type}</small>
@@ -110,10 +111,10 @@ interface NodeFacts {
 
 /// Returns facts about a component other than its position.
 function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
-  const studio = use_studio();
-  const { grown } = use_store(studio.growth);
+  const page = use_page();
+  const { grown } = use_store(page.growth);
   const { notes } = use_document();
-  const view = use_store(studio.view_state);
+  const view = use_store(page.view_state);
   const own = use_faults(component_path(id), true);
   const link = graph.links.find((one) => one.to === id && one.index !== null)?.index ?? null;
   const of_link = use_faults(link === null ? '-' : link_path(link), true);
@@ -124,7 +125,7 @@ function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
     errors: faults.filter((one) => one.severity === 'error').length,
     first_fault: faults[0]?.message,
     note: notes[id],
-    is_hidden: view.hidden.has(id) || (view.solo !== null && !studio.board.solo_components().has(id)),
+    is_hidden: view.hidden.has(id) || (view.solo !== null && !page.tool(Board).solo_components().has(id)),
   };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ExportOptions } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 
 export interface ExportWish {
   format: string;
@@ -9,12 +9,12 @@ export interface ExportWish {
 }
 
 /// Copies the command line that exports the same files in a terminal.
-export async function copy_command(studio: Studio, wish: ExportWish): Promise<void> {
+export async function copy_command(page: Page, wish: ExportWish): Promise<void> {
   try {
-    const { command } = await studio.connection.request<{ command: string }>('command', wish);
+    const { command } = await page.connection.request<{ command: string }>('command', wish);
     await navigator.clipboard.writeText(command);
-    studio.tell(`Copied: ${command}`);
+    page.notify(`Copied: ${command}`);
   } catch (fault) {
-    studio.tell(fault instanceof Error ? fault.message : 'could not copy', true);
+    page.notify(fault instanceof Error ? fault.message : 'could not copy', true);
   }
 }

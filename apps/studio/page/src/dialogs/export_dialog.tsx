@@ -9,10 +9,11 @@ import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
 import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { take_file } from './recording.ts';
 import { ExportFooter } from './export_footer.tsx';
 import { size_text } from './file_dialogs.tsx';
+import { TimeModel } from '../time/time_model.ts';
 
 const kInstances = [
   ['automatic', 'As the size asks'],
@@ -49,30 +50,30 @@ function options_of(format: Format | undefined): NumberOption[] {
 }
 
 export function ExportDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
-  const { hello } = use_store(studio.server);
-  const { working } = use_store(studio.growth);
+  const page = use_page();
+  const { hello } = use_store(page.server);
+  const { working } = use_store(page.growth);
   const { good } = use_document();
   // Films are exported from the timeline.
   const formats = hello?.formats.filter((one) => !/\.(mp4|webm)$/.test(one.ending)) ?? [];
   const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
-  const [options, set_options] = useState<ExportOptions>(studio.bench.time.time > 0 ? { time: studio.bench.time.time } : {});
+  const [options, set_options] = useState<ExportOptions>(page.tool(TimeModel).time > 0 ? { time: page.tool(TimeModel).time } : {});
   const [made, set_made] = useState<MadeFile | null>(null);
   const [is_busy, set_busy] = useState(false);
   const format = formats.find((one) => one.ending === ending);
   const [as_seen, set_as_seen] = useState(true);
-  const camera = is_picture(ending) && as_seen ? studio.view?.orbit.as_document : undefined;
+  const camera = is_picture(ending) && as_seen ? page.view?.orbit.as_document : undefined;
   const wish = { format: ending, name: null, options: camera ? { ...options, camera } : options };
   const make = (): void => {
     set_busy(true);
     set_made(null);
-    studio.connection
+    page.connection
       .request<{ file: MadeFile }>('export', wish)
       .then((answer) => {
         set_made(answer.file);
         take_file(answer.file);
       })
-      .catch((fault: Error) => studio.tell(fault.message, true))
+      .catch((fault: Error) => page.notify(fault.message, true))
       .finally(() => set_busy(false));
   };
   const footer = (

@@ -7,8 +7,9 @@ import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { ListedFile } from '../server/file_protocol.ts';
-import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import type { Page } from '../page/page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { save_document } from '../saving/saving.ts';
 
 interface FilesProps {
   folder: string;
@@ -19,24 +20,24 @@ interface FilesProps {
   picture_of?: (path: string) => ReactElement; // replaces the icon of a file
 }
 
-function use_files(studio: Studio, folder: string): ListedFile[] | null {
+function use_files(page: Page, folder: string): ListedFile[] | null {
   const [files, set_files] = useState<ListedFile[] | null>(null);
   useEffect(() => {
     set_files(null);
-    studio.connection
+    page.connection
       .request<{ files: ListedFile[] }>('files', { folder })
       .then((answer) => set_files(answer.files))
       .catch((fault: Error) => {
-        studio.tell(fault.message, true);
+        page.notify(fault.message, true);
         set_files([]);
       });
-  }, [studio, folder]);
+  }, [page, folder]);
   return files;
 }
 
 export function Files({ folder, enter, take, endings, empty, picture_of }: FilesProps): ReactElement {
-  const studio = use_studio();
-  const files = use_files(studio, folder);
+  const page = use_page();
+  const files = use_files(page, folder);
   const below = (name: string): string => (folder === '' ? name : `${folder}/${name}`);
   const is_wanted = (name: string): boolean => endings.length === 0 || endings.some((ending) => name.toLowerCase().endsWith(ending));
   const shown = files?.filter((one) => one.folder || is_wanted(one.name)) ?? [];
@@ -44,7 +45,7 @@ export function Files({ folder, enter, take, endings, empty, picture_of }: Files
     <div className="files">
       <p className="crumbs">
         <button type="button" onClick={() => enter('')}>
-          {studio.server.get().hello?.root ?? 'folder'}
+          {page.server.get().hello?.root ?? 'folder'}
         </button>
         {folder.split('/').filter(Boolean).map((name, index, all) => (
           <span key={index}>
@@ -77,15 +78,15 @@ export function size_text(bytes: number): string {
 }
 
 export function OpenDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const [folder, set_folder] = useState('');
   const [fault, set_fault] = useState<string | null>(null);
   const open = (path: string): void => {
     set_fault(null);
-    void studio.try_open({ path }).then((why) => (why === null ? close() : set_fault(why)));
+    void page.try_open({ path }).then((why) => (why === null ? close() : set_fault(why)));
   };
   return (
-    <Dialog title="Open a plant" close={close} footer={<Button press={() => studio.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}>
+    <Dialog title="Open a plant" close={close} footer={<Button press={() => page.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}>
       {fault !== null && (
         <p className="fault-line" role="alert">
           {fault}
@@ -97,7 +98,7 @@ export function OpenDialog({ close }: { close: () => void }): ReactElement {
 }
 
 export function SaveDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { path, name } = use_document();
   const cut = path?.lastIndexOf('/') ?? -1;
   const [folder, set_folder] = useState(cut > 0 && path ? path.slice(0, cut) : '');
@@ -105,8 +106,8 @@ export function SaveDialog({ close }: { close: () => void }): ReactElement {
   const save = (event?: FormEvent): void => {
     event?.preventDefault();
     const wanted = /\.json$/i.test(file) ? file : `${file}.json`;
-    void studio.save(folder === '' ? wanted : `${folder}/${wanted}`).then((saved) => {
-      if (saved || studio.shell.get().conflict) close();
+    void save_document(page, folder === '' ? wanted : `${folder}/${wanted}`, false).then((saved) => {
+      if (saved || page.shell.get().conflict) close();
     });
   };
   return (

@@ -5,29 +5,29 @@ import { useEffect, useState } from 'react';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { ShippedModel } from '../server/protocol.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 
 /// Returns the shipped plants. The list is empty until the server has answered.
 export function use_models(): ShippedModel[] {
-  const studio = use_studio();
+  const page = use_page();
   const [models, set_models] = useState<ShippedModel[]>([]);
   useEffect(() => {
-    studio.connection
+    page.connection
       .request<{ models: ShippedModel[] }>('models')
       .then((answer) => set_models(answer.models))
-      .catch((fault: Error) => studio.tell(fault.message, true));
-  }, [studio]);
+      .catch((fault: Error) => page.notify(fault.message, true));
+  }, [page]);
   return models;
 }
 
 /// A window with all shipped plants and their pictures.
 export function ModelsDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const models = use_models();
   const [words, set_words] = useState('');
   const open = (model: string) => (): void => {
     close();
-    void studio.open({ model });
+    void page.open({ model });
   };
   const wanted = models.filter((one) => `${one.name} ${one.title} ${one.description}`.toLowerCase().includes(words.toLowerCase()));
   return (

@@ -5,7 +5,7 @@ import type { ExportWish } from './copy_command.ts';
 import type { Job } from '../server/connection.ts';
 import type { MadeFile } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 
 export class Recording {
   readonly made = new Store<MadeFile | null>(null);
@@ -14,7 +14,7 @@ export class Recording {
 
   /// If `takes`, the browser downloads the result at once.
   constructor(
-    private readonly studio_: Studio,
+    private readonly page_: Page,
     private readonly takes_: boolean,
   ) {}
 
@@ -22,17 +22,17 @@ export class Recording {
     if (this.is_busy.get()) return;
     this.is_busy.set(true);
     this.made.set(null);
-    this.job_ = this.studio_.connection.begin<{ file: MadeFile }>('export', wish);
+    this.job_ = this.page_.connection.begin<{ file: MadeFile }>('export', wish);
     this.job_.answer
       .then(({ file }) => {
         this.made.set(file);
         if (!this.takes_) return;
-        this.studio_.tell(`Recorded ${file.name}`);
+        this.page_.notify(`Recorded ${file.name}`);
         take_file(file);
       })
       .catch((fault: Error) => {
         const is_cancelled = fault instanceof Refusal && fault.facts.cancelled === true;
-        this.studio_.tell(is_cancelled ? 'Cancelled' : fault.message, !is_cancelled);
+        this.page_.notify(is_cancelled ? 'Cancelled' : fault.message, !is_cancelled);
       })
       .finally(() => this.is_busy.set(false));
   }
@@ -40,6 +40,23 @@ export class Recording {
   /// Cancels only this job; all other jobs of the server continue.
   cancel(): void {
     this.job_?.cancel();
+  }
+}
+
+/// The films and the stills of the open document.
+export class Recordings {
+  readonly film: Recording;
+  readonly still: Recording;
+
+  constructor(page: Page) {
+    this.film = new Recording(page, true);
+    this.still = new Recording(page, false);
+  }
+
+  /// Resets the results for another document.
+  forget(): void {
+    this.still.made.set(null);
+    this.film.made.set(null);
   }
 }
 

@@ -9,7 +9,9 @@ import { Dialog } from '../controls/dialog.tsx';
 import { Made } from './export_dialog.tsx';
 import { ExportFooter } from './export_footer.tsx';
 import type { ExportOptions } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { TimeModel } from '../time/time_model.ts';
+import { Recordings } from './recording.ts';
 
 const kSizes = [
   ['640', '640'],
@@ -25,18 +27,18 @@ const kSamples = [
 ] as const;
 
 export function StillDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
-  const { still } = studio.bench;
-  const { working } = use_store(studio.growth);
+  const page = use_page();
+  const still = page.tool(Recordings).still;
+  const { working } = use_store(page.growth);
   const { good } = use_document();
   const made = use_store(still.made);
   const is_busy = use_store(still.is_busy);
   const [width, set_width] = useState<(typeof kSizes)[number][0]>('1280');
   const [samples, set_samples] = useState<(typeof kSamples)[number][0]>('32');
   const [transparent, set_transparent] = useState(false);
-  const { view } = studio;
+  const { view } = page;
   const height = Math.max(16, Math.round(Number(width) / (view?.orbit.camera.aspect ?? 4 / 3)));
-  const { time } = studio.bench.time;
+  const { time } = page.tool(TimeModel);
   const options: ExportOptions = { width: Number(width), height, samples: Number(samples), ...(transparent ? { transparent } : {}), ...(time > 0 ? { time } : {}), ...(view ? { camera: view.orbit.as_document } : {}) };
   const wish = { format: '.png', name: null, options };
   const footer = (

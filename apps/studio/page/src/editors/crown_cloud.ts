@@ -9,7 +9,7 @@ import type { Point } from './shape.ts';
 import type { ArrayPlace, PacketArrays } from '../server/packet.ts';
 import { floats } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 
 export interface ToldCloud {
   component: string;
@@ -22,7 +22,7 @@ export class CrownCloud {
   private readonly newest_ = new Newest();
   private asked_: { component: string; grown: Grown } | null = null;
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly page_: Page) {}
 
   /// Resets the points for another document.
   forget(): void {
@@ -36,7 +36,7 @@ export class CrownCloud {
     if (this.asked_?.component === component && this.asked_.grown === grown) return;
     this.asked_ = { component, grown };
     const counts = this.newest_.begin();
-    this.studio_.connection
+    this.page_.connection
       .request<{ cloud: { positions: ArrayPlace; count: number } | null; arrays: PacketArrays }>('cloud', { component })
       .then(({ cloud, arrays }) => {
         if (counts()) this.told.set(cloud && { component, positions: floats(arrays, cloud.positions), count: cloud.count });

@@ -6,7 +6,7 @@ import { useState } from 'react';
 import { Button } from '../controls/button.tsx';
 import { Files } from '../dialogs/file_dialogs.tsx';
 import { Thumbnail } from './thumbnail.tsx';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { Row } from '../tables/tables.ts';
 import { endings_in, names_pictures } from '../files/file_endings.ts';
 import { folder_of, path_from } from '../files/file_path.ts';
@@ -40,10 +40,10 @@ export function FileChooser({ row, file, take }: FileChooserProps): ReactElement
 
 /// A shipped plant finds its files only beside itself, so the user's files cannot be chosen.
 export function ShippedFiles({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const save = (): void => {
     close();
-    studio.shell.merge({ dialog: 'save' });
+    page.shell.merge({ dialog: 'save' });
   };
   return (
     <div className="shipped-files">

@@ -10,7 +10,7 @@ import type { Json } from '../values/json.ts';
 import { steps_of } from '../values/path.ts';
 import type { RowEditorProps } from '../rows/row_editor.tsx';
 import { TextField } from '../controls/text_field.tsx';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { count_named, entries_of, named_numbers } from './selection_set.ts';
 import { entry_of, entry_text } from './selection_text.ts';
 import { use_held } from '../controls/use_held.ts';
@@ -61,7 +61,7 @@ interface CellsProps {
 
 /// A click on a cell switches it. A drag gives all cells the state of the first one, as one step.
 function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
-  const { grown } = use_store(use_studio().growth);
+  const { grown } = use_store(use_page().growth);
   const component = String(steps_of(path)[1] ?? '');
   // Left-out instances are not among the grown ones.
   const left_out = named_numbers(entries, most).size;

@@ -4,18 +4,19 @@ import { useEffect, useMemo } from 'react';
 import { use_store } from '../base/store.ts';
 import { path_of, steps_of, value_at } from '../values/path.ts';
 import type { Point } from './shape.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { azimuths_of, turned_points } from './crown_cloud.ts';
+import { CrownCloud } from './crown_cloud.ts';
 
 const kNone: readonly Point[] = [];
 
 /// Returns the attraction points behind the outline at a path, updated after each growth. Returns an empty list if
 /// `path` is null, or if no component fills that crown with points.
 export function use_crown_cloud(path: string | null): readonly Point[] {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const { grown } = use_store(studio.growth);
-  const { crown_cloud } = studio.bench;
+  const { grown } = use_store(page.growth);
+  const crown_cloud = page.tool(CrownCloud);
   const told = use_store(crown_cloud.told);
   const steps = path === null ? [] : steps_of(path);
   const component = steps[0] === 'components' && steps[2] === 'crown' && typeof steps[1] === 'string' ? steps[1] : null;

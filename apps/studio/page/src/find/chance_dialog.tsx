@@ -9,7 +9,7 @@ import { Dialog } from '../controls/dialog.tsx';
 import type { Json } from '../values/json.ts';
 import { step_of } from './handle_step.ts';
 import type { Variable } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { StillPicture } from './still_picture.tsx';
 import { values_by_chance } from './strip_states.ts';
 import type { StateValues } from './use_stills.ts';
@@ -19,16 +19,16 @@ const kSize = { width: 224, height: 168 };
 const kMostSeed = 9999;
 
 export function ChanceDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { variables } = use_document();
-  const locks = use_store(studio.locks);
+  const locks = use_store(page.locks);
   const free = variables.filter((one) => !one.private && one.expression === null && !locks.has(one.name));
   const [sows, set_sows] = useState(free.length === 0);
   const [throws, set_throws] = useState(0);
   const states = use_states(free, sows, throws);
   const { stills, is_working, fault } = use_stills(states, kSize);
   const take = (state: StateValues): void => {
-    void studio.edit(Object.entries(state).map(([path, value]) => ({ set: path, value })), 'Take one of nine');
+    void page.edit(Object.entries(state).map(([path, value]) => ({ set: path, value })), 'Take one of nine');
     close();
   };
   const footer = (

@@ -5,7 +5,7 @@ import type { ReactElement } from 'react';
 import type { Json } from '../values/json.ts';
 import { StillPicture } from './still_picture.tsx';
 import type { StripState } from './strip_states.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { dragged_values } from '../time/values_now.ts';
 import { use_stills } from './use_stills.ts';
 
@@ -20,9 +20,9 @@ interface StripProps {
 const kPixels = 80;
 
 export function Strip({ label, path, value, states, take }: StripProps): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const pixels = kPixels * Math.min(2, Math.ceil(window.devicePixelRatio));
-  const { stills, is_working, fault } = use_stills(states.map((one) => dragged_values(studio, { [path]: one.value })), { width: pixels, height: pixels });
+  const { stills, is_working, fault } = use_stills(states.map((one) => dragged_values(page, { [path]: one.value })), { width: pixels, height: pixels });
   return (
     <div className="strip" role="group" aria-label={`Plants over ${label}`} aria-busy={is_working}>
       {states.map((state, k) => (

@@ -7,7 +7,7 @@ import type { Json } from '../values/json.ts';
 import { write_json } from '../values/json.ts';
 import { path_of, steps_of, value_at } from '../values/path.ts';
 import type { Variable } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 import { legal_values } from '../tables/legal.ts';
 import { groups_at } from '../tables/resolve.ts';
 import { value_now } from '../time/values_now.ts';
@@ -31,7 +31,7 @@ export class Gizmo {
   private readonly newest_ = new Newest();
   private readonly newest_numbers_ = new Newest();
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly page_: Page) {}
 
   /// Resets the grips for another document.
   forget(): void {
@@ -51,7 +51,7 @@ export class Gizmo {
   /// Requests the position of a component's first instance in the last grown plant.
   ask(component: string): void {
     const counts = this.newest_.begin();
-    this.studio_.connection
+    this.page_.connection
       .request<{ stand: number[] | null }>('stand', { component })
       .then(({ stand }) => {
         if (counts()) this.stand.set(stand ? { component, frame: frame_of_rows(stand) } : null);
@@ -66,7 +66,7 @@ export class Gizmo {
     const unknown = [...this.expressions_of(object)].filter(([, written]) => !variables.has(written));
     if (unknown.length === 0) return this.told.set(kNothing);
     const expressions = Object.fromEntries(unknown.map(([path, written]) => [path, typeof written === 'string' ? written : write_json(written)]));
-    this.studio_.connection
+    this.page_.connection
       .request<{ numbers: Record<string, number> }>('worked_out', { expressions, ...(object === 'scene' ? {} : { component: steps_of(object)[1] }) })
       .then(({ numbers }) => {
         if (counts()) this.told.set(numbers);
@@ -76,35 +76,35 @@ export class Gizmo {
 
   /// Returns the groups of the chosen part, with values of drags and keys.
   groups(sight: Sight): BoundGroup[] {
-    const studio = this.studio_;
-    const object = object_of(studio.chosen.get());
+    const page = this.page_;
+    const object = object_of(page.chosen.get());
     const frame = object === null ? null : this.frame_of(object);
     if (object === null || !frame) return [];
-    const { tree } = studio.document.state.get();
-    const tables = groups_at(studio.tables, tree, object).map((one) => one.table);
+    const { tree } = page.document.state.get();
+    const tables = groups_at(page.tables, tree, object).map((one) => one.table);
     const all = expressed(this.expressions_of(object), this.told.get(), this.variables, (variable) => this.number_of(variable));
     const value = with_numbers(this.value_of(object), object, all);
-    const groups = groups_of_object(studio.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
-    return groups.map((group) => bound_group(group, all, (path) => value_at(tree, path), (values) => legal_values(studio.tables, tree, values)));
+    const groups = groups_of_object(page.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
+    return groups.map((group) => bound_group(group, all, (path) => value_at(tree, path), (values) => legal_values(page.tables, tree, values)));
   }
 
   private get variables(): readonly Variable[] {
-    return this.studio_.document.state.get().variables;
+    return this.page_.document.state.get().variables;
   }
 
   private value_of(object: string): Json | undefined {
-    return value_now(this.studio_, object, value_at(this.studio_.document.state.get().tree, object));
+    return value_now(this.page_, object, value_at(this.page_.document.state.get().tree, object));
   }
 
   private expressions_of(object: string): Map<string, Json> {
-    const { tables, document } = this.studio_;
+    const { tables, document } = this.page_;
     const row_tables = groups_at(tables, document.state.get().tree, object).map((one) => one.table);
     return expressions_in(tables, row_tables, this.value_of(object), object);
   }
 
   /// Returns the value of a variable: of a drag, or of its keys.
   private number_of({ name, value }: Variable): number {
-    const held = this.studio_.dragged.get()[name] ?? value_now(this.studio_, path_of(['variables', name]), undefined);
+    const held = this.page_.dragged.get()[name] ?? value_now(this.page_, path_of(['variables', name]), undefined);
     return typeof held === 'number' ? held : value;
   }
 

@@ -8,8 +8,8 @@ import { fitting_step } from '../values/arithmetic.ts';
 import { steps_of } from '../values/path.ts';
 import { use_snapping } from '../editors/snapping.ts';
 import { use_held } from '../controls/use_held.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
-import type { Studio } from '../studio.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import type { Page } from '../page/page.ts';
 import { drag_values, set_values } from '../time/values_now.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import type { View } from '../view/view.ts';
@@ -21,24 +21,26 @@ import { said_of_held } from './expressions.ts';
 import type { Hold, Grip, GripGroup, Sight, Values } from './grip.ts';
 import { amount_of, amount_of_key } from './grip.ts';
 import { object_of } from './gizmo.ts';
+import { TimeModel } from '../time/time_model.ts';
+import { Gizmo } from './gizmo.ts';
 
 const kReach = 72; // pixels from the middle of a group to the ends of its arrows
 const kSnap = { pixels: 8, degrees: 5 };
 const kFine = { pixels: 0.5, degrees: 0.5 };
 
 export function GizmoOverlay(): ReactElement | null {
-  const studio = use_studio();
-  const { gizmo } = studio.bench;
+  const page = use_page();
+  const gizmo = page.tool(Gizmo);
   use_document();
-  use_store(studio.dragged);
-  use_store(studio.bench.time.state); // values with keys move with the time
+  use_store(page.dragged);
+  use_store(page.tool(TimeModel).state); // values with keys move with the time
   use_store(gizmo.stand);
   use_store(gizmo.told);
-  use_store(studio.view_facts); // the camera may have moved
-  const { shows_grips } = use_store(studio.view_state);
+  use_store(page.view_facts); // the camera may have moved
+  const { shows_grips } = use_store(page.view_state);
   const active = use_store(gizmo.active);
-  use_stand(studio);
-  const { view } = studio;
+  use_stand(page);
+  const { view } = page;
   if (!view || !shows_grips) return null;
   const sight = sight_of(view);
   const groups = gizmo.groups(sight);
@@ -56,16 +58,16 @@ export function GizmoOverlay(): ReactElement | null {
 }
 
 /// Requests the position of the chosen component and the values of expressions after each growth.
-function use_stand(studio: Studio): void {
-  const object = object_of(use_store(studio.chosen));
-  const { shown } = use_store(studio.growth);
+function use_stand(page: Page): void {
+  const object = object_of(use_store(page.chosen));
+  const { shown } = use_store(page.growth);
   const component = object === null || object === 'scene' ? null : String(steps_of(object)[1]);
   useEffect(() => {
     // During a drag the frame stays, so that nothing moves under the pointer.
-    if (object === null || !shown || Object.keys(studio.dragged.get()).length > 0) return;
-    if (component !== null) studio.bench.gizmo.ask(component);
-    studio.bench.gizmo.ask_numbers(object);
-  }, [studio, object, component, shown]);
+    if (object === null || !shown || Object.keys(page.dragged.get()).length > 0) return;
+    if (component !== null) page.tool(Gizmo).ask(component);
+    page.tool(Gizmo).ask_numbers(object);
+  }, [page, object, component, shown]);
 }
 
 function sight_of(view: View): Sight {
@@ -92,13 +94,13 @@ interface ActiveGroupProps {
 }
 
 function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { snaps } = use_snapping();
   const root = useRef<SVGGElement>(null);
   const held = use_held<{ hold: Hold & { grip: Binding }; values: Values | null }>();
   const chosen = use_held<string>();
   const refuses = (grip: Binding): boolean => {
-    studio.bench.gizmo.refused.set(grip.held.length > 0 ? { group: group.key, held: grip.held } : null);
+    page.tool(Gizmo).refused.set(grip.held.length > 0 ? { group: group.key, held: grip.held } : null);
     return grip.held.length > 0;
   };
   const step_of = (grip: Grip, is_fine: boolean): number => {
@@ -127,25 +129,25 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     const is_still = amount.degrees === 0 && amount.by.every((one) => one === 0);
     const values = is_still ? {} : grip.values(amount);
     held.set({ ...hand, values: is_still ? null : values });
-    drag_values(studio, values);
+    drag_values(page, values);
   };
   const let_go = (commits: boolean): void => {
     const hand = held.get();
     held.set(null);
-    if (hand?.values && commits) set_values(studio, hand.values, step_label(group, hand.values, hand.hold.grip));
-    else if (hand) studio.stop_drag();
+    if (hand?.values && commits) set_values(page, hand.values, step_label(group, hand.values, hand.hold.grip));
+    else if (hand) page.stop_drag();
   };
   const key = (event: KeyboardEvent, grip: Grip & Binding): void => {
     if (event.key === 'Alt') return event.preventDefault();
     const way = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as const)[event.key];
     const go = { PageUp: -1, PageDown: 1 }[event.key];
     if (event.key === 'Escape' && held.get()) let_go(false);
-    else if (event.key === 'Escape') studio.bench.gizmo.active.set(null);
+    else if (event.key === 'Escape') page.tool(Gizmo).active.set(null);
     else if (go !== undefined) focus_grip(root.current, grip.key, go);
     else if (way && !refuses(grip)) {
       const step = step_of(grip, event.shiftKey) * (event.ctrlKey || event.metaKey ? 10 : 1);
       const values = grip.values(amount_of_key(grip, way, sight, step));
-      set_values(studio, values, step_label(group, values, grip));
+      set_values(page, values, step_label(group, values, grip));
     } else if (!way) return;
     event.preventDefault();
     event.stopPropagation();

@@ -7,14 +7,15 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { WordView } from './word_view.ts';
+import { DerivationModel } from './derivation.ts';
 
 const kNumbers = new Intl.NumberFormat('en');
 
 export function DerivationPart({ component }: { component: string }): ReactElement {
-  const studio = use_studio();
-  const model = studio.bench.derivation;
+  const page = use_page();
+  const model = page.tool(DerivationModel);
   const { told, step, is_drawn, is_working, fault } = use_store(model.state);
   useEffect(() => model.look(component), [model, component]);
   const steps = told?.steps ?? 0;
@@ -65,7 +66,7 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
 
 /// The choice between several instances, to which the word and the marks in the view belong.
 function InstanceLine(): ReactElement | null {
-  const model = use_studio().bench.derivation;
+  const model = use_page().tool(DerivationModel);
   const { told } = use_store(model.state);
   const { number = 0, of = 1 } = told?.instance ?? {};
   if (of < 2) return null;
@@ -82,7 +83,7 @@ function InstanceLine(): ReactElement | null {
 
 /// A page of the word, with the module under the pointer marked here and in the view.
 function Word(): ReactElement {
-  const model = use_studio().bench.derivation;
+  const model = use_page().tool(DerivationModel);
   const { told } = use_store(model.state);
   const pointed = use_store(model.pointed);
   const parent = useRef<HTMLDivElement>(null);

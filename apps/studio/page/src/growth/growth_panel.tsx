@@ -5,17 +5,18 @@ import type { KeyboardEvent, ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import type { LegendKey } from './layers.ts';
+import { GrowthLook } from './growth_look.ts';
 
 export function GrowthButton(): ReactElement {
-  const look = use_studio().bench.growth_look;
+  const look = use_page().tool(GrowthLook);
   const { is_open } = use_store(look.state);
   return <IconButton icon="growth" label="Steps of growth, and what the plant grew by" keys="S" is_on={is_open} press={() => look.toggle()} />;
 }
 
 export function GrowthPanel(): ReactElement | null {
-  const look = use_studio().bench.growth_look;
+  const look = use_page().tool(GrowthLook);
   const { is_open, legend } = use_store(look.state);
   if (!is_open) return null;
   return (
@@ -30,7 +31,7 @@ export function GrowthPanel(): ReactElement | null {
 
 /// The choice of the component whose steps are shown, if several have growing plants.
 function Growing(): ReactElement | null {
-  const look = use_studio().bench.growth_look;
+  const look = use_page().tool(GrowthLook);
   const { of, growing } = use_store(look.state);
   const names = Object.keys(growing);
   if (names.length < 2) return null;
@@ -51,7 +52,7 @@ function Growing(): ReactElement | null {
 }
 
 function Steps(): ReactElement {
-  const look = use_studio().bench.growth_look;
+  const look = use_page().tool(GrowthLook);
   const { step, steps } = use_store(look.state);
   if (steps === 0) return <p className="quiet">No plant of this document grows step by step.</p>;
   const last = steps ?? 0;
@@ -77,7 +78,7 @@ function Steps(): ReactElement {
 }
 
 function Parts(): ReactElement {
-  const look = use_studio().bench.growth_look;
+  const look = use_page().tool(GrowthLook);
   const { parts } = use_store(look.state);
   return (
     <div className="growth-parts" role="group" aria-label="Shown over the plant">

@@ -7,17 +7,18 @@ import { useEffect, useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
 import type { Json } from '../values/json.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { Bars, Layers } from './bars.tsx';
 import type { Fact } from './facts.ts';
 import { kFacts } from './facts.ts';
 import { groups_of, shown_measure } from './measure_groups.ts';
 import type { MeasureRow } from './measure_model.ts';
 import { SweepPart } from './sweep_part.tsx';
+import { MeasureModel } from './measure_model.ts';
 
 export function MeasuresPanel(): ReactElement {
-  const studio = use_studio();
-  const model = studio.bench.measures;
+  const page = use_page();
+  const model = page.tool(MeasureModel);
   const { rows, told, with_light, is_working, fault } = use_store(model.state);
   const [words, set_words] = useState('');
   useEffect(() => model.look(), [model]);

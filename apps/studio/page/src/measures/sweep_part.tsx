@@ -9,11 +9,12 @@ import { Button, IconButton } from '../controls/button.tsx';
 import { rounded } from '../values/arithmetic.ts';
 import { step_of } from '../find/handle_step.ts';
 import type { Variable } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { kFacts } from './facts.ts';
 import { shown_measure } from './measure_groups.ts';
 import type { MeasureRow, SweepState } from './measure_model.ts';
 import { Plot } from './plot.tsx';
+import { MeasureModel } from './measure_model.ts';
 
 const kCount = 9; // number of values over the range
 const kUsual = ['height', 'crown_width', 'stem_diameter', 'leaf_area'];
@@ -25,8 +26,8 @@ export function values_of(variable: Variable, count = kCount): number[] {
 }
 
 export function SweepPart(): ReactElement | null {
-  const studio = use_studio();
-  const model = studio.bench.measures;
+  const page = use_page();
+  const model = page.tool(MeasureModel);
   const { variables } = use_document();
   const { rows } = use_store(model.state);
   const sweep = use_store(model.sweep);
@@ -60,7 +61,7 @@ export function SweepPart(): ReactElement | null {
 }
 
 function SweepProgress(): ReactElement {
-  const { working } = use_store(use_studio().growth);
+  const { working } = use_store(use_page().growth);
   const is_own = working?.job === 'sweep';
   return (
     <p className="record-progress" role="status">
@@ -78,7 +79,7 @@ interface PlotsProps {
 }
 
 function Plots({ sweep, rows, drawn, draw }: PlotsProps): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { variables } = use_document();
   const variable = variables.find((one) => one.name === sweep.variable);
   const has_numbers = (row: MeasureRow): boolean => sweep.points.some((one) => typeof one.measures?.[row.name] === 'number');
@@ -111,7 +112,7 @@ function Plots({ sweep, rows, drawn, draw }: PlotsProps): ReactElement {
               now={variable?.value ?? null}
               band={kFacts[name]?.[0] ?? null}
               text={([at, value]) => `${title} ${at}: ${shown_measure(value)} ${row?.unit ?? ''}`.trim()}
-              take={(value) => studio.set_value(sweep.variable, value, `Set ${title}`)}
+              take={(value) => page.set_value(sweep.variable, value, `Set ${title}`)}
             />
           </div>
         );

@@ -3,12 +3,15 @@
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import { path_below } from '../values/path.ts';
-import type { FoundShoot, ShootName, ShootWay } from '../server/growth_protocol.ts';
+import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { FoundInstance, Grown } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from './page.ts';
 import { scene_path } from '../view/seen_name.ts';
 import type { SeenInstance } from '../view/view.ts';
+
+/// A shoot on which operations can act.
+export type FoundShoot = FoundInstance & ShootName & { course: number[]; metamers: number[]; iteration: number };
 
 /// Instances that are selected to be left out, or to be the only ones.
 export interface Selecting {
@@ -26,8 +29,8 @@ export class InstanceChoice {
   private readonly newest_ = new Newest();
   private heard_: Grown | null = null;
 
-  constructor(private readonly studio_: Studio) {
-    studio_.growth.subscribe(() => this.hear(studio_.growth.get().grown));
+  constructor(private readonly page_: Page) {
+    page_.growth.subscribe(() => this.hear(page_.growth.get().grown));
   }
 
   /// Returns the clicked shoot if operations could act on it.
@@ -47,10 +50,9 @@ export class InstanceChoice {
   choose(seen: SeenInstance | null): void {
     if (seen === null || this.selecting.get()?.component !== seen.component) {
       this.selecting.set(null);
-      this.studio_.choose(seen === null ? '' : scene_path(seen.component) ? 'scene' : path_below('components', seen.component));
+      this.page_.choose(seen === null ? '' : scene_path(seen.component) ? 'scene' : path_below('components', seen.component));
     }
     const obstacle = seen && scene_path(seen.component);
-    if (obstacle) this.studio_.bench.gizmo.show(obstacle);
     if (seen === null || obstacle) return;
     this.seen.set(seen);
     const counts = this.newest_.begin();
@@ -70,7 +72,7 @@ export class InstanceChoice {
     if (!shoot) return false;
     const path = path_below('components', component);
     this.selecting.set(null);
-    if (this.studio_.chosen.get() !== path) this.studio_.choose(path);
+    if (this.page_.chosen.get() !== path) this.page_.choose(path);
     this.seen.set(null);
     this.take(shoot);
     return true;
@@ -78,12 +80,12 @@ export class InstanceChoice {
 
   private async ask_shoot(component: string, of: ShootName | null, way: ShootWay | null = null): Promise<FoundShoot | null> {
     const name = of && { stem: of.stem, tree: of.tree, shoot: of.shoot, metamer: of.metamer };
-    const { instance } = await this.studio_.connection.request<{ instance: FoundInstance | null }>('shoot', { component, of: name, go: way });
+    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('shoot', { component, of: name, go: way });
     return InstanceChoice.shoot_of(instance);
   }
 
   private async ask(seen: SeenInstance): Promise<FoundInstance | null> {
-    const { instance } = await this.studio_.connection.request<{ instance: FoundInstance | null }>('instance', { ...seen });
+    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('instance', { ...seen });
     return instance;
   }
 
@@ -109,7 +111,7 @@ export class InstanceChoice {
   private take(instance: FoundInstance | null): void {
     this.found.set(instance);
     // The tool draws over the shoot only, and not over the whole instance.
-    if (InstanceChoice.shoot_of(instance)) this.studio_.view?.unmark();
+    if (InstanceChoice.shoot_of(instance)) this.page_.view?.unmark();
     const now = this.selecting.get();
     if (now && now.component === instance?.component) this.selecting.set({ ...now, numbers: toggled(now.numbers, instance.i) });
   }

@@ -50,6 +50,13 @@ export interface ViewState {
   solo: string | null; // the component that is drawn alone with its descendants
 }
 
+/// A part under the resting pointer, with its place in the view in pixels.
+export interface PointedPart {
+  component: string;
+  x: number;
+  y: number;
+}
+
 export type Theme = 'system' | 'light' | 'dark';
 
 export type Dialog = 'open' | 'save' | 'record' | 'still' | 'models' | 'export' | 'shortcuts' | 'palette' | 'chance' | null;

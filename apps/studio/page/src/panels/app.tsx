@@ -14,7 +14,7 @@ import { GrammarPanel } from '../grammar/grammar_panel.tsx';
 import { PlanPanel } from '../pruning/plan_panel.tsx';
 import { MeasuresPanel } from '../measures/measures_panel.tsx';
 import { toggle_board } from './shortcuts.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { TimelinePanel } from '../timeline/timeline_panel.tsx';
 import type { ShellState } from '../page/page_state.ts';
 import { ConflictBanner, ElsewhereBanner, KeptBanner, LostBanner } from './banners.tsx';
@@ -76,8 +76,8 @@ const kLeft = [
 ] as const;
 
 function LeftPanel(): ReactElement {
-  const studio = use_studio();
-  const { left } = use_store(studio.shell);
+  const page = use_page();
+  const { left } = use_store(page.shell);
   const panel = left === 'board' ? 'board' : 'left';
   const widths = { left: use_width('left'), board: use_width('board') };
   const [width, change] = widths[panel];
@@ -85,7 +85,7 @@ function LeftPanel(): ReactElement {
     <aside className={`left of-${left}`} aria-label="Handles and outline" style={{ width: width ?? undefined }}>
       <Handles />
       <div className="left-tabs">
-        <Segments label="Outline or board" value={left} choices={kLeft} choose={(one) => one !== left && toggle_board(studio)} />
+        <Segments label="Outline or board" value={left} choices={kLeft} choose={(one) => one !== left && toggle_board(page)} />
       </div>
       {left === 'board' ? <BoardPanel /> : <Outline />}
       <Splitter label="Width of handles and outline" edge="right" width={width} change={change} {...kWidths[panel]} />
@@ -94,15 +94,15 @@ function LeftPanel(): ReactElement {
 }
 
 function SidePanel(): ReactElement {
-  const studio = use_studio();
-  const { side } = use_store(studio.shell);
+  const page = use_page();
+  const { side } = use_store(page.shell);
   const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), measures: use_width('measures'), plan: use_width('plan') };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
     <aside className={`right of-${side}`} aria-label="Inspector, text, grammar, measures and plan" style={{ width: width ?? undefined }}>
       <div className="side-tabs">
-        <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
+        <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => page.shell.merge({ side: one })} />
       </div>
       <Content />
       <Splitter label="Width of inspector and text" edge="left" width={width} change={change} {...kWidths[side]} />

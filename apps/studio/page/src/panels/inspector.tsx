@@ -12,7 +12,7 @@ import { steps_of, value_at } from '../values/path.ts';
 import { CurvesButton } from '../grass/curves_button.tsx';
 import { Faults, RowView } from '../rows/row_editor.tsx';
 import { use_faults } from '../rows/row_actions.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { Row, RowGroup } from '../tables/tables.ts';
 import { has_meaning } from '../tables/tables.ts';
@@ -24,13 +24,13 @@ import { NamedTools } from './named_tools.tsx';
 type Filter = 'all' | 'given';
 
 export function Inspector(): ReactElement {
-  const studio = use_studio();
-  const path = use_store(studio.chosen);
+  const page = use_page();
+  const path = use_store(page.chosen);
   const { tree } = use_document();
   const [filter, set_filter] = useState<Filter>('all');
   const [words, set_words] = useState('');
   const value = value_at(tree, path);
-  const groups = groups_at(studio.tables, tree, path);
+  const groups = groups_at(page.tables, tree, path);
   const wanted = (group: RowGroup, row: Row): boolean => {
     const given = is_object(value) && value[row.name] !== undefined;
     if (row.name === 'type') return false;
@@ -63,12 +63,12 @@ export function Inspector(): ReactElement {
 }
 
 function InspectorHead({ path, value }: { path: string; value: Json | undefined }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const faults = use_faults(path);
   const [head, second] = steps_of(path);
   const type = is_object(value) && typeof value['type'] === 'string' ? value['type'] : null;
   const title = second === undefined ? capital(head ?? 'document') : typeof second === 'number' ? `Link ${second + 1}` : second;
-  const doc = type !== null ? studio.tables.components[type]?.doc : undefined;
+  const doc = type !== null ? page.tables.components[type]?.doc : undefined;
   return (
     <div className="inspector-head">
       <h2 id="inspector-title">
@@ -110,8 +110,8 @@ function Group({ group, path, value, wanted }: GroupProps): ReactElement | null 
 
 /// The short form ["from", "to"] of a link has no numbers, so the long form is offered.
 function ShortLink({ path, link }: { path: string; link: Json[] }): ReactElement {
-  const studio = use_studio();
-  const write_out = (): void => studio.set_value(path, { from: link[0] ?? '', to: link[1] ?? '' }, 'Write the link out');
+  const page = use_page();
+  const write_out = (): void => page.set_value(path, { from: link[0] ?? '', to: link[1] ?? '' }, 'Write the link out');
   return (
     <div className="empty">
       <p>

@@ -12,7 +12,7 @@ import { is_object } from '../values/json.ts';
 import { member_of, path_below } from '../values/path.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { link_kind } from '../tables/resolve.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { Tables } from '../tables/tables.ts';
 
 interface Item {
@@ -32,9 +32,9 @@ const kParts: Item[] = [
 ];
 
 export function Outline(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const components = components_of(tree?.value, studio.tables.components);
+  const components = components_of(tree?.value, page.tables.components);
   const links = links_of(tree?.value);
   const variables = variables_of(tree?.value);
   return (
@@ -92,24 +92,24 @@ function Group({ title, items, empty }: { title: string; items: Item[]; empty: s
 }
 
 function OutlineItem({ item }: { item: Item }): ReactElement {
-  const studio = use_studio();
-  const is_chosen = use_part(studio.chosen, (path) => path === item.path);
-  const is_hidden = use_part(studio.view_state, ({ hidden }) => item.component !== undefined && hidden.has(item.component));
+  const page = use_page();
+  const is_chosen = use_part(page.chosen, (path) => path === item.path);
+  const is_hidden = use_part(page.view_state, ({ hidden }) => item.component !== undefined && hidden.has(item.component));
   const button = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     if (is_chosen) button.current?.scrollIntoView({ block: 'nearest' });
   }, [is_chosen]);
   const below = use_faults(item.path === '' ? '-' : item.path, true);
   const { component } = item;
-  const count = use_part(studio.growth, ({ grown }) => (component === undefined ? undefined : grown?.placed?.[component]));
+  const count = use_part(page.growth, ({ grown }) => (component === undefined ? undefined : grown?.placed?.[component]));
   const toggle = (): void => {
-    const hidden = new Set(studio.view_state.get().hidden);
+    const hidden = new Set(page.view_state.get().hidden);
     if (component !== undefined && !hidden.delete(component)) hidden.add(component);
-    studio.change_view({ hidden });
+    page.change_view({ hidden });
   };
   return (
     <li className={`outline-item${is_hidden ? ' hidden' : ''}`}>
-      <button ref={button} type="button" className="outline-choice" aria-current={is_chosen ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
+      <button ref={button} type="button" className="outline-choice" aria-current={is_chosen ? 'true' : undefined} onClick={() => page.choose(item.path)}>
         <Icon name={item.icon} />
         <span className="outline-title">{item.title}</span>
         <span className="outline-detail">{item.detail}</span>

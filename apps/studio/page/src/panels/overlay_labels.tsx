@@ -3,17 +3,17 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 
 export function OverlayLabels(): ReactElement | null {
-  const studio = use_studio();
-  use_store(studio.view_facts); // the camera may have moved
-  const labels = studio.view?.overlays.labels ?? [];
+  const page = use_page();
+  use_store(page.view_facts); // the camera may have moved
+  const labels = page.view?.overlays.labels ?? [];
   if (labels.length === 0) return null;
   return (
     <div className="overlay-labels" aria-hidden="true">
       {labels.map(({ at, text }, k) => {
-        const seen = studio.view?.eye.project(at);
+        const seen = page.view?.eye.project(at);
         return seen ? (
           <span key={k} style={{ left: seen[0], top: seen[1] }}>
             {text}

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys that act on the whole page, and the list of all keys.
 import { prefer } from '../base/preferences.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
+import { TimeModel } from '../time/time_model.ts';
+import { GrowthLook } from '../growth/growth_look.ts';
+import { PinList } from '../find/pins.ts';
+import { save_document } from '../saving/saving.ts';
 
 export interface Shortcut {
   keys: string;
@@ -107,55 +111,55 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
   },
 ];
 
-export function save_here(studio: Studio): void {
-  const { path } = studio.document.state.get();
-  if (path === null) studio.shell.merge({ dialog: 'save' });
-  else void studio.save(path);
+export function save_here(page: Page): void {
+  const { path } = page.document.state.get();
+  if (path === null) page.shell.merge({ dialog: 'save' });
+  else void save_document(page, path, false);
 }
 
-export function toggle_board(studio: Studio): void {
-  const left = studio.shell.get().left === 'board' ? 'outline' : 'board';
+export function toggle_board(page: Page): void {
+  const left = page.shell.get().left === 'board' ? 'outline' : 'board';
   prefer('left', left);
-  studio.shell.merge({ left });
+  page.shell.merge({ left });
 }
 
-function next_drawing(studio: Studio): void {
+function next_drawing(page: Page): void {
   const order = ['shaded', 'wireframe', 'skeleton'] as const;
-  const at = order.indexOf(studio.view_state.get().drawing);
-  studio.change_view({ drawing: order[(at + 1) % 3] ?? 'shaded' });
+  const at = order.indexOf(page.view_state.get().drawing);
+  page.change_view({ drawing: order[(at + 1) % 3] ?? 'shaded' });
 }
 
-const kWithControl: Record<string, (studio: Studio) => void> = {
-  o: (studio) => studio.shell.merge({ dialog: 'open' }),
-  m: (studio) => studio.shell.merge({ dialog: 'models' }),
+const kWithControl: Record<string, (page: Page) => void> = {
+  o: (page) => page.shell.merge({ dialog: 'open' }),
+  m: (page) => page.shell.merge({ dialog: 'models' }),
   s: save_here,
-  S: (studio) => studio.shell.merge({ dialog: 'save' }),
-  e: (studio) => studio.shell.merge({ dialog: 'export' }),
-  z: (studio) => void studio.undo(),
-  Z: (studio) => void studio.redo(),
-  y: (studio) => void studio.redo(),
+  S: (page) => page.shell.merge({ dialog: 'save' }),
+  e: (page) => page.shell.merge({ dialog: 'export' }),
+  z: (page) => void page.undo(),
+  Z: (page) => void page.redo(),
+  y: (page) => void page.redo(),
 };
 
-const kPlain: Record<string, (studio: Studio) => void> = {
-  f: (studio) => studio.view?.fit(),
-  '1': (studio) => studio.view?.look_from(180, 0),
-  '3': (studio) => studio.view?.look_from(90, 0),
-  '7': (studio) => studio.view?.look_from(180, 89.5),
+const kPlain: Record<string, (page: Page) => void> = {
+  f: (page) => page.view?.fit(),
+  '1': (page) => page.view?.look_from(180, 0),
+  '3': (page) => page.view?.look_from(90, 0),
+  '7': (page) => page.view?.look_from(180, 89.5),
   w: next_drawing,
-  e: (studio) => studio.change_view({ shows_grips: !studio.view_state.get().shows_grips }),
-  s: (studio) => studio.bench.growth_look.toggle(),
-  r: (studio) => studio.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed'),
+  e: (page) => page.change_view({ shows_grips: !page.view_state.get().shows_grips }),
+  s: (page) => page.tool(GrowthLook).toggle(),
+  r: (page) => page.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed'),
   b: toggle_board,
-  a: (studio) => studio.shell.merge({ dialog: 'palette' }),
-  t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
-  g: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
-  o: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'plan' ? 'inspector' : 'plan' }),
-  m: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'measures' ? 'inspector' : 'measures' }),
-  n: (studio) => studio.shell.merge({ dialog: 'chance' }),
-  p: (studio) => studio.bench.pins.add(studio.document.state.get()),
-  k: (studio) => studio.bench.time.toggle(),
-  K: (studio) => (studio.bench.time.state.get().is_playing ? studio.bench.time.stop() : studio.bench.time.play()),
-  '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
+  a: (page) => page.shell.merge({ dialog: 'palette' }),
+  t: (page) => page.shell.merge({ side: page.shell.get().side === 'text' ? 'inspector' : 'text' }),
+  g: (page) => page.shell.merge({ side: page.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
+  o: (page) => page.shell.merge({ side: page.shell.get().side === 'plan' ? 'inspector' : 'plan' }),
+  m: (page) => page.shell.merge({ side: page.shell.get().side === 'measures' ? 'inspector' : 'measures' }),
+  n: (page) => page.shell.merge({ dialog: 'chance' }),
+  p: (page) => page.tool(PinList).add(page.document.state.get()),
+  k: (page) => page.tool(TimeModel).toggle(),
+  K: (page) => (page.tool(TimeModel).state.get().is_playing ? page.tool(TimeModel).stop() : page.tool(TimeModel).play()),
+  '?': (page) => page.shell.merge({ dialog: 'shortcuts' }),
 };
 
 function is_typed_into(target: EventTarget | null): boolean {
@@ -167,14 +171,14 @@ function belongs_to_field(event: KeyboardEvent): boolean {
   return /^[zy]$/i.test(event.key) && event.target instanceof HTMLElement && event.target.matches('[data-typed]');
 }
 
-export function listen_to_keys(studio: Studio): void {
+export function listen_to_keys(page: Page): void {
   document.addEventListener('keydown', (event) => {
-    if (studio.shell.get().dialog !== null) return;
+    if (page.shell.get().dialog !== null) return;
     const has_control = event.ctrlKey || event.metaKey;
-    if (event.key === 'Escape') studio.stop_drag();
+    if (event.key === 'Escape') page.stop_drag();
     const act = has_control ? kWithControl[event.shiftKey ? event.key.toUpperCase() : event.key] : event.altKey || is_typed_into(event.target) ? undefined : kPlain[event.key];
     if (!act || belongs_to_field(event)) return;
     event.preventDefault();
-    act(studio);
+    act(page);
   });
 }

@@ -6,15 +6,15 @@ import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { Grown } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 
 const count = (number: number): string => number.toLocaleString('en');
 const counted = (number: number, what: string): string => `${count(number)} ${what}${number === 1 ? '' : 's'}`;
 
 export function StatusLine(): ReactElement {
-  const studio = use_studio();
-  const { shown, grown } = use_store(studio.growth);
-  const { link, hello } = use_store(studio.server);
+  const page = use_page();
+  const { shown, grown } = use_store(page.growth);
+  const { link, hello } = use_store(page.server);
   return (
     <footer className="status" aria-label="Status">
       <span className={`link ${link}`} data-tip={hello ? `Meristem ${hello.version}, files below ${hello.root}` : undefined}>
@@ -37,14 +37,14 @@ export function StatusLine(): ReactElement {
 }
 
 function FaultCount(): ReactElement | null {
-  const studio = use_studio();
+  const page = use_page();
   const { faults } = use_document();
   if (faults.length === 0) return null;
   const errors = faults.filter((one) => one.severity === 'error').length;
   const warnings = faults.length - errors;
   const text = [errors > 0 ? `${errors} ${errors === 1 ? 'fault' : 'faults'}` : '', warnings > 0 ? `${warnings} ${warnings === 1 ? 'warning' : 'warnings'}` : ''].filter(Boolean).join(', ');
   return (
-    <button type="button" className={`fault-count${errors > 0 ? ' error' : ''}`} data-tip={faults[0]?.message} onClick={() => studio.shell.merge({ side: 'text' })}>
+    <button type="button" className={`fault-count${errors > 0 ? ' error' : ''}`} data-tip={faults[0]?.message} onClick={() => page.shell.merge({ side: 'text' })}>
       <Icon name={errors > 0 ? 'fault' : 'warning'} />
       {text}
     </button>
@@ -69,11 +69,11 @@ function milliseconds(ms: number): string {
 }
 
 function Work(): ReactElement {
-  const studio = use_studio();
-  const { working, is_paused } = use_store(studio.growth);
+  const page = use_page();
+  const { working, is_paused } = use_store(page.growth);
   const pause = (): void => {
-    studio.growth.merge({ is_paused: !is_paused });
-    studio.connection.tell('pause', { paused: !is_paused });
+    page.growth.merge({ is_paused: !is_paused });
+    page.connection.tell('pause', { paused: !is_paused });
   };
   return (
     <span className="work-in-hand">
@@ -81,7 +81,7 @@ function Work(): ReactElement {
         <>
           <span className="quiet">{working.stage}</span>
           <progress max={1} value={working.share} aria-label="Progress" />
-          <IconButton is_small icon="stop" label="Cancel" press={() => studio.connection.tell('cancel', working.re === undefined ? {} : { re: working.re })} />
+          <IconButton is_small icon="stop" label="Cancel" press={() => page.connection.tell('cancel', working.re === undefined ? {} : { re: working.re })} />
         </>
       )}
       {!working && is_paused && <span className="quiet">Growth is paused</span>}

@@ -6,23 +6,23 @@ import { Icon } from '../controls/icon.tsx';
 import { node_at } from '../values/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Fault } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { TextEditor } from '../text/editor.ts';
 
 /// The panel of the whole document as text, with its faults below.
 export function TextPanel(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const parent = useRef<HTMLDivElement>(null);
   const editor = useRef<TextEditor | null>(null);
   const { faults } = use_document();
   useEffect(() => {
     if (!parent.current) return undefined;
-    const made = new TextEditor(parent.current, studio);
+    const made = new TextEditor(parent.current, page);
     editor.current = made;
-    const node = node_at(studio.document.state.get().tree, studio.chosen.get());
-    if (node && studio.chosen.get() !== '') made.reveal(node.start);
+    const node = node_at(page.document.state.get().tree, page.chosen.get());
+    if (node && page.chosen.get() !== '') made.reveal(node.start);
     return () => made.destroy();
-  }, [studio]);
+  }, [page]);
   const go = (fault: Fault) => () => editor.current?.reveal(fault.offset ?? 0);
   return (
     <section className="panel text-panel" aria-label="Text">

@@ -9,17 +9,19 @@ import { member_of, path_below } from '../values/path.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { Faults } from '../rows/row_editor.tsx';
 import { TableRows } from '../rows/nested_rows.tsx';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { ParameterTable } from '../tables/tables.ts';
 import { table_of } from '../tables/tables.ts';
 import { is_off, times_of, what_of, when_of } from './operation_text.ts';
 import { list_path, trained_path } from './pruning.ts';
+import { Pruning } from './pruning.ts';
+import { PinList } from '../find/pins.ts';
 
 export function OperationList({ component }: { component: string }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   use_document();
-  const operations = studio.bench.pruning.operations_of(component);
+  const operations = page.tool(Pruning).operations_of(component);
   return (
     <>
       <TrainedList component={component} />
@@ -37,7 +39,7 @@ export function OperationList({ component }: { component: string }): ReactElemen
 
 /// The operations that the component's training stands for. The training's rows in the inspector change them.
 function TrainedList({ component }: { component: string }): ReactElement | null {
-  const { pruning } = use_studio().bench;
+  const pruning = use_page().tool(Pruning);
   const told = use_store(pruning.told);
   const looked_at = use_store(pruning.looked_at);
   const operations = told?.component === component ? (told.operations.training ?? []) : [];
@@ -63,7 +65,7 @@ function TrainedList({ component }: { component: string }): ReactElement | null 
 
 /// An operation as text. A click shows it in the view and, if `opens`, its rows.
 function OperationChoice({ operation, path, state, opens = false }: { operation: Json; path: string; state: string; opens?: boolean }): ReactElement {
-  const { pruning } = use_studio().bench;
+  const pruning = use_page().tool(Pruning);
   const is_chosen = use_store(pruning.looked_at)?.path === path;
   return (
     <button type="button" className="plan-choice" {...(opens ? { 'aria-expanded': is_chosen } : { 'aria-pressed': is_chosen })} onClick={() => pruning.look_at(path, null)}>
@@ -88,8 +90,9 @@ interface OperationItemProps {
 }
 
 function OperationItem({ component, operation, index, count }: OperationItemProps): ReactElement {
-  const studio = use_studio();
-  const { pruning, pins } = studio.bench;
+  const page = use_page();
+  const pruning = page.tool(Pruning);
+  const pins = page.tool(PinList);
   const told = use_store(pruning.told);
   const pinned = use_store(pins.shown);
   const path = path_below(list_path(component), index);
@@ -118,12 +121,12 @@ function OperationItem({ component, operation, index, count }: OperationItemProp
 }
 
 function OperationRows({ component, operation, path }: { component: string; operation: Json; path: string }): ReactElement | null {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const row = groups_at(studio.tables, tree, path_below('components', component))
+  const row = groups_at(page.tables, tree, path_below('components', component))
     .flatMap(({ rows }) => rows)
     .find((one) => one.name === 'operations');
   const kind = row?.kinds && member_of(operation, row.kinds.key);
-  const table: ParameterTable | null = row?.kinds && typeof kind === 'string' ? table_of(studio.tables, row.kinds.tables[kind] ?? '') : null;
+  const table: ParameterTable | null = row?.kinds && typeof kind === 'string' ? table_of(page.tables, row.kinds.tables[kind] ?? '') : null;
   return table && <div className="plan-rows inspector"><TableRows table={table} path={path} value={operation} without={row?.kinds?.key ?? ''} /></div>;
 }

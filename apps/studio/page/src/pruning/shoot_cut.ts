@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Acts on one chosen shoot as operations of the document.
 import type { Json } from '../values/json.ts';
-import type { FoundShoot } from '../server/growth_protocol.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
 
 export type Deed = 'cut' | 'bend' | 'tie' | 'mark';
 

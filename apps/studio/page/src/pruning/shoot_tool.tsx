@@ -9,11 +9,12 @@ import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import { TextField } from '../controls/text_field.tsx';
-import type { FoundShoot } from '../server/growth_protocol.ts';
-import { use_studio } from '../page/use_page.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import { use_page } from '../page/use_page.ts';
 import type { Deed, DeedChoice } from './shoot_cut.ts';
 import { kept_metamers, why_not } from './shoot_cut.ts';
 import { ShootWalkBar } from './shoot_walk_bar.tsx';
+import { Pruning } from './pruning.ts';
 
 const kDeeds: [Deed, string][] = [
   ['cut', 'Cut'],
@@ -23,14 +24,14 @@ const kDeeds: [Deed, string][] = [
 ];
 
 export function ShootTool(): ReactElement | null {
-  const studio = use_studio();
-  const shoot = InstanceChoice.shoot_of(use_store(studio.instance.found));
+  const page = use_page();
+  const shoot = InstanceChoice.shoot_of(use_store(page.tool(InstanceChoice).found));
   return shoot && <HeldShoot shoot={shoot} />;
 }
 
 function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
-  const studio = use_studio();
-  const { pruning } = studio.bench;
+  const page = use_page();
+  const pruning = page.tool(Pruning);
   const choice = use_store(pruning.choice);
   const root = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
@@ -41,8 +42,8 @@ function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
     };
   }, []);
   const close = (): void => {
-    studio.instance.forget();
-    studio.view?.unmark();
+    page.tool(InstanceChoice).forget();
+    page.view?.unmark();
   };
   const key = (event: KeyboardEvent): void => {
     if (event.key === 'Escape' && !event.defaultPrevented) close();

@@ -6,11 +6,12 @@ import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { FoundShoot } from '../server/growth_protocol.ts';
-import { use_studio } from '../page/use_page.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import { use_page } from '../page/use_page.ts';
 import type { Deed } from './shoot_cut.ts';
 import { measures_of } from './shoot_text.ts';
 import type { ShootWalk } from './shoot_walk.ts';
+import { Pruning } from './pruning.ts';
 
 const kWays: Record<string, (walk: ShootWalk) => void> = {
   ArrowLeft: (walk) => void walk.go('parent'),
@@ -30,8 +31,8 @@ interface ShootWalkBarProps {
 }
 
 export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
-  const studio = use_studio();
-  const { walk, choice } = studio.bench.pruning;
+  const page = use_page();
+  const { walk, choice } = page.tool(Pruning);
   const note = use_store(walk.note);
   const wants_keyboard = use_store(walk.wants_keyboard);
   const bar = useRef<HTMLDivElement>(null);
@@ -68,7 +69,7 @@ export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
         {note !== '' ? note : (
           <>
             <span className="spoken">
-              {shoot.shoot}, {studio.bench.pruning.trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of {last}.{' '}
+              {shoot.shoot}, {page.tool(Pruning).trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of {last}.{' '}
             </span>
             {measures_of(shoot)}
           </>

@@ -19,7 +19,7 @@ import { ShapeRow } from '../editors/shape_row.tsx';
 import type { EditorSize } from '../editors/sizes.ts';
 import { Strip } from '../find/strip.tsx';
 import { strip_states } from '../find/strip_states.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
 import { commit_keys, use_keyed } from '../time/use_keyed.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
@@ -90,9 +90,9 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
   const shown = use_shown_value(path, value);
   const is_nested = row.kind === 'object' || row.kind === 'list' || row.kind === 'map';
   const faults = use_faults(path, !is_nested);
-  const studio = use_studio();
-  const has_strip = use_part(studio.bench.strip, (shown_at) => shown_at === path);
-  const is_plant = use_part(studio.document.state, ({ tree }) => names_plant(studio.tables, tree, row, path));
+  const page = use_page();
+  const has_strip = use_part(page.strip, (shown_at) => shown_at === path);
+  const is_plant = use_part(page.document.state, ({ tree }) => names_plant(page.tables, tree, row, path));
   const keyed = use_keyed(path);
   const is_faulty = faults.some((fault) => fault.severity === 'error');
   if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
@@ -100,9 +100,9 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
-  const items = menu_of(row, value, actions, () => first_value(studio.tables, row));
-  if (keyed) items.push({ text: 'Remove its keys', act: () => commit_keys(studio, keyed.track.name, [], `Remove the keys of ${label}`) });
-  const enlarge = kCanBeLarge.has(row.kind) || names_pictures(row) ? (): void => studio.bench.enlarged.set(path) : null;
+  const items = menu_of(row, value, actions, () => first_value(page.tables, row));
+  if (keyed) items.push({ text: 'Remove its keys', act: () => commit_keys(page, keyed.track.name, [], `Remove the keys of ${label}`) });
+  const enlarge = kCanBeLarge.has(row.kind) || names_pictures(row) ? (): void => page.enlarged.set(path) : null;
   return (
     <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
       {can_have_keys(row, path) && <RowKeyButton row={row} path={path} value={shown} />}
@@ -116,7 +116,7 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
       <Menu label={`More for ${label}`} items={items} />
       {states.length > 1 && (
         <span className="row-extra">
-          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : path)} />
+          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => page.strip.set(has_strip ? null : path)} />
         </span>
       )}
       {enlarge && (

@@ -6,7 +6,7 @@ import { living_tabs } from '../base/tab.ts';
 import type { KeptWork } from '../document/recovery.ts';
 import { forget, keep, kept_work, slot_of, work_key } from '../document/recovery.ts';
 import type { Hello, Opened, OpenWish } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 
 const kPause = 300;
 const kFile = 'file:';
@@ -20,10 +20,10 @@ export class Keeper {
   private is_first_ = true;
 
   constructor(
-    private readonly studio_: Studio,
+    private readonly page_: Page,
     private readonly tab_: string,
   ) {
-    studio_.document.state.subscribe(() => this.look());
+    page_.document.state.subscribe(() => this.look());
     document.addEventListener('visibilitychange', () => void this.flush());
     window.addEventListener('pagehide', () => void this.flush());
   }
@@ -55,11 +55,11 @@ export class Keeper {
     const other = this.is_first_ ? all.find((one) => one.key !== key) : undefined;
     this.is_first_ = false;
     const differs = work !== undefined && (work.text !== opened.text || work.waiting.length > 0);
-    if (differs) this.studio_.shell.merge({ kept: { work: await this.moved(work, own), before: opened.text } });
-    else this.studio_.shell.merge({ kept: other ? { work: other, before: null } : null });
+    if (differs) this.page_.shell.merge({ kept: { work: await this.moved(work, own), before: opened.text } });
+    else this.page_.shell.merge({ kept: other ? { work: other, before: null } : null });
     if (!work || differs) return;
     if (key !== kNew) return forget(work.slot);
-    this.studio_.document.take_kept(work.text, work.undo);
+    this.page_.document.take_kept(work.text, work.undo);
     if (work.slot === own) return;
     await this.store();
     await forget(work.slot);
@@ -77,24 +77,24 @@ export class Keeper {
 
   /// Opens the document of kept work, which is then offered if its text differs.
   async open_other(work: KeptWork): Promise<void> {
-    this.studio_.shell.merge({ kept: null });
-    if (work.model !== null) await this.studio_.open({ model: work.model });
-    else if (work.path !== null) await this.studio_.open({ path: work.path });
-    else if (await this.studio_.open({ text: work.text, path: null })) await this.restore(work);
+    this.page_.shell.merge({ kept: null });
+    if (work.model !== null) await this.page_.open({ model: work.model });
+    else if (work.path !== null) await this.page_.open({ path: work.path });
+    else if (await this.page_.open({ text: work.text, path: null })) await this.restore(work);
   }
 
   /// Restores kept work. The old record is removed only when this tab has kept the work.
   async restore(work: KeptWork): Promise<void> {
-    this.studio_.shell.merge({ kept: null });
-    await this.studio_.document.idle();
-    this.studio_.document.take_kept(work.text, work.undo, work.waiting);
-    this.studio_.tell('Unsaved changes are back');
+    this.page_.shell.merge({ kept: null });
+    await this.page_.document.idle();
+    this.page_.document.take_kept(work.text, work.undo, work.waiting);
+    this.page_.notify('Unsaved changes are back');
     await this.store();
     if (work.slot !== this.slot()) await forget(work.slot);
   }
 
   async discard(work: KeptWork): Promise<void> {
-    this.studio_.shell.merge({ kept: null });
+    this.page_.shell.merge({ kept: null });
     await forget(work.slot);
   }
 
@@ -114,7 +114,7 @@ export class Keeper {
 
   /// The server is lost, so another tab may take the work over. Called again after each failed attempt to connect.
   note_lost(): void {
-    const { server, shell } = this.studio_;
+    const { server, shell } = this.page_;
     if (server.get().link === 'lost') return;
     server.merge({ link: 'lost' });
     shell.merge({ elsewhere: null });
@@ -123,27 +123,27 @@ export class Keeper {
 
   /// Keeps with the work whether the server is there.
   note_link(): void {
-    const { hash, base, waiting } = this.studio_.document.state.get();
+    const { hash, base, waiting } = this.page_.document.state.get();
     if (hash !== base || waiting.length > 0) void this.store();
   }
 
   slot(): string {
-    const { path, model } = this.studio_.document.state.get();
+    const { path, model } = this.page_.document.state.get();
     return slot_of(this.tab_, this.key_of(path, model));
   }
 
   private key_of(path: string | null, model: string | null): string {
-    return work_key(path, model, this.studio_.server.get().hello?.root_key ?? '');
+    return work_key(path, model, this.page_.server.get().hello?.root_key ?? '');
   }
 
   /// Remembers the document that a reload must open.
   private remember(): void {
-    const { path, model } = this.studio_.document.state.get();
+    const { path, model } = this.page_.document.state.get();
     remember_for_this_page(path !== null ? kFile + path : model !== null ? kModel + model : kNew);
   }
 
   private look(): void {
-    const { text, undo, waiting } = this.studio_.document.state.get();
+    const { text, undo, waiting } = this.page_.document.state.get();
     if (text === this.last_text_ && waiting.length === this.last_waiting_) return;
     this.last_text_ = text;
     this.last_waiting_ = waiting.length;
@@ -159,11 +159,11 @@ export class Keeper {
 
   private async store(): Promise<void> {
     this.stop();
-    const { path, model, name, text, hash, base, undo, waiting } = this.studio_.document.state.get();
+    const { path, model, name, text, hash, base, undo, waiting } = this.page_.document.state.get();
     const key = this.key_of(path, model);
     const slot = slot_of(this.tab_, key);
     if (hash === base && waiting.length === 0 && key !== kNew) return forget(slot);
-    const is_lost = this.studio_.server.get().link === 'lost';
+    const is_lost = this.page_.server.get().link === 'lost';
     await keep({ slot, tab: this.tab_, key, name, path, model, text, base, undo, waiting, is_lost, at: Date.now() });
   }
 }

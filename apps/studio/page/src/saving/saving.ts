@@ -2,28 +2,29 @@
 // Saves the open document to a file of the server's folder.
 import type { Saved } from '../server/file_protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
+import { Keeper } from './keeper.ts';
 
 /// Returns true if the document was saved. Otherwise reports the reason, or asks whether to replace somebody else's
 /// changes.
-export async function save_document(studio: Studio, path: string, over: boolean): Promise<boolean> {
-  await studio.document.idle();
-  const slot = studio.keeper.slot();
+export async function save_document(page: Page, path: string, over: boolean): Promise<boolean> {
+  await page.document.idle();
+  const slot = page.tool(Keeper).slot();
   try {
-    const answer = await ask_save(studio, path, over);
-    studio.document.take_saved(answer);
-    await studio.keeper.take_saved(slot);
-    tell_saved(studio, answer);
+    const answer = await ask_save(page, path, over);
+    page.document.take_saved(answer);
+    await page.tool(Keeper).take_saved(slot);
+    tell_saved(page, answer);
     return true;
   } catch (fault) {
-    if (fault instanceof Refusal && fault.facts.changed) studio.shell.merge({ conflict: { path } });
-    else if (fault instanceof Error) studio.tell(fault.message, true);
+    if (fault instanceof Refusal && fault.facts.changed) page.shell.merge({ conflict: { path } });
+    else if (fault instanceof Error) page.notify(fault.message, true);
     return false;
   }
 }
 
 /// Saves exactly the page's text. A server with another text first gets the page's.
-async function ask_save({ document, connection }: Studio, path: string, over: boolean): Promise<Saved> {
+async function ask_save({ document, connection }: Page, path: string, over: boolean): Promise<Saved> {
   for (let tries = 0; ; tries += 1) {
     const { path: known, saved, hash } = document.state.get();
     try {
@@ -37,9 +38,9 @@ async function ask_save({ document, connection }: Studio, path: string, over: bo
 
 const kMostNamed = 4; // files in a message
 
-function tell_saved(studio: Studio, { path, copied = [], omitted = [] }: Saved): void {
-  studio.tell(`Saved ${path}${copied.length > 0 ? `, and copied ${listed(copied)}, which it names` : ''}`);
-  if (omitted.length > 0) studio.tell(`Not copied to the new place: ${listed(omitted.map(({ file, reason }) => `${file} (${reason})`))}`, true);
+function tell_saved(page: Page, { path, copied = [], omitted = [] }: Saved): void {
+  page.notify(`Saved ${path}${copied.length > 0 ? `, and copied ${listed(copied)}, which it names` : ''}`);
+  if (omitted.length > 0) page.notify(`Not copied to the new place: ${listed(omitted.map(({ file, reason }) => `${file} (${reason})`))}`, true);
 }
 
 /// Returns the first of some names as text.

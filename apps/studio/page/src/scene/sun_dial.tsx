@@ -9,13 +9,14 @@ import { Button } from '../controls/button.tsx';
 import { value_at } from '../values/path.ts';
 import { use_held } from '../controls/use_held.ts';
 import type { Json } from '../values/json.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { drag_values, set_values, value_now } from '../time/values_now.ts';
 import type { SkyPlace } from './sun_math.ts';
 import { day_of, day_text, daylight, declination, hour_and_declination, hour_text, kSolstices, sun_place } from './sun_math.ts';
 import { SunFields } from './sun_fields.tsx';
 import type { SunState } from './sun_state.ts';
 import { kNoLatitude, sun_state, with_place, with_time } from './sun_state.ts';
+import { TimeModel } from '../time/time_model.ts';
 
 const kRadius = 100; // radius of the horizon in the picture
 const kEdge = 122; // half of the picture's size
@@ -27,14 +28,14 @@ const kDayStep = { plain: 7, fine: 1, coarse: 30 };
 const kDegreeStep = { plain: 2, fine: 0.5, coarse: 15 };
 
 export function SunDial(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  use_store(studio.dragged);
-  use_store(studio.bench.time.state);
-  const scene = value_now(studio, 'scene', value_at(tree, 'scene'));
+  use_store(page.dragged);
+  use_store(page.tool(TimeModel).state);
+  const scene = value_now(page, 'scene', value_at(tree, 'scene'));
   const state = sun_state(scene);
   if (state.kind === 'none') {
-    const give = (): void => set_values(studio, { 'scene.sun': { day: kSolstices.summer, hour: 12 }, ...(state.latitude === null ? { 'scene.latitude': kNoLatitude } : {}) }, 'Give the scene a sun');
+    const give = (): void => set_values(page, { 'scene.sun': { day: kSolstices.summer, hour: 12 }, ...(state.latitude === null ? { 'scene.latitude': kNoLatitude } : {}) }, 'Give the scene a sun');
     return (
       <section className="sun-dial" aria-label="Sun">
         <p className="empty">The scene has no sun: light comes from the zenith.</p>
@@ -45,8 +46,8 @@ export function SunDial(): ReactElement {
   if (state.kind === 'other') return <p className="empty">The sun is given by expressions; its rows say how.</p>;
   return (
     <section className="sun-dial" aria-label="Sun">
-      <Sky scene={scene} state={state} drag={(values) => drag_values(studio, values)} commit={(values) => set_values(studio, values, 'Move the sun')} cancel={() => studio.stop_drag()} />
-      <SunFields scene={scene} state={state} drag={(values) => drag_values(studio, values)} commit={(values) => set_values(studio, values, 'Move the sun')} cancel={() => studio.stop_drag()} />
+      <Sky scene={scene} state={state} drag={(values) => drag_values(page, values)} commit={(values) => set_values(page, values, 'Move the sun')} cancel={() => page.stop_drag()} />
+      <SunFields scene={scene} state={state} drag={(values) => drag_values(page, values)} commit={(values) => set_values(page, values, 'Move the sun')} cancel={() => page.stop_drag()} />
     </section>
   );
 }

@@ -6,7 +6,7 @@ import { use_store } from '../base/store.ts';
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import type { Json } from '../values/json.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import type { SunActions } from './sun_dial.tsx';
 import { place_of, said_of } from './sun_dial.tsx';
 import { day_text, hour_text } from './sun_math.ts';
@@ -14,8 +14,8 @@ import { kNoLatitude, with_place, with_time } from './sun_state.ts';
 
 export function SunFields(props: SunActions): ReactElement {
   const { scene, state } = props;
-  const studio = use_studio();
-  const { is_sunlit } = use_store(studio.view_state);
+  const page = use_page();
+  const { is_sunlit } = use_store(page.view_state);
   const sun = place_of(state);
   return (
     <div className="sun-fields">
@@ -36,7 +36,7 @@ export function SunFields(props: SunActions): ReactElement {
         {state.every_hours !== null && `; for growth all day${state.days ? `, from ${day_text(state.days[0])} to ${day_text(state.days[1])}` : ''}`}
       </p>
       <label className="check-line">
-        <input type="checkbox" checked={is_sunlit} onChange={(event) => studio.change_view({ is_sunlit: event.target.checked })} />
+        <input type="checkbox" checked={is_sunlit} onChange={(event) => page.change_view({ is_sunlit: event.target.checked })} />
         Light the view by this sun
       </label>
     </div>

@@ -7,11 +7,12 @@ import { shown_number } from '../controls/number_field.tsx';
 import type { Json } from '../values/json.ts';
 import { is_object } from '../values/json.ts';
 import { steps_of } from '../values/path.ts';
-import { use_studio } from '../page/use_page.ts';
+import { use_page } from '../page/use_page.ts';
 import type { Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
 import type { Keyed } from './use_keyed.ts';
 import { toggle_key, use_keyed } from './use_keyed.ts';
+import { TimeModel } from './time_model.ts';
 
 const kHeads = new Set(['components', 'links', 'scene']);
 
@@ -21,11 +22,11 @@ export function can_have_keys(row: Row, path: string): boolean {
 }
 
 export function RowKeyButton({ row, path, value }: { row: Row; path: string; value: Json | undefined }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const keyed = use_keyed(path);
   const label = row.name.replaceAll('_', ' ');
-  const { time: model } = studio.bench;
-  const element = use_part(studio.document.state, () => (keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined));
+  const model = page.tool(TimeModel);
+  const element = use_part(page.document.state, () => (keyed === null ? model.tracks.find((one) => one.path.startsWith(`${path}[`)) : undefined));
   // A vector with keys as a whole cannot have keys of single elements.
   if (element) {
     const show = (): void => {
@@ -34,7 +35,7 @@ export function RowKeyButton({ row, path, value }: { row: Row; path: string; val
     };
     return <Diamond label={label} state="others" tip={`${element.name} has keys of its own; shows them`} press={show} />;
   }
-  return <KeyButton label={label} path={path} keyed={keyed} value={() => keyed?.value ?? first_key_value(value, row, first_value(studio.tables, row))} />;
+  return <KeyButton label={label} path={path} keyed={keyed} value={() => keyed?.value ?? first_key_value(value, row, first_value(page.tables, row))} />;
 }
 
 interface KeyButtonProps {
@@ -45,11 +46,11 @@ interface KeyButtonProps {
 }
 
 export function KeyButton({ label, path, keyed, value }: KeyButtonProps): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const state = keyed === null ? 'none' : keyed.index >= 0 ? 'here' : 'others';
-  const at = `${shown_number(use_part(studio.bench.time.state, ({ time }) => time))} s`;
+  const at = `${shown_number(use_part(page.tool(TimeModel).state, ({ time }) => time))} s`;
   const text = state === 'here' ? `Remove the key of ${label} at ${at}` : `Key ${label} at ${at}`;
-  return <Diamond label={label} state={state} tip={text} press={() => toggle_key(studio, path, keyed, value())} />;
+  return <Diamond label={label} state={state} tip={text} press={() => toggle_key(page, path, keyed, value())} />;
 }
 
 function Diamond({ label, state, tip, press }: { label: string; state: 'none' | 'others' | 'here'; tip: string; press: () => void }): ReactElement {

@@ -6,12 +6,13 @@ import { steps_of } from '../values/path.ts';
 import type { PathStep } from '../values/path.ts';
 import { value_within, with_value, with_values } from '../values/put_values.ts';
 import type { Edit } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 import type { Track } from './keys.ts';
 import { dragged_keys, keys_edits, with_key } from './keys.ts';
 import type { Key } from './track.ts';
 import { value_at_time } from './track.ts';
 import { keyed_path, with_dragged } from './use_keyed.ts';
+import { TimeModel } from './time_model.ts';
 
 export type Values = Readonly<Record<string, Json>>;
 
@@ -52,9 +53,9 @@ function is_below(steps: readonly PathStep[], above: readonly PathStep[]): boole
 }
 
 /// Returns the value at a path as shown: of a drag, else with the values of keys at the view's time.
-export function value_now(studio: Studio, path: string, value: Json | undefined): Json | undefined {
-  const { time } = studio.bench;
-  const dragged = studio.dragged.get();
+export function value_now(page: Page, path: string, value: Json | undefined): Json | undefined {
+  const time = page.tool(TimeModel);
+  const dragged = page.dragged.get();
   const steps = steps_of(path);
   const keyed = Object.fromEntries(
     time.tracks
@@ -70,35 +71,35 @@ export function has_keys_below(tracks: readonly Track[], path: string): boolean 
 }
 
 /// Grows with these values temporarily, like `drag` of the studio.
-export function drag_values(studio: Studio, values: Values): void {
-  studio.drag(dragged_values(studio, values));
+export function drag_values(page: Page, values: Values): void {
+  page.drag(dragged_values(page, values));
 }
 
 /// Returns the members of a drag with these values.
-export function dragged_values(studio: Studio, values: Values): Record<string, Json> {
-  const { time } = studio.bench;
+export function dragged_values(page: Page, values: Values): Record<string, Json> {
+  const time = page.tool(TimeModel);
   const { plain, keys } = parted(values, time.tracks, time.time);
   return Object.keys(keys).length > 0 ? { ...plain, ...dragged_keys(time.document, keys) } : plain;
 }
 
 /// Sets these values as one step, and removes excluded ones. The label "Set ..." becomes "Key ..." if only keys are
 /// written.
-export function set_values(studio: Studio, values: Values, label: string, excluded: readonly string[] = []): void {
-  const { time } = studio.bench;
+export function set_values(page: Page, values: Values, label: string, excluded: readonly string[] = []): void {
+  const time = page.tool(TimeModel);
   const { plain, keys } = parted(values, time.tracks, time.time);
   const edits: Edit[] = Object.entries(plain).map(([set, value]) => ({ set, value }));
-  if (edits.length === 0) return void studio.edit(edits_of_keys(studio, keys), label.replace(/^Set /, 'Key '));
-  give(studio, [...edits, ...edits_of_keys(studio, keys)], label, excluded);
+  if (edits.length === 0) return void page.edit(edits_of_keys(page, keys), label.replace(/^Set /, 'Key '));
+  give(page, [...edits, ...edits_of_keys(page, keys)], label, excluded);
 }
 
 /// Makes edits and removes excluded values, as one step.
-export function give(studio: Studio, edits: Edit[], label: string, excluded: readonly string[]): void {
-  void studio.edit([...edits, ...excluded.map((path) => ({ unset: path }))], label);
-  if (excluded.length > 0) studio.tell(`Removed ${excluded.map(last_name).join(' and ')}, which cannot stand beside it`);
+export function give(page: Page, edits: Edit[], label: string, excluded: readonly string[]): void {
+  void page.edit([...edits, ...excluded.map((path) => ({ unset: path }))], label);
+  if (excluded.length > 0) page.notify(`Removed ${excluded.map(last_name).join(' and ')}, which cannot stand beside it`);
 }
 
-function edits_of_keys(studio: Studio, keys: PartedValues['keys']): Edit[] {
-  return Object.entries(keys).flatMap(([name, made]) => keys_edits(studio.bench.time.document, name, made));
+function edits_of_keys(page: Page, keys: PartedValues['keys']): Edit[] {
+  return Object.entries(keys).flatMap(([name, made]) => keys_edits(page.tool(TimeModel).document, name, made));
 }
 
 function last_name(path: string): string {

@@ -12,40 +12,41 @@ import { is_object } from '../values/json.ts';
 import { path_below, value_at } from '../values/path.ts';
 import { use_held } from '../controls/use_held.ts';
 import type { BegunClocks } from '../server/protocol.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { percent, time_under } from './lane.ts';
 import { tidy_time } from '../time/keys.ts';
+import { TimeModel } from '../time/time_model.ts';
 
 const kStill = 3; // pixels within which a press is a click
 const kMostRows = 6; // blocks in separate rows; further ones overlap
 
 export function ClockRows(): ReactElement {
-  const studio = use_studio();
-  const { grown } = use_store(studio.growth);
+  const page = use_page();
+  const { grown } = use_store(page.growth);
   use_document();
-  const { length } = studio.bench.time.animation;
+  const { length } = page.tool(TimeModel).animation;
   const [clocks, set_clocks] = useState<BegunClocks[]>([]);
   const hash = grown?.dragged === false ? grown.hash : null;
   const nothing_has_grown = grown === null; // nothing of this document has grown
   useEffect(() => {
     if (nothing_has_grown) {
       set_clocks([]);
-      studio.bench.time.clocks.set([]);
+      page.tool(TimeModel).clocks.set([]);
     }
     if (hash === null) return undefined;
     let is_wanted = true;
-    studio.connection
+    page.connection
       .request<{ clocks: BegunClocks[] }>('clocks', { up_to: length })
       .then((answer) => {
         if (!is_wanted) return;
         set_clocks(answer.clocks);
-        studio.bench.time.clocks.set(answer.clocks.map((one) => one.component));
+        page.tool(TimeModel).clocks.set(answer.clocks.map((one) => one.component));
       })
       .catch(() => undefined); // a document that has not grown has no clocks
     return () => {
       is_wanted = false;
     };
-  }, [studio, hash, nothing_has_grown, length]);
+  }, [page, hash, nothing_has_grown, length]);
   return (
     <>
       {clocks.map((one) => (
@@ -71,9 +72,9 @@ export function moved_delay(delay: Json | undefined, by: number): Json | null {
 }
 
 function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const chosen = use_store(studio.chosen);
+  const chosen = use_store(page.chosen);
   const lane = useRef<HTMLDivElement>(null);
   const held = use_held<{ from: number; by: number; x: number; moved: boolean }>();
   const { component, blocks, count } = clocks;
@@ -90,21 +91,21 @@ function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): 
     if (!hand || !can_move || (!hand.moved && Math.abs(event.clientX - hand.x) < kStill)) return;
     const by = tidy_signed(time_under(event, lane.current, length) - hand.from);
     held.set({ ...hand, by, moved: true });
-    studio.drag({ [path]: moved_delay(delay, by) ?? 0 });
+    page.drag({ [path]: moved_delay(delay, by) ?? 0 });
   };
   const let_go = (commits: boolean): void => {
     const hand = held.get();
     held.set(null);
     if (!hand) return;
-    if (!hand.moved) studio.choose(component_path(component));
-    else if (commits && hand.by !== 0) studio.set_value(path, moved_delay(delay, hand.by) ?? 0, `Move ${component} in time`);
-    else studio.stop_drag();
+    if (!hand.moved) page.choose(component_path(component));
+    else if (commits && hand.by !== 0) page.set_value(path, moved_delay(delay, hand.by) ?? 0, `Move ${component} in time`);
+    else page.stop_drag();
   };
   const shift = held.shown?.by ?? 0;
   const rows = Math.min(kMostRows, blocks.length);
   return (
     <div className={`lane-row${chosen === component_path(component) ? ' chosen' : ''}`} data-clock={component}>
-      <button type="button" className="lane-name" data-tip={`${count === 1 ? 'The clock' : `The ${count} clocks`} of ${component}`} onClick={() => studio.choose(component_path(component))}>
+      <button type="button" className="lane-name" data-tip={`${count === 1 ? 'The clock' : `The ${count} clocks`} of ${component}`} onClick={() => page.choose(component_path(component))}>
         {component}
       </button>
       <div ref={lane} className={`lane clocks${can_move ? ' movable' : ''}`} role="img" aria-label={`${count === 1 ? '1 clock' : `${count} clocks`} of ${component}, from ${shown_number(tidy_time(blocks[0]?.[0] ?? 0))} s on`} onPointerDown={down} onPointerMove={move} onPointerUp={() => let_go(true)} onPointerCancel={() => let_go(false)}>

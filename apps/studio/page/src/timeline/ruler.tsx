@@ -6,14 +6,15 @@ import { useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { shown_number } from '../controls/number_field.tsx';
 import { fitting_step, rounded } from '../values/arithmetic.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { percent, time_under, to_frame } from './lane.ts';
+import { TimeModel } from '../time/time_model.ts';
 
 const kMarks = 10; // approximate count of numbers over the whole length
 
 export function Ruler(): ReactElement {
-  const studio = use_studio();
-  const { time: model } = studio.bench;
+  const page = use_page();
+  const model = page.tool(TimeModel);
   const { time } = use_store(model.state);
   use_document();
   const { length, fps } = model.animation;

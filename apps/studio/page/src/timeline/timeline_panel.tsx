@@ -6,22 +6,23 @@ import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { member_of } from '../values/path.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { ClockRows } from './clock_rows.tsx';
 import { animation_of } from '../time/keys.ts';
 import { Ruler } from './ruler.tsx';
 import { TrackEditor } from './track_editor.tsx';
 import { TrackRow } from './track_row.tsx';
+import { TimeModel } from '../time/time_model.ts';
 
 export function TimelinePanel(): ReactElement | null {
-  const studio = use_studio();
-  const { is_open } = use_store(studio.bench.time.state);
+  const page = use_page();
+  const { is_open } = use_store(page.tool(TimeModel).state);
   return is_open ? <Timeline /> : null;
 }
 
 function Timeline(): ReactElement {
-  const studio = use_studio();
-  const { time: model } = studio.bench;
+  const page = use_page();
+  const model = page.tool(TimeModel);
   const { time, track } = use_store(model.state);
   const { tree } = use_document();
   const { tracks, animation } = model;
@@ -51,21 +52,21 @@ function Timeline(): ReactElement {
 }
 
 function TimelineHead(): ReactElement {
-  const studio = use_studio();
-  const { time: model } = studio.bench;
+  const page = use_page();
+  const model = page.tool(TimeModel);
   const { time, is_playing } = use_store(model.state);
   const { tree } = use_document();
   const { length, fps } = model.animation;
   const unrolls = member_of(member_of(tree?.value, 'animation'), 'steps_per_second') !== undefined;
   const set = (name: 'length' | 'fps') => (value: number) => {
     const has_animation = animation_of(tree?.value) !== null;
-    if (has_animation) studio.set_value(`animation.${name}`, value, `Set ${name}`);
-    else studio.set_value('animation', { length, fps, [name]: value }, `Set ${name}`);
+    if (has_animation) page.set_value(`animation.${name}`, value, `Set ${name}`);
+    else page.set_value('animation', { length, fps, [name]: value }, `Set ${name}`);
   };
   const scrub = (value: number): void => model.scrub(value);
   const record = (): void => {
     model.stop();
-    studio.shell.merge({ dialog: 'record' });
+    page.shell.merge({ dialog: 'record' });
   };
   return (
     <header className="timeline-head" role="toolbar" aria-label="Time">
@@ -76,7 +77,7 @@ function TimelineHead(): ReactElement {
       <span className="quiet">of</span>
       <NumberField label="Length" value={length} step={0.1} unit="s" limit={(one) => Math.min(1e6, Math.max(0.01, one))} drag={() => undefined} commit={set('length')} cancel={() => undefined} />
       <NumberField label="Frames per second" value={fps} step={1} unit="per s" limit={(one) => Math.min(1000, Math.max(1, Math.round(one)))} drag={() => undefined} commit={set('fps')} cancel={() => undefined} />
-      <Button kind="quiet" tip="What the document says of its time: also how fast plants grow" press={() => studio.choose('animation')}>
+      <Button kind="quiet" tip="What the document says of its time: also how fast plants grow" press={() => page.choose('animation')}>
         {unrolls ? 'Grows over time' : 'Growth…'}
       </Button>
       <span className="stretch" />
@@ -90,7 +91,7 @@ function TimelineHead(): ReactElement {
 
 /// Opens and closes the timeline.
 export function TimeButton(): ReactElement {
-  const studio = use_studio();
-  const { is_open } = use_store(studio.bench.time.state);
-  return <IconButton icon="clock" label="Timeline" keys="K" is_on={is_open} press={() => studio.bench.time.toggle()} />;
+  const page = use_page();
+  const { is_open } = use_store(page.tool(TimeModel).state);
+  return <IconButton icon="clock" label="Timeline" keys="K" is_on={is_open} press={() => page.tool(TimeModel).toggle()} />;
 }

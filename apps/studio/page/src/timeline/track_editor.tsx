@@ -19,7 +19,7 @@ import { with_limits } from '../editors/limits.ts';
 import type { Frame, Point, Range } from '../editors/shape.ts';
 import { use_snapping } from '../editors/snapping.ts';
 import { TextField } from '../controls/text_field.tsx';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { legal_value, row_of_value } from '../tables/legal.ts';
 import { hard_range } from '../tables/tables.ts';
 import type { Track } from '../time/keys.ts';
@@ -27,23 +27,24 @@ import { tidy_time, with_key, with_time, with_way } from '../time/keys.ts';
 import type { Key } from '../time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../time/track.ts';
 import { commit_keys, drag_keys, with_dragged } from '../time/use_keyed.ts';
+import { TimeModel } from '../time/time_model.ts';
 
 const kFree: Range = { low: -Infinity, high: Infinity };
 const kSize = { wide: 720, high: 150, margin: 20 };
 
 export function TrackEditor({ track: written }: { track: Track }): ReactElement {
-  const studio = use_studio();
-  const { time: model } = studio.bench;
+  const page = use_page();
+  const model = page.tool(TimeModel);
   const state = use_store(model.state);
-  const dragged = use_store(studio.dragged);
+  const dragged = use_store(page.dragged);
   const { tree } = use_document();
   const { keys, name } = with_dragged(written, dragged, model.document, model.tops);
   const index = Math.min(state.key, keys.length - 1);
   const label = name.replaceAll('_', ' ');
   const acts = {
-    drag: (made: readonly Key[]) => drag_keys(studio, name, made),
-    commit: (made: readonly Key[], what: string) => commit_keys(studio, name, made, `${what} of ${label}`),
-    cancel: () => studio.stop_drag(),
+    drag: (made: readonly Key[]) => drag_keys(page, name, made),
+    commit: (made: readonly Key[], what: string) => commit_keys(page, name, made, `${what} of ${label}`),
+    cancel: () => page.stop_drag(),
   };
   const choose = (which: number): void => model.choose(name, which);
   const add = (time: number, value: Json): void => {
@@ -55,7 +56,7 @@ export function TrackEditor({ track: written }: { track: Track }): ReactElement 
     acts.commit(without(keys, which), 'Remove a key');
     choose(Math.max(0, which - 1));
   };
-  const row = row_of_value(studio.tables, tree, name, keys[index]?.value ?? null);
+  const row = row_of_value(page.tables, tree, name, keys[index]?.value ?? null);
   const legal = (value: Json): Json => (row ? legal_value(row, value) : value);
   const range = row ? hard_range(row) : kFree;
   const props = { label, keys, index, legal, range, length: model.animation.length, choose, add, remove, ...acts };

@@ -10,7 +10,7 @@ import { standing_on } from '../board/plant_graph.ts';
 import { Icon } from '../controls/icon.tsx';
 import { shown_number } from '../controls/number_field.tsx';
 import { write_json } from '../values/json.ts';
-import { use_document, use_studio } from '../page/use_page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { use_held } from '../controls/use_held.ts';
 import { percent, time_under, to_frame } from './lane.ts';
 import type { Track } from '../time/keys.ts';
@@ -18,6 +18,8 @@ import { with_time } from '../time/keys.ts';
 import type { Key } from '../time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../time/track.ts';
 import { commit_keys, drag_keys, with_dragged } from '../time/use_keyed.ts';
+import { TimeModel } from '../time/time_model.ts';
+import { Board } from '../board/board.ts';
 
 const kStill = 3; // pixels within which a press is a click
 
@@ -30,10 +32,10 @@ interface HeldKey {
 }
 
 export function TrackRow({ track: written }: { track: Track }): ReactElement {
-  const studio = use_studio();
-  const { time: model } = studio.bench;
+  const page = use_page();
+  const model = page.tool(TimeModel);
   const state = use_store(model.state);
-  const dragged = use_store(studio.dragged);
+  const dragged = use_store(page.dragged);
   use_document();
   const { length, fps } = model.animation;
   const lane = useRef<HTMLDivElement>(null);
@@ -69,22 +71,22 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
     if (!hand || (!hand.moved && Math.abs(event.clientX - hand.x) < kStill)) return;
     const now = with_time(hand.keys, hand.index, to_frame(time_under(event, lane.current, length), fps, event.altKey), length);
     held.set({ ...hand, now, moved: true });
-    drag_keys(studio, name, now);
+    drag_keys(page, name, now);
   };
   const let_go = (commits: boolean): void => {
     const hand = held.get();
     held.set(null);
     if (!hand) return;
     if (!hand.moved) go_to(hand.index);
-    else if (commits) commit_keys(studio, name, hand.now, `Move a key of ${label}`);
-    else studio.stop_drag();
+    else if (commits) commit_keys(page, name, hand.now, `Move a key of ${label}`);
+    else page.stop_drag();
   };
   const key = (index: number) => (event: KeyboardEvent) => {
     const frames = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     const at = track.keys[index];
     if (event.key === 'Escape' && held.get()?.moved) let_go(false);
-    else if (frames !== undefined && at) commit_keys(studio, name, with_time(track.keys, index, at.time + (frames * (event.shiftKey ? 10 : 1)) / fps, length), `Move a key of ${label}`);
-    else if (event.key === 'Delete' || event.key === 'Backspace') commit_keys(studio, name, without(track.keys, index), `Remove a key of ${label}`);
+    else if (frames !== undefined && at) commit_keys(page, name, with_time(track.keys, index, at.time + (frames * (event.shiftKey ? 10 : 1)) / fps, length), `Move a key of ${label}`);
+    else if (event.key === 'Delete' || event.key === 'Backspace') commit_keys(page, name, without(track.keys, index), `Remove a key of ${label}`);
     else if (event.key === 'Enter' || event.key === ' ') go_to(index);
     else return;
     event.preventDefault();
@@ -92,7 +94,7 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
   };
   const open = (): void => {
     model.choose(is_chosen ? null : name);
-    studio.choose(path.replace(/^((?:components|variables)\.(?:[^.[]+|\["[^"]*"\])|links\[\d+\]|scene).*$/, '$1'));
+    page.choose(path.replace(/^((?:components|variables)\.(?:[^.[]+|\["[^"]*"\])|links\[\d+\]|scene).*$/, '$1'));
   };
   return (
     <div ref={row} className={`lane-row${is_chosen ? ' chosen' : ''}`} data-track={name}>
@@ -121,10 +123,10 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
 
 /// Returns true if the value at a path follows clocks of its own, which a component above it begins.
 function use_own_clock(path: string): boolean {
-  const studio = use_studio();
-  const clocks = use_store(studio.bench.time.clocks);
+  const page = use_page();
+  const clocks = use_store(page.tool(TimeModel).clocks);
   const component = component_of(path);
-  return component !== null && clocks.some((clock) => clock !== component && standing_on(studio.board.actions.graph, clock).has(component));
+  return component !== null && clocks.some((clock) => clock !== component && standing_on(page.tool(Board).actions.graph, clock).has(component));
 }
 
 /// The values of the keys over time, drawn behind them: a curve, or a band of colours.

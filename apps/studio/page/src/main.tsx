@@ -4,9 +4,11 @@ import { createRoot } from 'react-dom/client';
 
 import { claim_tab } from './base/tab.ts';
 import { start_tooltips } from './controls/tooltip.ts';
+import { kRowKinds } from './editors/all_row_kinds.ts';
 import { App } from './panels/app.tsx';
 import { listen_to_keys } from './panels/shortcuts.ts';
 import type { Json } from './values/json.ts';
+import { RowKindsContext } from './rows/row_kinds.ts';
 import { Studio } from './studio.ts';
 import { PageContext } from './page/use_page.ts';
 import type { Tables } from './tables/tables.ts';
@@ -46,7 +48,9 @@ async function start(): Promise<void> {
   createRoot(root).render(
     <StrictMode>
       <PageContext.Provider value={studio}>
-        <App />
+        <RowKindsContext.Provider value={kRowKinds}>
+          <App />
+        </RowKindsContext.Provider>
       </PageContext.Provider>
     </StrictMode>,
   );

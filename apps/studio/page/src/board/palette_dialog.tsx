@@ -8,7 +8,7 @@ import { use_store } from '../base/store.ts';
 import { Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { use_models } from '../dialogs/models_dialog.tsx';
+import { use_models } from '../files/models.ts';
 import { use_page } from '../page/use_page.ts';
 import { graph_of } from './plant_graph.ts';
 import type { LinkKind } from './plant_graph.ts';

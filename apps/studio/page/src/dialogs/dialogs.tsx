@@ -4,7 +4,7 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { StillDialog } from './still_dialog.tsx';
 import { Dialog } from '../controls/dialog.tsx';
-import { kShortcuts } from '../panels/shortcuts.ts';
+import { kShortcuts } from './shortcut_list.ts';
 import { ChanceDialog } from '../find/chance_dialog.tsx';
 import { use_page } from '../page/use_page.ts';
 import { ExportDialog } from './export_dialog.tsx';

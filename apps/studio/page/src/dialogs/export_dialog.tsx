@@ -12,7 +12,7 @@ import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
 import { use_document, use_page } from '../page/use_page.ts';
 import { take_file } from './recording.ts';
 import { ExportFooter } from './export_footer.tsx';
-import { size_text } from './file_dialogs.tsx';
+import { size_text } from '../files/file_list.tsx';
 import { TimeModel } from '../time/time_model.ts';
 
 const kInstances = [

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ReactElement } from 'react';
-import { useEffect, useState } from 'react';
+import { useState } from 'react';
 
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import type { ShippedModel } from '../server/protocol.ts';
+import { use_models } from '../files/models.ts';
 import { use_page } from '../page/use_page.ts';
-
-/// Returns the shipped plants. The list is empty until the server has answered.
-export function use_models(): ShippedModel[] {
-  const page = use_page();
-  const [models, set_models] = useState<ShippedModel[]>([]);
-  useEffect(() => {
-    page.connection
-      .request<{ models: ShippedModel[] }>('models')
-      .then((answer) => set_models(answer.models))
-      .catch((fault: Error) => page.notify(fault.message, true));
-  }, [page]);
-  return models;
-}
 
 /// A window with all shipped plants and their pictures.
 export function ModelsDialog({ close }: { close: () => void }): ReactElement {

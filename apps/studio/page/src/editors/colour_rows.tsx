@@ -5,7 +5,7 @@ import { useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../values/json.ts';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { TextField } from '../controls/text_field.tsx';
 import { full_colour } from '../values/colour.ts';
 import { ColourList } from './colour_list.tsx';

@@ -8,7 +8,8 @@ import { IconButton } from '../controls/button.tsx';
 import { path_below, path_of, steps_of, value_at } from '../values/path.ts';
 import { excluded_by } from '../rows/exclusion.ts';
 import { use_faults, use_row_actions, use_shown_value } from '../rows/row_actions.ts';
-import { Faults, kEditors } from '../rows/row_editor.tsx';
+import { Faults } from '../controls/faults.tsx';
+import { use_row_kinds } from '../rows/row_kinds.ts';
 import { use_document, use_page } from '../page/use_page.ts';
 import { groups_at, rows_at } from '../tables/resolve.ts';
 import type { Row } from '../tables/tables.ts';
@@ -45,7 +46,7 @@ function LargeEditor({ path, parent, row, close }: LargeEditorProps): ReactEleme
   const value = use_shown_value(path, value_at(tree, path));
   const faults = use_faults(path, true);
   const label = row.name.replaceAll('_', ' ');
-  const Editor = kEditors[row.kind];
+  const Editor = use_row_kinds().editors[row.kind]?.editor;
   if (!Editor) return null;
   return (
     <section

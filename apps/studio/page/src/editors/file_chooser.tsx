@@ -4,7 +4,7 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import { Files } from '../dialogs/file_dialogs.tsx';
+import { Files } from '../files/file_list.tsx';
 import { Thumbnail } from './thumbnail.tsx';
 import { use_document, use_page } from '../page/use_page.ts';
 import type { Row } from '../tables/tables.ts';

@@ -12,7 +12,7 @@ import { use_document } from '../page/use_page.ts';
 import type { Row } from '../tables/tables.ts';
 import { FileChooser, ShippedFiles } from './file_chooser.tsx';
 import { names_pictures } from '../files/file_endings.ts';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { TextField } from '../controls/text_field.tsx';
 
 export function FileRow(props: RowEditorProps): ReactElement {

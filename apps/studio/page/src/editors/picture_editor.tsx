@@ -4,7 +4,7 @@ import type { ReactElement } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
 import { FileChooser, ShippedFiles } from './file_chooser.tsx';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { TextField } from '../controls/text_field.tsx';
 import { Button } from '../controls/button.tsx';
 import { use_document } from '../page/use_page.ts';

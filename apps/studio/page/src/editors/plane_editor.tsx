@@ -13,7 +13,7 @@ import type { Limits } from './limits.ts';
 import { drawn_limits, limits_of, with_legal_point, with_limits, within_range } from './limits.ts';
 import type { Frame, Point, Shape } from './shape.ts';
 import { frame_of, is_two_sided, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, with_room_for, without_point } from './shape.ts';
-import type { EditorSize } from './sizes.ts';
+import type { EditorSize } from '../rows/row_kinds.ts';
 import { kPlaneSizes } from './sizes.ts';
 
 interface PlaneEditorProps {

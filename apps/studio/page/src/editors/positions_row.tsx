@@ -6,7 +6,7 @@ import type { ReactElement } from 'react';
 import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../values/json.ts';
 import { NumberOrText } from '../rows/number_row.tsx';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { legal_value } from '../tables/legal.ts';
 import { hard_range } from '../tables/tables.ts';
 import { next_position } from './next_position.ts';

@@ -8,7 +8,7 @@ import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../values/json.ts';
 import { steps_of } from '../values/path.ts';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { TextField } from '../controls/text_field.tsx';
 import { use_page } from '../page/use_page.ts';
 import { count_named, entries_of, named_numbers } from './selection_set.ts';

@@ -7,7 +7,7 @@ import { useState } from 'react';
 import { Button } from '../controls/button.tsx';
 import { use_crown_cloud } from './use_crown_cloud.ts';
 import { WrittenRow } from '../rows/plain_rows.tsx';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { PlaneEditor } from './plane_editor.tsx';
 import type { PlaneLine } from './plane_lines.tsx';
 import type { Form } from './shape.ts';

@@ -11,7 +11,7 @@ import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import type { Range } from './shape.ts';
 import { with_limits, within_range } from './limits.ts';
 import { use_snapping } from './snapping.ts';
-import type { EditorSize } from './sizes.ts';
+import type { EditorSize } from '../rows/row_kinds.ts';
 import type { Side } from './space.ts';
 import { frame_from, kSides, limits_from, moved_in, names_of, seen_from, step_of } from './space.ts';
 

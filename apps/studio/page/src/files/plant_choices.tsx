@@ -4,8 +4,8 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
-import { Files } from '../dialogs/file_dialogs.tsx';
-import { use_models } from '../dialogs/models_dialog.tsx';
+import { Files } from './file_list.tsx';
+import { use_models } from './models.ts';
 import { folder_of, path_from } from './file_path.ts';
 import { use_document } from '../page/use_page.ts';
 

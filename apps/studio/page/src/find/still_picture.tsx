@@ -2,7 +2,7 @@
 import type { ReactElement } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
-import { fault_text } from '../rows/row_editor.tsx';
+import { fault_text } from '../controls/faults.tsx';
 import type { Still } from '../server/protocol.ts';
 
 /// A small picture of a plant, or the fault that prevents its growth.

@@ -7,8 +7,8 @@ import type { Amount, Grip, GripField, GripGroup, Values } from './grip.ts';
 import { moved_vector } from './grip.ts';
 import { move_grips } from './move_grips.ts';
 import { turn_grips } from './pose_group.ts';
-import type { Spot } from './row_groups.ts';
-import { vec_of } from './row_groups.ts';
+import type { Spot } from './spot.ts';
+import { vec_of } from './spot.ts';
 import type { Frame3, Vec } from '../values/space_math.ts';
 import { add, length, point_in, times, unit, vector_out } from '../values/space_math.ts';
 

@@ -9,8 +9,8 @@ import type { Grip, GripGroup, Sight } from './grip.ts';
 import { moved_vector } from './grip.ts';
 import { move_grips } from './move_grips.ts';
 import { fields_of } from './pose_group.ts';
-import type { Spot } from './row_groups.ts';
-import { vec_of } from './row_groups.ts';
+import type { Spot } from './spot.ts';
+import { vec_of } from './spot.ts';
 import type { Vec } from '../values/space_math.ts';
 import { add, cross, dot, length, point_in, times, unit, vector_in, vector_out } from '../values/space_math.ts';
 

@@ -5,8 +5,8 @@ import type { Json } from '../values/json.ts';
 import type { Grip, GripField, GripGroup, Values } from './grip.ts';
 import { moved_vector } from './grip.ts';
 import { move_grips } from './move_grips.ts';
-import type { Spot } from './row_groups.ts';
-import { pose_of, vec_of } from './row_groups.ts';
+import type { Spot } from './spot.ts';
+import { pose_of, vec_of } from './spot.ts';
 import type { Frame3, Vec } from '../values/space_math.ts';
 import { minus, point_in, turned, turns_to, unit, vector_in, vector_out } from '../values/space_math.ts';
 

@@ -6,8 +6,10 @@ import { path_below } from '../values/path.ts';
 import type { ParameterTable, Row, Tables } from '../tables/tables.ts';
 import { table_of } from '../tables/tables.ts';
 import type { GripGroup, Sight } from './grip.ts';
-import type { Frame3, Vec } from '../values/space_math.ts';
-import { framed, point_in, times, turn_of } from '../values/space_math.ts';
+import type { Frame3 } from '../values/space_math.ts';
+import { framed, point_in } from '../values/space_math.ts';
+import type { Spot } from './spot.ts';
+import { pose_of, vec_of } from './spot.ts';
 import { box_group } from './box_group.ts';
 import { nested_objects } from './nested_objects.ts';
 import { pose_group } from './pose_group.ts';
@@ -16,22 +18,6 @@ import { points_groups, profile_group } from './points_groups.ts';
 
 const kMostGroups = 200;
 const kDeepest = 12; // levels of tables below the chosen one
-
-export function vec_of(value: Json | undefined): Vec | null {
-  if (!Array.isArray(value) || value.length !== 3 || !value.every((one) => typeof one === 'number')) return null;
-  return value as unknown as Vec;
-}
-
-/// An object of the document with its table, in the frame of its rows.
-export interface Spot {
-  table: ParameterTable;
-  value: { [name: string]: Json };
-  path: string;
-  title: string; // title of the object for users
-  frame: Frame3;
-  is_given: boolean; // true: the object is in the document, so that defaults of its rows count
-  path_of: (row: string) => string;
-}
 
 interface Walk {
   tables: Tables;
@@ -58,15 +44,6 @@ function own_frame(tables: Tables, row_tables: readonly ParameterTable[], object
   const row = row_tables.flatMap(({ rows }) => rows).find((one) => one.name === 'frame' && one.table !== undefined);
   const said = row ? object[row.name] : undefined;
   return pose_of(row?.table === undefined ? null : table_of(tables, row.table), is_object(said) ? said : {});
-}
-
-/// Returns the frame of a pose: scale, then rotation, then translation.
-export function pose_of(table: ParameterTable | null, value: { [name: string]: Json }): Frame3 {
-  const of = (role: string): Vec | null => vec_of(value[table?.rows.find((row) => row.in_space === role)?.name ?? '']);
-  const said = value['scale'];
-  const scale: Vec = typeof said === 'number' ? [said, said, said] : (vec_of(said) ?? [1, 1, 1]);
-  const turn = turn_of(of('turn') ?? [0, 0, 0]);
-  return { axes: [times(turn[0], scale[0]), times(turn[1], scale[1]), times(turn[2], scale[2])], origin: of('shift') ?? [0, 0, 0] };
 }
 
 /// `base` is the frame before the object's own pose.

@@ -8,7 +8,7 @@ import { EditorView } from '@codemirror/view';
 
 import { patch_between } from '../values/patch.ts';
 import { node_at } from '../values/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
+import { fault_text } from '../controls/faults.tsx';
 import type { Fault } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';
 import { code_extensions } from '../text/code_extensions.ts';

@@ -7,7 +7,7 @@ import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { path_below } from '../values/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
+import { fault_text } from '../controls/faults.tsx';
 import { use_document, use_page } from '../page/use_page.ts';
 import type { GrammarPlace } from './derivation.ts';
 import { grammars_of } from './derivation.ts';

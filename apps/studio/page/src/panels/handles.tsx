@@ -13,7 +13,7 @@ import { member_of } from '../values/path.ts';
 import { Strip } from '../find/strip.tsx';
 import { variable_states } from '../find/strip_states.ts';
 import { TextField } from '../controls/text_field.tsx';
-import { Faults } from '../rows/row_editor.tsx';
+import { Faults } from '../controls/faults.tsx';
 import { use_faults } from '../rows/row_actions.ts';
 import type { Variable } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';

@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
 import { node_at } from '../values/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
+import { fault_text } from '../controls/faults.tsx';
 import type { Fault } from '../server/protocol.ts';
 import { use_document, use_page } from '../page/use_page.ts';
 import { TextEditor } from '../text/editor.ts';

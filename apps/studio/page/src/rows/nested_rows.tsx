@@ -15,16 +15,11 @@ import { as_object, first_object, has_meaning, table_of } from '../tables/tables
 import { ExcludedPaths } from './exclusion.ts';
 import { give } from '../time/values_now.ts';
 import { use_faults } from './row_actions.ts';
-import { Faults, RowView, tip_of } from './row_editor.tsx';
+import { Faults } from '../controls/faults.tsx';
+import { RowView, tip_of } from './row_editor.tsx';
+import type { NestedRowProps } from './row_kinds.ts';
 
-interface NestedRowProps {
-  row: Row;
-  path: string;
-  value: Json | undefined;
-}
-
-/// `rivals` are paths that are removed when anything of the row is given.
-export function NestedRow({ row, path, value, rivals }: NestedRowProps & { rivals: readonly string[] }): ReactElement {
+export function NestedRow({ row, path, value, rivals }: NestedRowProps): ReactElement {
   const page = use_page();
   const excluded = [...useContext(ExcludedPaths), ...rivals];
   const label = row.name.replaceAll('_', ' ');
@@ -96,7 +91,7 @@ export function TableRows({ table, path, value, without }: TableRowsProps): Reac
   );
 }
 
-function ListRows({ row, path, value }: NestedRowProps): ReactElement {
+function ListRows({ row, path, value }: Omit<NestedRowProps, 'rivals'>): ReactElement {
   const page = use_page();
   const excluded = useContext(ExcludedPaths);
   const elements = Array.isArray(value) ? value : [];
@@ -139,7 +134,7 @@ function ElementButtons({ path, index, count }: { path: string; index: number; c
   );
 }
 
-function MapRows({ row, path, value }: NestedRowProps): ReactElement {
+function MapRows({ row, path, value }: Omit<NestedRowProps, 'rivals'>): ReactElement {
   const page = use_page();
   const excluded = useContext(ExcludedPaths);
   const [name, set_name] = useState('');

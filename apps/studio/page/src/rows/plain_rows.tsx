@@ -6,7 +6,7 @@ import { useState } from 'react';
 import type { Json } from '../values/json.ts';
 import { write_json } from '../values/json.ts';
 import { NumberOrText } from './number_row.tsx';
-import type { RowEditorProps } from './row_editor.tsx';
+import type { RowEditorProps } from './row_kinds.ts';
 import { TextField } from '../controls/text_field.tsx';
 
 export function BooleanRow({ label, value, row, actions }: RowEditorProps): ReactElement {

@@ -7,11 +7,11 @@ import { PlantChoices } from '../files/plant_choices.tsx';
 import { IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { use_models } from '../dialogs/models_dialog.tsx';
+import { use_models } from '../files/models.ts';
 import type { JsonNode } from '../values/json.ts';
 import { path_below, steps_of, value_at } from '../values/path.ts';
 import type { Row, Tables } from '../tables/tables.ts';
-import type { RowEditorProps } from './row_editor.tsx';
+import type { RowEditorProps } from './row_kinds.ts';
 import { TextField } from '../controls/text_field.tsx';
 
 /// Returns true if the row at a path names a whole plant.

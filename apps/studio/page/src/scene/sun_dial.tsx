@@ -12,10 +12,10 @@ import type { Json } from '../values/json.ts';
 import { use_document, use_page } from '../page/use_page.ts';
 import { drag_values, set_values, value_now } from '../time/values_now.ts';
 import type { SkyPlace } from './sun_math.ts';
-import { day_of, day_text, daylight, declination, hour_and_declination, hour_text, kSolstices, sun_place } from './sun_math.ts';
+import { day_of, declination, hour_and_declination, kSolstices, sun_place } from './sun_math.ts';
 import { SunFields } from './sun_fields.tsx';
-import type { SunState } from './sun_state.ts';
-import { kNoLatitude, sun_state, with_place, with_time } from './sun_state.ts';
+import type { SunActions, SunState } from './sun_state.ts';
+import { kNoLatitude, place_of, said_of, sun_state, with_place, with_time } from './sun_state.ts';
 import { TimeModel } from '../time/time_model.ts';
 
 const kRadius = 100; // radius of the horizon in the picture
@@ -50,19 +50,6 @@ export function SunDial(): ReactElement {
       <SunFields scene={scene} state={state} drag={(values) => drag_values(page, values)} commit={(values) => set_values(page, values, 'Move the sun')} cancel={() => page.stop_drag()} />
     </section>
   );
-}
-
-export interface SunActions {
-  scene: Json | undefined;
-  state: SunState;
-  drag: (values: Record<string, Json>) => void;
-  commit: (values: Record<string, Json>) => void;
-  cancel: () => void;
-}
-
-/// Returns the position of the sun in the scene. A clock differs from solar time; the server computes that.
-export function place_of(state: SunState): SkyPlace {
-  return state.place ?? sun_place(state.latitude ?? kNoLatitude, state.day, state.hour);
 }
 
 function Sky(props: SunActions): ReactElement {
@@ -194,12 +181,4 @@ function way_of(latitude: number, day: number): string {
     is_broken = place.altitude < 0;
   }
   return path;
-}
-
-export function said_of(state: SunState, sun: SkyPlace): string {
-  const place = `azimuth ${Math.round(sun.azimuth)}°, altitude ${Math.round(sun.altitude)}°`;
-  if (state.kind === 'fixed') return place;
-  const light = daylight(state.latitude ?? kNoLatitude, state.day);
-  const day = light ? `up from ${hour_text(light[0])} to ${hour_text(light[1])}` : 'does not rise';
-  return `${day_text(state.day)}, ${hour_text(state.hour)}: ${place}; ${day}`;
 }

@@ -7,10 +7,9 @@ import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import type { Json } from '../values/json.ts';
 import { use_page } from '../page/use_page.ts';
-import type { SunActions } from './sun_dial.tsx';
-import { place_of, said_of } from './sun_dial.tsx';
 import { day_text, hour_text } from './sun_math.ts';
-import { kNoLatitude, with_place, with_time } from './sun_state.ts';
+import type { SunActions } from './sun_state.ts';
+import { kNoLatitude, place_of, said_of, with_place, with_time } from './sun_state.ts';
 
 export function SunFields(props: SunActions): ReactElement {
   const { scene, state } = props;

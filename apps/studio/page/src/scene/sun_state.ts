@@ -4,7 +4,7 @@ import { rounded } from '../values/arithmetic.ts';
 import type { Json } from '../values/json.ts';
 import { member_of } from '../values/path.ts';
 import type { SkyPlace } from './sun_math.ts';
-import { date_of_day, day_of_date, hour_of, hour_text } from './sun_math.ts';
+import { date_of_day, day_of_date, day_text, daylight, hour_of, hour_text, sun_place } from './sun_math.ts';
 
 export interface SunState {
   /// fixed: a position; day: an hour of a day; season: several days; clock: by a local clock; none: without a sun;
@@ -71,4 +71,27 @@ export function with_time(scene: Json | undefined, state: SunState, day: number,
 /// Returns the values that set the position of a fixed sun.
 export function with_place({ azimuth, altitude }: SkyPlace): Record<string, Json> {
   return { 'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5), 'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5) };
+}
+
+/// A panel of the sun: the scene, its sun, and the effects of changes.
+export interface SunActions {
+  scene: Json | undefined;
+  state: SunState;
+  drag: (values: Record<string, Json>) => void;
+  commit: (values: Record<string, Json>) => void;
+  cancel: () => void;
+}
+
+/// Returns the position of the sun in the scene. A clock differs from solar time; the server computes that.
+export function place_of(state: SunState): SkyPlace {
+  return state.place ?? sun_place(state.latitude ?? kNoLatitude, state.day, state.hour);
+}
+
+/// Returns the position of the sun as text.
+export function said_of(state: SunState, sun: SkyPlace): string {
+  const place = `azimuth ${Math.round(sun.azimuth)}°, altitude ${Math.round(sun.altitude)}°`;
+  if (state.kind === 'fixed') return place;
+  const light = daylight(state.latitude ?? kNoLatitude, state.day);
+  const day = light ? `up from ${hour_text(light[0])} to ${hour_text(light[1])}` : 'does not rise';
+  return `${day_text(state.day)}, ${hour_text(state.hour)}: ${place}; ${day}`;
 }

@@ -9,7 +9,7 @@ import { EditorView, keymap } from '@codemirror/view';
 
 import { patch_between } from '../values/patch.ts';
 import { node_at, path_at } from '../values/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
+import { fault_text } from '../controls/faults.tsx';
 import type { Page } from '../page/page.ts';
 import { chosen_with } from '../tables/resolve.ts';
 import { code_extensions } from './code_extensions.ts';

@@ -12,7 +12,7 @@ import type { Json } from '../values/json.ts';
 import type { View, ViewFacts } from '../view/view.ts';
 import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page_state.ts';
 
-/// The class of a tool, by which a panel finds it.
+/// The class of a tool. Panels find a tool by its class.
 export type ToolKind<T> = abstract new (...parts: never[]) => T;
 
 /// State that panels show. Panels subscribe to a store and change it.

@@ -6,9 +6,12 @@ import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
 import type { EditWish } from './document/edit_queue.ts';
 import { DocumentModel } from './document/document_model.ts';
+import { values_of_variables } from './document/document_state.ts';
 import type { Json } from './values/json.ts';
 import { InstanceChoice } from './page/instance_choice.ts';
-import type { Page, ToolKind } from './page/page.ts';
+import type { Page } from './page/page.ts';
+import type { ToolKind } from './page/tools.ts';
+import { Tools } from './page/tools.ts';
 import { Keeper } from './saving/keeper.ts';
 import { save_document } from './saving/saving.ts';
 import { Connection } from './server/connection.ts';
@@ -16,22 +19,22 @@ import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
 import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
-import { first_shell, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
+import { first_shell, kFirstView, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
 import type { Tables } from './tables/tables.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
 import { Workbench } from './workbench.ts';
 
 export class Studio implements Page {
-  private readonly tools_ = new Map<ToolKind<object>, object>();
+  private readonly tools_ = new Tools();
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null });
+  readonly view_state = new Store(kFirstView);
   readonly view_facts = new Store<ViewFacts | null>(null);
   readonly pointed = new Store<PointedPart | null>(null);
-  readonly instance = this.add(new InstanceChoice(this));
-  readonly board = this.add(new Board(this));
+  readonly instance = this.tools_.add(new InstanceChoice(this));
+  readonly board = this.tools_.add(new Board(this));
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
@@ -39,7 +42,7 @@ export class Studio implements Page {
   readonly enlarged = new Store<string | null>(null);
   readonly strip = new Store<string | null>(null);
   readonly first_values = new Store<Record<string, Json>>({});
-  readonly bench = new Workbench(this, (tool) => this.add(tool));
+  readonly bench = new Workbench(this, this.tools_);
   readonly document: DocumentModel;
   readonly connection: Connection;
   readonly keeper: Keeper;
@@ -59,13 +62,11 @@ export class Studio implements Page {
       on_lost: () => this.keeper.note_lost(),
     });
     this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.notify(message, true));
-    this.keeper = this.add(new Keeper(this, tab));
+    this.keeper = this.tools_.add(new Keeper(this, tab));
   }
 
   tool<T>(kind: ToolKind<T>): T {
-    const tool = this.tools_.get(kind as ToolKind<object>);
-    if (!tool) throw new Error(`the page has no ${kind.name}`);
-    return tool as T;
+    return this.tools_.find(kind);
   }
 
   notify(text: string, is_fault = false, kind = ''): void {
@@ -170,19 +171,13 @@ export class Studio implements Page {
     return save_document(this, path, over);
   }
 
-  private add<T extends object>(tool: T): T {
-    this.tools_.set(tool.constructor as ToolKind<object>, tool);
-    return tool;
-  }
-
   private take_opened(opened: Opened): void {
     this.view?.clear();
     this.growth.set({ ...kNoGrowth, is_paused: this.growth.get().is_paused });
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    // The server computes no variables of a text with faults. Their values are then read from the text.
-    this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
+    this.first_values.set(values_of_variables(this.document.state.get()));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();
     this.enlarged.set(null);

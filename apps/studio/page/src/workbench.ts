@@ -9,6 +9,7 @@ import { LeafCurvesModel } from './grass/leaf_curves.ts';
 import { GrowthLook } from './growth/growth_look.ts';
 import { MeasureModel } from './measures/measure_model.ts';
 import type { Page } from './page/page.ts';
+import type { Tools } from './page/tools.ts';
 import { Pruning } from './pruning/pruning.ts';
 import { TimeModel } from './time/time_model.ts';
 
@@ -24,18 +25,17 @@ export class Workbench {
   readonly recordings: Recordings;
   readonly growth_look: GrowthLook;
 
-  /// `add` makes a tool known to the page and returns it.
-  constructor(page: Page, add: <T extends object>(tool: T) => T) {
-    this.pins = add(new PinList());
-    this.derivation = add(new DerivationModel(page));
-    this.pruning = add(new Pruning(page));
-    this.gizmo = add(new Gizmo(page));
-    this.leaf_curves = add(new LeafCurvesModel(page));
-    this.crown_cloud = add(new CrownCloud(page));
-    this.time = add(new TimeModel(page));
-    this.measures = add(new MeasureModel(page));
-    this.recordings = add(new Recordings(page));
-    this.growth_look = add(new GrowthLook(page));
+  constructor(page: Page, tools: Tools) {
+    this.pins = tools.add(new PinList());
+    this.derivation = tools.add(new DerivationModel(page));
+    this.pruning = tools.add(new Pruning(page));
+    this.gizmo = tools.add(new Gizmo(page));
+    this.leaf_curves = tools.add(new LeafCurvesModel(page));
+    this.crown_cloud = tools.add(new CrownCloud(page));
+    this.time = tools.add(new TimeModel(page));
+    this.measures = tools.add(new MeasureModel(page));
+    this.recordings = tools.add(new Recordings(page));
+    this.growth_look = tools.add(new GrowthLook(page));
   }
 
   /// Resets the tools for another document.

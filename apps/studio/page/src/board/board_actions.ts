@@ -8,7 +8,7 @@ import { first_object } from '../tables/tables.ts';
 import { add_edits, component_of, component_order_edits, component_path, free_name, hang_edits, kind_edits, link_edit, link_of, link_path, links_from, order_edits, place_of_link, remove_alone_edits, remove_edits } from './board_edits.ts';
 import type { BoardState } from './board_state.ts';
 import type { GraphLink, LinkKind, PlantGraph } from './plant_graph.ts';
-import { graph_of, held_by, refusal_of_link } from './plant_graph.ts';
+import { graph_of, held_by, refusal_of_link, usual_kind } from './plant_graph.ts';
 
 export class BoardActions {
   /// `starters` returns the values with which new components begin, by type.
@@ -36,15 +36,9 @@ export class BoardActions {
     else this.page_.choose(component_path(id));
   }
 
-  /// Returns the usual kind of a new link. Leaves and multipliers stand along stems.
   usual_kind(from: string, to: string): LinkKind {
     const type = (id: string): string => this.graph.components.get(id)?.type ?? '';
-    return this.usual_kind_of(type(from), type(to));
-  }
-
-  usual_kind_of(from_type: string, to_type: string): LinkKind {
-    const { components } = this.page_.tables;
-    return components[from_type]?.makes_stems === true && components[to_type]?.makes_stems !== true ? 'branch' : 'child';
+    return usual_kind(this.page_.tables.components, type(from), type(to));
   }
 
   /// Adds a component of this type below another one, and chooses it.

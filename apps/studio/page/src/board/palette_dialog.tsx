@@ -10,7 +10,7 @@ import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { use_models } from '../files/models.ts';
 import { use_page } from '../page/use_page.ts';
-import { graph_of } from './plant_graph.ts';
+import { graph_of, usual_kind } from './plant_graph.ts';
 import type { LinkKind } from './plant_graph.ts';
 import { icon_of } from './component_icon.ts';
 import { ChoiceCard, PlantChoices } from '../files/plant_choices.tsx';
@@ -39,7 +39,7 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
   use_store(page.chosen);
   const { graph, chosen } = page.tool(Board).actions;
   const below = chosen !== null && graph.components.has(chosen) ? chosen : (graph.roots.find((root) => graph.components.get(root)?.is_camera && graph.components.get(root)?.is_written) ?? null);
-  const kind_for = (type: string): LinkKind => kind ?? page.tool(Board).actions.usual_kind_of(graph.components.get(below ?? '')?.type ?? '', type);
+  const kind_for = (type: string): LinkKind => kind ?? usual_kind(page.tables.components, graph.components.get(below ?? '')?.type ?? '', type);
   const title = below === null ? 'Add to the plant' : `Add below ${below}`;
   const is_wanted = (text: string): boolean => text.toLowerCase().includes(words.toLowerCase());
   return (

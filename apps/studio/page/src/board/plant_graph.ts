@@ -49,6 +49,11 @@ export function ends_of(link: Json | undefined): [string, string] {
   return [String(ends[0] ?? ''), String(ends[1] ?? '')];
 }
 
+/// Returns the usual kind of a new link between components of these types. Leaves and multipliers stand along stems.
+export function usual_kind(types: Tables['components'], from: string, to: string): LinkKind {
+  return types[from]?.makes_stems === true && types[to]?.makes_stems !== true ? 'branch' : 'child';
+}
+
 function kind_of(link: Json | undefined): LinkKind {
   const kind = member_of(link, 'kind');
   return typeof kind === 'string' && kKinds.has(kind) ? (kind as LinkKind) : 'child';

@@ -11,9 +11,7 @@ import type { Tables } from '../tables/tables.ts';
 import type { Json } from '../values/json.ts';
 import type { View, ViewFacts } from '../view/view.ts';
 import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page_state.ts';
-
-/// The class of a tool. Panels find a tool by its class.
-export type ToolKind<T> = abstract new (...parts: never[]) => T;
+import type { ToolKind } from './tools.ts';
 
 /// State that panels show. Panels subscribe to a store and change it.
 export interface PageStores {

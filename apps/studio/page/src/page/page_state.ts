@@ -50,6 +50,8 @@ export interface ViewState {
   solo: string | null; // the component that is drawn alone with its descendants
 }
 
+export const kFirstView: ViewState = { drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null };
+
 /// A part under the resting pointer, with its place in the view in pixels.
 export interface PointedPart {
   component: string;

@@ -8,7 +8,7 @@ import type { Json } from '../values/json.ts';
 import { member_of, path_below } from '../values/path.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { Faults } from '../controls/faults.tsx';
-import { TableRows } from '../rows/nested_rows.tsx';
+import { TableRows } from '../rows/table_rows.tsx';
 import { use_document, use_page } from '../page/use_page.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { ParameterTable } from '../tables/tables.ts';

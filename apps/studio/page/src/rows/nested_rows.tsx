@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows that hold tables: objects, lists and maps. They are folded until the user opens them.
-import type { ReactElement, ReactNode } from 'react';
+import type { ReactElement } from 'react';
 import { useContext, useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
-import { Icon } from '../controls/icon.tsx';
 import { Menu } from '../controls/menu.tsx';
 import type { Json } from '../values/json.ts';
 import { is_object } from '../values/json.ts';
 import { member_of, path_below } from '../values/path.ts';
 import { use_page } from '../page/use_page.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
-import { as_object, first_object, has_meaning, table_of } from '../tables/tables.ts';
+import { first_object, table_of } from '../tables/tables.ts';
 import { ExcludedPaths } from './exclusion.ts';
 import { give } from '../time/values_now.ts';
-import { use_faults } from './row_actions.ts';
-import { Faults } from '../controls/faults.tsx';
-import { RowView, tip_of } from './row_editor.tsx';
+import { Fold } from './fold.tsx';
+import { tip_of } from './row_editor.tsx';
 import type { NestedRowProps } from './row_kinds.ts';
+import { TableRows } from './table_rows.tsx';
 
 export function NestedRow({ row, path, value, rivals }: NestedRowProps): ReactElement {
   const page = use_page();
@@ -37,57 +36,6 @@ export function NestedRow({ row, path, value, rivals }: NestedRowProps): ReactEl
         )}
       </ExcludedPaths.Provider>
     </Fold>
-  );
-}
-
-interface FoldProps {
-  title: string;
-  tip: string;
-  path: string;
-  is_set: boolean;
-  menu?: ReactNode;
-  children: ReactNode;
-}
-
-/// A heading that shows and hides its content. `children` is called when it is opened.
-function Fold({ title, tip, path, is_set, menu, children }: FoldProps): ReactElement {
-  const [is_open, set_open] = useState(false);
-  const faults = use_faults(path);
-  const deep = use_faults(path, true);
-  return (
-    <div className={`fold${is_set ? '' : ' unset'}`} data-path={path}>
-      <div className="fold-head">
-        <button type="button" className="fold-title" aria-expanded={is_open} data-tip={tip} onClick={() => set_open(!is_open)}>
-          <Icon name={is_open ? 'down' : 'right'} />
-          <span>{title}</span>
-          {deep.length > 0 && <Icon name="warning" />}
-          {is_set && <span className="set-dot" />}
-        </button>
-        {menu}
-      </div>
-      <Faults faults={faults} />
-      {is_open && <div className="fold-body">{children}</div>}
-    </div>
-  );
-}
-
-interface TableRowsProps {
-  table: ParameterTable;
-  path: string;
-  value: Json | undefined;
-  without?: string; // name of a row that is edited elsewhere
-}
-
-/// All rows of a table that have an effect beside the other values.
-export function TableRows({ table, path, value, without }: TableRowsProps): ReactElement {
-  const object = as_object(table, value);
-  const rows = table.rows.filter((row) => row.name !== without && (object[row.name] !== undefined || has_meaning(table, row.name, object)));
-  return (
-    <>
-      {rows.map((row) => (
-        <RowView key={row.name} table={table} row={row} parent={path} parent_value={value} value={object[row.name]} />
-      ))}
-    </>
   );
 }
 

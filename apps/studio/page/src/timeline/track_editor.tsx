@@ -10,15 +10,12 @@ import { IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { fitting_step, rounded } from '../values/arithmetic.ts';
 import type { Json } from '../values/json.ts';
-import { write_json } from '../values/json.ts';
-import { full_colour } from '../values/colour.ts';
-import { ColourField } from '../editors/colour_rows.tsx';
+import { KeyValue } from './key_value.tsx';
 import { focus_point, PlaneCanvas } from '../editors/plane_canvas.tsx';
 import type { Limits } from '../editors/limits.ts';
 import { with_limits } from '../editors/limits.ts';
 import type { Frame, Point, Range } from '../editors/shape.ts';
 import { use_snapping } from '../editors/snapping.ts';
-import { TextField } from '../controls/text_field.tsx';
 import { use_document, use_page } from '../page/use_page.ts';
 import { legal_value, row_of_value } from '../tables/legal.ts';
 import { hard_range } from '../tables/tables.ts';
@@ -155,33 +152,4 @@ function KeyFields({ label, keys, index, length, now, legal, choose, add, remove
       <IconButton is_small icon="close" label={`Remove the key of ${label}`} press={() => remove(index)} />
     </div>
   );
-}
-
-interface KeyValueProps {
-  label: string;
-  value: Json;
-  legal: (value: Json) => Json;
-  drag: (value: Json) => void;
-  commit: (value: Json) => void;
-  cancel: () => void;
-}
-
-function KeyValue({ label, value, legal, drag, commit, cancel }: KeyValueProps): ReactElement {
-  if (typeof value === 'number') return <NumberField label={label} value={value} step={Math.max(1e-4, fitting_step(0, Math.abs(value) || 1, 100))} limit={(one) => legal(one) as number} drag={drag} commit={commit} cancel={cancel} />;
-  if (typeof value === 'string' && full_colour(value) !== null) return <ColourField label={label} value={value} is_faulty={false} is_dim={false} drag={drag} commit={commit} cancel={cancel} />;
-  if (typeof value === 'boolean') {
-    return (
-      <button type="button" role="switch" className="switch" aria-checked={value} aria-label={label} onClick={() => commit(!value)}>
-        <span />
-      </button>
-    );
-  }
-  const take = (text: string): void => {
-    try {
-      commit(typeof value === 'string' ? text : (JSON.parse(text) as Json));
-    } catch {
-      commit(text); // the server reports what is wrong
-    }
-  };
-  return <TextField label={label} value={typeof value === 'string' ? value : write_json(value)} commit={take} is_code />;
 }

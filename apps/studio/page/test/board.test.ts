@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { add_edits, copied_link, free_name, hang_edits, kind_edits, link_edit, order_edits, place_behind, place_of_link, remove_alone_edits, remove_edits } from '../src/board/board_edits.ts';
 import { lay_out } from '../src/board/board_layout.ts';
 import { edge_above, fitting_direction, neighbour } from '../src/board/board_places.ts';
-import type { PlantGraph } from '../src/board/plant_graph.ts';
+import type { GraphLink, PlantGraph } from '../src/board/plant_graph.ts';
 import { graph_of, held_by, refusal_of_link, way_between } from '../src/board/plant_graph.ts';
 import type { Json } from '../src/values/json.ts';
 
@@ -30,7 +30,10 @@ test('children stand in the order of the links, and parents above them', () => {
 
 test('no two nodes of a level stand nearer than neighbours', () => {
   let chance = 7;
-  const next = (below: number): number => (chance = (chance * 16807) % 2147483647) % below;
+  const next = (below: number): number => {
+    chance = (chance * 16807) % 2147483647;
+    return chance % below;
+  };
   for (let round = 0; round < 30; round += 1) {
     const ids = Array.from({ length: 40 }, (_, k) => `c${k}`);
     const links = ids.slice(1).map((id, k): Json => [`c${next(k + 1)}`, id]);
@@ -119,7 +122,11 @@ test('links change their kind, order and ends', () => {
   const links: Json[] = [['view', 'a'], { from: 'view', to: 'b', kind: 'branch', count: 4 }, ['view', 'c']];
   const document = plant('view a b c', links);
   const of = graph_of(document, kTypes);
-  const link = (to: string) => of.links.find((one) => one.to === to)!;
+  const link = (to: string): GraphLink => {
+    const found = of.links.find((one) => one.to === to);
+    assert.ok(found, `there is no link to ${to}`);
+    return found;
+  };
   assert.deepEqual(kind_edits(document, link('a'), 'leaf'), [{ set: 'links[0]', value: { from: 'view', to: 'a', kind: 'leaf' } }]);
   assert.deepEqual(kind_edits(document, link('b'), 'child'), [{ set: 'links[1]', value: ['view', 'b'] }]);
   assert.deepEqual(kind_edits(document, link('b'), 'crown'), [{ unset: 'links[1].count' }, { set: 'links[1].kind', value: 'crown' }]);

@@ -17,7 +17,7 @@ function packed(...numbers: (Float32Array | Uint8Array)[]): { arrays: PacketArra
   }
   const first = 12;
   const buffer = new ArrayBuffer(first + size);
-  numbers.forEach((one, k) => new Uint8Array(buffer).set(new Uint8Array(one.buffer), first + (places[k]?.[0] ?? 0)));
+  for (const [k, one] of numbers.entries()) new Uint8Array(buffer).set(new Uint8Array(one.buffer), first + (places[k]?.[0] ?? 0));
   return { arrays: { buffer, first }, places };
 }
 

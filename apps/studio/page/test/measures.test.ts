@@ -17,7 +17,11 @@ interface Asked {
 /// Returns a model with a page that answers only when the test tells it to.
 function asking(): { model: MeasureModel; asked: Asked[]; grow: (hash: string) => void; wait: () => void } {
   let due: (() => void) | null = null;
-  Object.assign(globalThis, { window: { setTimeout: (act: () => void) => ((due = act), 1) } });
+  const setTimeout = (act: () => void): number => {
+    due = act;
+    return 1;
+  };
+  Object.assign(globalThis, { window: { setTimeout } });
   const asked: Asked[] = [];
   const request = (what: string, members: Record<string, unknown> = {}): Promise<never> => new Promise((_, refuse) => asked.push({ what, members, refuse }));
   const begin = (what: string, members: Record<string, unknown>): object => ({ answer: request(what, members), cancel: () => void request('cancel', { of: what }).catch(() => undefined) });

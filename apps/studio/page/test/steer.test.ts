@@ -28,7 +28,9 @@ import type { Vec } from '../src/values/space_math.ts';
 import { along_line, framed, frame_of_rows, kWorld, on_plane, point_in, turn_of, turns_to, vector_in, vector_out } from '../src/values/space_math.ts';
 
 const near = (a: number, b: number, within = 1e-6): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
-const near_all = (a: readonly number[], b: readonly number[], within = 1e-6): void => a.forEach((one, k) => near(one, b[k] ?? NaN, within));
+const near_all = (a: readonly number[], b: readonly number[], within = 1e-6): void => {
+  for (const [k, one] of a.entries()) near(one, b[k] ?? NaN, within);
+};
 
 test('the sun of a day goes over the south, and comes back from its place', () => {
   const noon = sun_place(51.5, 172, 12);

@@ -128,7 +128,10 @@ test('a value within one that has keys as a whole changes its part of the key', 
 /// Returns a model of the time with a recording server and view.
 function model_of_time(): { model: TimeModel; asked: Record<string, number>[]; view: { is_software: boolean; moves: boolean } } {
   const asked: Record<string, number>[] = [];
-  const view = { is_software: true, moves: false, move_time: (moves: boolean): void => void (view.moves = moves) };
+  const view = { is_software: true, moves: false, move_time };
+  function move_time(moves: boolean): void {
+    view.moves = moves;
+  }
   const send = (_: string, members: Record<string, number>): Promise<object> => {
     asked.push(members);
     return Promise.resolve({});

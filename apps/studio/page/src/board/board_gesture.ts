@@ -104,11 +104,11 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
   const cancel = (): void => set_held(null);
   useEffect(() => {
     if (!held) return undefined;
-    const escape = (event: globalThis.KeyboardEvent): void => {
+    const cancel_on_escape = (event: globalThis.KeyboardEvent): void => {
       if (event.key === 'Escape') set_held(null);
     };
-    document.addEventListener('keydown', escape);
-    return () => document.removeEventListener('keydown', escape);
+    document.addEventListener('keydown', cancel_on_escape);
+    return () => document.removeEventListener('keydown', cancel_on_escape);
   }, [held]);
   return { held, hold, move, drop, cancel };
 }

@@ -5,13 +5,13 @@ import { createRoot } from 'react-dom/client';
 import { claim_tab } from './base/tab.ts';
 import { start_tooltips } from './controls/tooltip.ts';
 import { kRowKinds } from './editors/all_row_kinds.ts';
+import { PageContext } from './page/use_page.ts';
 import { App } from './panels/app.tsx';
 import { listen_to_keys } from './panels/shortcuts.ts';
-import type { Json } from './values/json.ts';
 import { RowKindsContext } from './rows/row_kinds.ts';
 import { Studio } from './studio.ts';
-import { PageContext } from './page/use_page.ts';
 import type { Tables } from './tables/tables.ts';
+import type { Json } from './values/json.ts';
 
 declare global {
   interface Window {
@@ -38,7 +38,9 @@ async function start(): Promise<void> {
   const socket = new URL('socket', document.baseURI);
   socket.protocol = socket.protocol === 'https:' ? 'wss:' : 'ws:';
   const studio = new Studio(tables, socket.href, await claim_tab());
-  studio.board.starters = await fetch('starters.json').then((answer) => (answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {}));
+  studio.board.starters = await fetch('starters.json').then((answer) =>
+    answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {},
+  );
   window.studio = studio;
   follow_theme(studio);
   listen_to_keys(studio);

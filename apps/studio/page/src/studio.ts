@@ -4,12 +4,13 @@
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
-import type { EditWish } from './document/edit_queue.ts';
 import { DocumentModel } from './document/document_model.ts';
 import { values_of_variables } from './document/document_state.ts';
-import type { Json } from './values/json.ts';
+import type { EditWish } from './document/edit_queue.ts';
 import { InstanceChoice } from './page/instance_choice.ts';
 import type { Page } from './page/page.ts';
+import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
+import { first_shell, kFirstView, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
 import type { ToolKind } from './page/tools.ts';
 import { Tools } from './page/tools.ts';
 import { Keeper } from './saving/keeper.ts';
@@ -18,9 +19,8 @@ import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
-import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
-import { first_shell, kFirstView, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
 import type { Tables } from './tables/tables.ts';
+import type { Json } from './values/json.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
 import { Workbench } from './workbench.ts';
@@ -61,7 +61,11 @@ export class Studio implements Page {
       on_packet: (bytes) => this.show_packet(bytes),
       on_lost: () => this.keeper.note_lost(),
     });
-    this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.notify(message, true));
+    this.document = new DocumentModel(
+      () => this.connection,
+      this.chosen.get,
+      (message) => this.notify(message, true),
+    );
     this.keeper = this.tools_.add(new Keeper(this, tab));
   }
 
@@ -155,7 +159,8 @@ export class Studio implements Page {
       void this.keeper.flush(); // keeps text that was typed meanwhile; not awaited, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
-      if (is_changed && is_another) this.notify(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
+      if (is_changed && is_another)
+        this.notify(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
       await this.keeper.offer(opened);
       return null;
     } catch (fault) {
@@ -197,8 +202,10 @@ export class Studio implements Page {
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
     if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
     if (news.is === 'elsewhere' && news.count > 0) this.shell.merge({ elsewhere: news });
-    else if (news.is === 'elsewhere' && this.shell.get().elsewhere?.path === news.path) this.shell.merge({ elsewhere: null });
-    if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
+    else if (news.is === 'elsewhere' && this.shell.get().elsewhere?.path === news.path)
+      this.shell.merge({ elsewhere: null });
+    if (news.is === 'failed' && news.job === 'grow')
+      this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
   }
 
   /// Called when the server is connected, first or again. Sends the page's state to the server.
@@ -210,7 +217,9 @@ export class Studio implements Page {
     if (!is_first) {
       const { text, path, model } = this.document.state.get();
       this.keeps_camera_ = true;
-      const opened = await this.connection.request<Opened>('open', model !== null ? { text, model } : { text, path }).catch(() => null);
+      const opened = await this.connection
+        .request<Opened>('open', model !== null ? { text, model } : { text, path })
+        .catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();
       this.keeper.note_link();

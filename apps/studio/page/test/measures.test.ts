@@ -5,8 +5,8 @@ import { test } from 'node:test';
 
 import { Store } from '../src/base/store.ts';
 import { MeasureModel } from '../src/measures/measure_model.ts';
-import { Refusal } from '../src/server/protocol.ts';
 import type { Page } from '../src/page/page.ts';
+import { Refusal } from '../src/server/protocol.ts';
 
 interface Asked {
   what: string;
@@ -23,15 +23,24 @@ function asking(): { model: MeasureModel; asked: Asked[]; grow: (hash: string) =
   };
   Object.assign(globalThis, { window: { setTimeout } });
   const asked: Asked[] = [];
-  const request = (what: string, members: Record<string, unknown> = {}): Promise<never> => new Promise((_, refuse) => asked.push({ what, members, refuse }));
-  const begin = (what: string, members: Record<string, unknown>): object => ({ answer: request(what, members), cancel: () => void request('cancel', { of: what }).catch(() => undefined) });
+  const request = (what: string, members: Record<string, unknown> = {}): Promise<never> =>
+    new Promise((_, refuse) => asked.push({ what, members, refuse }));
+  const begin = (what: string, members: Record<string, unknown>): object => ({
+    answer: request(what, members),
+    cancel: () => void request('cancel', { of: what }).catch(() => undefined),
+  });
   const growth = new Store<object>({ grown: null });
   const wait = (): void => {
     due?.();
     due = null;
   };
   const page = { growth, connection: { request, begin }, tool: () => ({ time: 0 }) } as unknown as Page;
-  return { model: new MeasureModel(page), asked, grow: (hash) => growth.set({ grown: { hash, dragged: false } }), wait };
+  return {
+    model: new MeasureModel(page),
+    asked,
+    grow: (hash) => growth.set({ grown: { hash, dragged: false } }),
+    wait,
+  };
 }
 
 const cancelled = (): Refusal => new Refusal('cancelled', { cancelled: true });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the board, and the actions on it.
 import { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
 import type { Page } from '../page/page.ts';
+import type { Json } from '../values/json.ts';
 import { BoardActions } from './board_actions.ts';
 import type { BoardState } from './board_state.ts';
 import { kEmptyBoard } from './board_state.ts';

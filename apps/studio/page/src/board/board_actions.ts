@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // The user's actions on the board. Each action is one edit of the document and one step of the undo list.
 import type { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import type { Edit } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';
+import type { Edit } from '../server/protocol.ts';
 import { first_object } from '../tables/tables.ts';
-import { add_edits, component_of, component_order_edits, component_path, free_name, hang_edits, kind_edits, link_edit, link_of, link_path, links_from, order_edits, place_of_link, remove_alone_edits, remove_edits } from './board_edits.ts';
+import type { Json } from '../values/json.ts';
+import {
+  add_edits,
+  component_of,
+  component_order_edits,
+  component_path,
+  free_name,
+  hang_edits,
+  kind_edits,
+  link_edit,
+  link_of,
+  link_path,
+  links_from,
+  order_edits,
+  place_of_link,
+  remove_alone_edits,
+  remove_edits,
+} from './board_edits.ts';
 import type { BoardState } from './board_state.ts';
 import type { GraphLink, LinkKind, PlantGraph } from './plant_graph.ts';
 import { graph_of, held_by, refusal_of_link, usual_kind } from './plant_graph.ts';
@@ -47,13 +63,19 @@ export class BoardActions {
     const table = this.page_.tables.components[type]?.table ?? '';
     const id = free_name(type, graph.components);
     const starter = this.starters_()[type] ?? first_object(this.page_.tables, table);
-    await this.make(add_edits(this.document, graph, id, { type, ...(starter as object) } as Json, below, kind), `Add ${id}`, component_path(id));
+    await this.make(
+      add_edits(this.document, graph, id, { type, ...(starter as object) } as Json, below, kind),
+      `Add ${id}`,
+      component_path(id),
+    );
   }
 
   /// Adds a whole plant, which is described by another document.
   async add_plant(wanted: string, file: string, below: string | null, kind: LinkKind): Promise<void> {
     const { graph } = this;
-    const type = Object.entries(this.page_.tables.components).find(([, facts]) => facts.is_whole_plant === true)?.[0] ?? 'document';
+    const type =
+      Object.entries(this.page_.tables.components).find(([, facts]) => facts.is_whole_plant === true)?.[0] ??
+      'document';
     const id = free_name(wanted, graph.components);
     await this.make(add_edits(this.document, graph, id, { type, file }, below, kind), `Add ${id}`, component_path(id));
   }
@@ -64,10 +86,19 @@ export class BoardActions {
     const refused = refusal_of_link(graph, from, to, (id) => this.recursion_of(id));
     if (refused !== null) return this.refuse(from, to, refused);
     if (!graph.components.get(from)?.is_written) {
-      return this.refuse(from, to, `${from} stands in no text: the document has no camera, and all that nothing links to hangs on an added one.`);
+      return this.refuse(
+        from,
+        to,
+        `${from} stands in no text: the document has no camera, and all that nothing links to hangs on an added one.`,
+      );
     }
     const place = place_of_link(this.document, from);
-    const faults = await this.make([link_edit(this.document, from, to, kind, place)], `Link ${from} to ${to}`, link_path(place), true);
+    const faults = await this.make(
+      [link_edit(this.document, from, to, kind, place)],
+      `Link ${from} to ${to}`,
+      link_path(place),
+      true,
+    );
     if (faults !== null) this.refuse(from, to, faults);
   }
 
@@ -81,12 +112,20 @@ export class BoardActions {
   }
 
   async remove_alone(id: string): Promise<void> {
-    await this.make(remove_alone_edits(this.document, this.graph, id, this.notes), `Delete ${id} alone`, this.above(id));
+    await this.make(
+      remove_alone_edits(this.document, this.graph, id, this.notes),
+      `Delete ${id} alone`,
+      this.above(id),
+    );
   }
 
   async remove_link(index: number): Promise<void> {
     const link = this.graph.links.find((one) => one.index === index);
-    await this.make([{ remove: link_path(index) }], `Delete the link to ${link?.to ?? ''}`, link ? component_path(link.from) : '');
+    await this.make(
+      [{ remove: link_path(index) }],
+      `Delete the link to ${link?.to ?? ''}`,
+      link ? component_path(link.from) : '',
+    );
   }
 
   async set_kind(link: GraphLink, kind: LinkKind): Promise<void> {
@@ -102,7 +141,10 @@ export class BoardActions {
     const { graph } = this;
     const own = graph.links.find((one) => one.index === link.index);
     const edits = own ? order_edits(graph, own, place) : [];
-    const path = edits[0] && 'move' in edits[0] && link_of(this.page_.chosen.get()) === link.index ? link_path(edits[0].index) : undefined;
+    const path =
+      edits[0] && 'move' in edits[0] && link_of(this.page_.chosen.get()) === link.index
+        ? link_path(edits[0].index)
+        : undefined;
     if (edits.length > 0) await this.make(edits, `Move ${link.to} among its siblings`, path);
   }
 
@@ -127,7 +169,12 @@ export class BoardActions {
     const without = { ...graph, links: graph.links.filter((one) => one !== link && one.index !== link.index) };
     const refused = refusal_of_link(without, from, link.to, (id) => this.recursion_of(id));
     if (refused !== null) return this.refuse(from, link.to, refused);
-    const faults = await this.make(hang_edits(this.document, link, from), `Hang ${link.to} on ${from}`, undefined, true);
+    const faults = await this.make(
+      hang_edits(this.document, link, from),
+      `Hang ${link.to} on ${from}`,
+      undefined,
+      true,
+    );
     if (faults !== null) this.refuse(from, link.to, faults);
   }
 
@@ -140,7 +187,8 @@ export class BoardActions {
 
   async note(id: string, text: string): Promise<void> {
     this.state_.merge({ noting: null });
-    if (text.trim() !== (this.notes[id] ?? '')) await this.make([{ note: component_path(id), text: text.trim() }], `Note on ${id}`);
+    if (text.trim() !== (this.notes[id] ?? ''))
+      await this.make([{ note: component_path(id), text: text.trim() }], `Note on ${id}`);
   }
 
   fold(id: string): void {
@@ -177,7 +225,9 @@ export class BoardActions {
   }
 
   recursion_of(id: string): number {
-    const value = (this.document as Record<string, Record<string, Record<string, Json>>> | undefined)?.['components']?.[id]?.['recursion'];
+    const value = (this.document as Record<string, Record<string, Record<string, Json>>> | undefined)?.['components']?.[
+      id
+    ]?.['recursion'];
     return typeof value === 'number' ? value : 1;
   }
 

@@ -6,6 +6,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
 import { BoardEdgeView, DraggedLine } from './board_edge.tsx';
 import { component_of, link_of } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';
@@ -16,7 +17,6 @@ import { BoardNodeView } from './board_node.tsx';
 import { fitting_direction, kNode, place_of, size_of } from './board_places.ts';
 import type { Direction } from './board_state.ts';
 import type { PlantGraph } from './plant_graph.ts';
-import { Board } from './board.ts';
 
 interface Sight {
   x: number; // position of the board's corner in the panel, pixels
@@ -52,7 +52,8 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
     if (page.tool(Board).fits.get() > 0) set_sight(fitted(size, area));
   }, [use_store(page.tool(Board).fits)]);
   // A node that is chosen elsewhere is scrolled into view.
-  const chosen_id = component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
+  const chosen_id =
+    component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
   useEffect(() => {
     const node = layout.nodes.find((one) => one.key === chosen_id);
     if (node) set_sight((now) => seen(now, place_of(node, direction), area));
@@ -68,26 +69,52 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
       return;
     }
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
-    set_sight((now) => zoomed(now, Math.exp(-Math.sign(event.deltaY) * Math.min(0.25, Math.abs(event.deltaY) / 500)), x, y));
+    set_sight((now) =>
+      zoomed(now, Math.exp(-Math.sign(event.deltaY) * Math.min(0.25, Math.abs(event.deltaY) / 500)), x, y),
+    );
   };
   useEffect(() => {
     const element = frame.current;
     element?.addEventListener('wheel', wheel, { passive: false });
     return () => element?.removeEventListener('wheel', wheel);
   });
-  const key = (event: KeyboardEvent): void => press_key(event, page, layout, direction, (by) => set_sight((now) => zoomed(now, by, area[0] / 2, area[1] / 2)));
+  const key = (event: KeyboardEvent): void =>
+    press_key(event, page, layout, direction, (by) => set_sight((now) => zoomed(now, by, area[0] / 2, area[1] / 2)));
   const pan = use_pan(set_sight);
   return (
-    <div ref={frame} className={`board-canvas${board.connecting === null ? '' : ' connecting'}`} data-direction={direction} onKeyDown={key} {...pan(gesture)}>
-      <div className="board-sheet" style={{ width: size[0], height: size[1], transform: `translate(${sight.x}px, ${sight.y}px) scale(${sight.scale})` }}>
+    <div
+      ref={frame}
+      className={`board-canvas${board.connecting === null ? '' : ' connecting'}`}
+      data-direction={direction}
+      onKeyDown={key}
+      {...pan(gesture)}
+    >
+      <div
+        className="board-sheet"
+        style={{
+          width: size[0],
+          height: size[1],
+          transform: `translate(${sight.x}px, ${sight.y}px) scale(${sight.scale})`,
+        }}
+      >
         <Lines layout={layout} direction={direction} size={size} chosen={chosen} gesture={gesture} />
         <div role="tree" aria-label="Components" className="board-nodes">
           {layout.nodes.map((node) => (
-            <BoardNodeView key={node.key} node={node} graph={graph} layout={layout} place={place_of(node, direction)} gesture={gesture} is_first={node === layout.nodes[0]} />
+            <BoardNodeView
+              key={node.key}
+              node={node}
+              graph={graph}
+              layout={layout}
+              place={place_of(node, direction)}
+              gesture={gesture}
+              is_first={node === layout.nodes[0]}
+            />
           ))}
         </div>
       </div>
-      {graph.components.size === 0 && <p className="empty board-empty">Nothing is here yet. Add the first component with A.</p>}
+      {graph.components.size === 0 && (
+        <p className="empty board-empty">Nothing is here yet. Add the first component with A.</p>
+      )}
     </div>
   );
 }
@@ -112,9 +139,13 @@ function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactE
         const [from, to] = [places.get(edge.from), places.get(edge.to)];
         if (!from || !to) return null;
         const is_chosen = edge.link.index !== null && edge.link.index === chosen_link;
-        return <BoardEdgeView key={edge.key} edge={edge} from={from} to={to} direction={direction} is_chosen={is_chosen} />;
+        return (
+          <BoardEdgeView key={edge.key} edge={edge} from={from} to={to} direction={direction} is_chosen={is_chosen} />
+        );
       })}
-      {ends[0] && ends[1] && <path className="board-line refused" d={`M${ends[0].x} ${ends[0].y}L${ends[1].x} ${ends[1].y}`} />}
+      {ends[0] && ends[1] && (
+        <path className="board-line refused" d={`M${ends[0].x} ${ends[0].y}L${ends[1].x} ${ends[1].y}`} />
+      )}
       <DraggedLine gesture={gesture} places={places} direction={direction} />
     </svg>
   );
@@ -166,8 +197,8 @@ function zoomed(now: Sight, by: number, x: number, y: number): Sight {
 function seen(now: Sight, place: { x: number; y: number }, [w, h]: [number, number]): Sight {
   const [x, y] = [now.x + place.x * now.scale, now.y + place.y * now.scale];
   const [dx, dy] = [(kNode.width / 2 + 8) * now.scale, (kNode.height / 2 + 8) * now.scale];
-  const shift = (at: number, margin: number, size: number): number => (at < margin ? margin - at : at > size - margin ? size - margin - at : 0);
+  const shift = (at: number, margin: number, size: number): number =>
+    at < margin ? margin - at : at > size - margin ? size - margin - at : 0;
   const [sx, sy] = [shift(x, dx, w), shift(y, dy, h)];
   return sx === 0 && sy === 0 ? now : { ...now, x: now.x + sx, y: now.y + sy };
 }
-

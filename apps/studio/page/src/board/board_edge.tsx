@@ -2,9 +2,8 @@
 // The lines of the board, drawn as in the published source: child links thin, branch links thick, leaf links dashed.
 // Crown links are dotted, and links that a grammar makes are pale. Lines of a recursion are doubled.
 import type { ReactElement } from 'react';
-
-import { use_faults } from '../rows/row_actions.ts';
 import { use_page } from '../page/use_page.ts';
+import { use_faults } from '../rows/row_actions.ts';
 import { link_path } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';
 import type { BoardEdge } from './board_layout.ts';
@@ -36,7 +35,15 @@ export function BoardEdgeView({ edge, from, to, direction, is_chosen }: BoardEdg
 }
 
 /// The line that the user draws from a node.
-export function DraggedLine({ gesture, places, direction }: { gesture: BoardGesture; places: Map<string, Place>; direction: Direction }): ReactElement | null {
+export function DraggedLine({
+  gesture,
+  places,
+  direction,
+}: {
+  gesture: BoardGesture;
+  places: Map<string, Place>;
+  direction: Direction;
+}): ReactElement | null {
   const { held } = gesture;
   const from = held?.kind === 'link' ? places.get(held.key) : undefined;
   if (!held || !from) return null;

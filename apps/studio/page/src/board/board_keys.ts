@@ -3,10 +3,10 @@
 import type { KeyboardEvent } from 'react';
 
 import type { Page } from '../page/page.ts';
+import { Board } from './board.ts';
 import type { BoardLayout } from './board_layout.ts';
 import { edge_above, neighbour, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';
-import { Board } from './board.ts';
 
 type Act = (page: Page, id: string, layout: BoardLayout) => void;
 
@@ -24,7 +24,11 @@ const kActs: Record<string, Act> = {
 
 const kWithControl: Record<string, Act> = {
   c: (page, id) => void page.tool(Board).parts.copy(id),
-  x: (page, id) => void page.tool(Board).parts.copy(id).then(() => page.tool(Board).actions.remove(id)),
+  x: (page, id) =>
+    void page
+      .tool(Board)
+      .parts.copy(id)
+      .then(() => page.tool(Board).actions.remove(id)),
   v: (page, id) => void page.tool(Board).parts.paste_clip(id),
   d: (page, id) => void page.tool(Board).parts.duplicate(id),
 };
@@ -35,7 +39,13 @@ const kWays: Record<Direction, Record<string, Way>> = {
   right: { ArrowLeft: 'up', ArrowRight: 'down', ArrowUp: 'before', ArrowDown: 'behind' },
 };
 
-export function press_key(event: KeyboardEvent, page: Page, layout: BoardLayout, direction: Direction, zoom: (by: number) => void): void {
+export function press_key(
+  event: KeyboardEvent,
+  page: Page,
+  layout: BoardLayout,
+  direction: Direction,
+  zoom: (by: number) => void,
+): void {
   const key = (event.target as Element).closest<HTMLElement>('[data-node]')?.dataset['node'];
   if (key === undefined) return;
   const node = layout.nodes.find((one) => one.key === key);
@@ -65,14 +75,28 @@ function shift(page: Page, layout: BoardLayout, key: string, way: Way, in_text: 
   const edge = edge_above(layout, key);
   if (in_text) void actions.shift_component(node.id, by);
   else if (edge && edge.link.index !== null) void actions.shift(edge.link, by);
-  else if (stands_free(actions.graph, layout, key)) void actions.shift_component(node.id, by, siblings_of(layout, key).map((one) => one.id));
+  else if (stands_free(actions.graph, layout, key))
+    void actions.shift_component(
+      node.id,
+      by,
+      siblings_of(layout, key).map((one) => one.id),
+    );
 }
 
 /// Moves to a neighbouring node. While a link waits for its other end, only the focus moves; otherwise the choice moves
 /// too.
-function go(event: KeyboardEvent, page: Page, layout: BoardLayout, key: string, way: Way, only_keyboard: boolean): void {
+function go(
+  event: KeyboardEvent,
+  page: Page,
+  layout: BoardLayout,
+  key: string,
+  way: Way,
+  only_keyboard: boolean,
+): void {
   const next = neighbour(layout, key, way);
   if (!next) return;
-  event.currentTarget.querySelector<HTMLElement>(`[data-node="${CSS.escape(next.key)}"]`)?.focus({ preventScroll: true });
+  event.currentTarget
+    .querySelector<HTMLElement>(`[data-node="${CSS.escape(next.key)}"]`)
+    ?.focus({ preventScroll: true });
   if (!only_keyboard && !next.is_end) page.tool(Board).actions.choose(next.id);
 }

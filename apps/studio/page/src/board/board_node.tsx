@@ -5,16 +5,16 @@ import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
-import { use_faults } from '../rows/row_actions.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import type { BoardGesture } from './board_gesture.ts';
+import { use_faults } from '../rows/row_actions.ts';
+import { Board } from './board.ts';
 import { component_of, component_path, link_of, link_path } from './board_edits.ts';
+import type { BoardGesture } from './board_gesture.ts';
 import type { BoardLayout, BoardNode } from './board_layout.ts';
 import type { Place } from './board_places.ts';
 import { kNode } from './board_places.ts';
 import { icon_of } from './component_icon.ts';
 import type { PlantGraph } from './plant_graph.ts';
-import { Board } from './board.ts';
 
 interface BoardNodeProps {
   node: BoardNode;
@@ -32,7 +32,8 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
   const path = use_store(page.chosen);
   const { refused, connecting } = use_store(page.tool(Board).state);
   const is_chosen = component_of(path) === node.id && !node.is_end;
-  const is_end_of_link = link_of(path) !== null && layout.edges.some((edge) => edge.to === node.key && edge.link.index === link_of(path));
+  const is_end_of_link =
+    link_of(path) !== null && layout.edges.some((edge) => edge.to === node.key && edge.link.index === link_of(path));
   const facts = use_node_facts(node.id, graph);
   const { held } = gesture;
   const is_target = held?.kind === 'link' && held.over === node.key;
@@ -50,11 +51,19 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
   const had_keyboard = useRef(false);
   useEffect(() => {
     // The focus follows the choice on the board, but is never taken from elsewhere.
-    if (is_chosen && had_keyboard.current === false && element.current?.closest('.board-canvas')?.contains(document.activeElement)) element.current.focus({ preventScroll: true });
+    if (
+      is_chosen &&
+      had_keyboard.current === false &&
+      element.current?.closest('.board-canvas')?.contains(document.activeElement)
+    )
+      element.current.focus({ preventScroll: true });
     had_keyboard.current = is_chosen;
   }, [is_chosen]);
   const press = (): void => {
-    if (connecting !== null) void page.tool(Board).actions.connect(connecting, node.id, page.tool(Board).actions.usual_kind(connecting, node.id));
+    if (connecting !== null)
+      void page
+        .tool(Board)
+        .actions.connect(connecting, node.id, page.tool(Board).actions.usual_kind(connecting, node.id));
     else page.tool(Board).actions.choose(node.id);
   };
   const nobody_is_chosen = component_of(path) === null || !graph.components.has(component_of(path) ?? '');
@@ -62,13 +71,20 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
     event.stopPropagation();
     gesture.hold(event, 'node', node.key);
   };
-  const shift = held?.kind === 'node' && held.moved && held.key === node.key ? { x: held.x - held.from_x, y: held.y - held.from_y } : { x: 0, y: 0 };
+  const shift =
+    held?.kind === 'node' && held.moved && held.key === node.key
+      ? { x: held.x - held.from_x, y: held.y - held.from_y }
+      : { x: 0, y: 0 };
   return (
     <div
       ref={element}
       role="treeitem"
       className={classes.filter(Boolean).join(' ')}
-      style={{ width: kNode.width, height: kNode.height, transform: `translate(${place.x - kNode.width / 2 + shift.x}px, ${place.y - kNode.height / 2 + shift.y}px)` }}
+      style={{
+        width: kNode.width,
+        height: kNode.height,
+        transform: `translate(${place.x - kNode.width / 2 + shift.x}px, ${place.y - kNode.height / 2 + shift.y}px)`,
+      }}
       data-node={node.key}
       data-tip={tip_of(node, facts, component?.is_written !== false)}
       aria-level={node.level + 1}
@@ -86,15 +102,28 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
         <b>{node.id}</b> <small>{component?.is_written === false ? 'added' : component?.type}</small>
       </span>
       <span className="spoken">{spoken_of(node, facts)}</span>
-      {facts.count !== null && facts.count !== 1 && !node.is_end && <span aria-hidden="true" className={facts.count === 0 ? 'board-count none' : 'board-count'}>{short_count(facts.count)}</span>}
+      {facts.count !== null && facts.count !== 1 && !node.is_end && (
+        <span aria-hidden="true" className={facts.count === 0 ? 'board-count none' : 'board-count'}>
+          {short_count(facts.count)}
+        </span>
+      )}
       <span className="board-marks">
         {facts.note !== undefined && <Icon name="note" />}
         {facts.is_hidden && <Icon name="eye_off" />}
         {facts.faults > 0 && <Icon name={facts.errors > 0 ? 'fault' : 'warning'} />}
       </span>
-      {node.hides > 0 && <span aria-hidden="true" className="board-hides">+{node.hides}</span>}
+      {node.hides > 0 && (
+        <span aria-hidden="true" className="board-hides">
+          +{node.hides}
+        </span>
+      )}
       {!node.is_end && component?.is_written !== false && (
-        <span className="board-port" data-port={node.key} onPointerDown={(event) => gesture.hold(event, 'link', node.key)} onClick={(event) => event.stopPropagation()} />
+        <span
+          className="board-port"
+          data-port={node.key}
+          onPointerDown={(event) => gesture.hold(event, 'link', node.key)}
+          onClick={(event) => event.stopPropagation()}
+        />
       )}
     </div>
   );
@@ -132,7 +161,8 @@ function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
 /// Returns what a screen reader says in addition to name and type.
 function spoken_of(node: BoardNode, facts: NodeFacts): string {
   const words = ['', node.is_end ? 'again, where its recursion ends' : ''];
-  if (facts.count !== null) words.push(facts.count === 1 ? '1 instance' : `${facts.count.toLocaleString('en')} instances`);
+  if (facts.count !== null)
+    words.push(facts.count === 1 ? '1 instance' : `${facts.count.toLocaleString('en')} instances`);
   if (facts.is_hidden) words.push('hidden');
   if (node.hides > 0) words.push(`${node.hides} folded away`);
   if (facts.faults > 0) words.push(facts.faults === 1 ? '1 fault' : `${facts.faults} faults`);
@@ -147,5 +177,9 @@ function tip_of(node: BoardNode, facts: NodeFacts, is_written: boolean): string 
 
 /// Returns a count as text that fits on a node: 1,234 or 12k.
 function short_count(count: number): string {
-  return count < 10_000 ? count.toLocaleString('en') : count < 1e6 ? `${Math.round(count / 1000)}k` : `${(count / 1e6).toFixed(1)}M`;
+  return count < 10_000
+    ? count.toLocaleString('en')
+    : count < 1e6
+      ? `${Math.round(count / 1000)}k`
+      : `${(count / 1e6).toFixed(1)}M`;
 }

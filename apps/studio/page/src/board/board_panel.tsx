@@ -4,11 +4,11 @@ import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { use_page } from '../page/use_page.ts';
-import { BoardCanvas } from './board_canvas.tsx';
-import { BoardTools } from './board_tools.tsx';
-import { NoteField, RenameField } from './board_fields.tsx';
-import { use_graph, use_layout } from './use_board.ts';
 import { Board } from './board.ts';
+import { BoardCanvas } from './board_canvas.tsx';
+import { NoteField, RenameField } from './board_fields.tsx';
+import { BoardTools } from './board_tools.tsx';
+import { use_graph, use_layout } from './use_board.ts';
 
 export function BoardPanel(): ReactElement {
   const page = use_page();

@@ -8,11 +8,11 @@ import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
 import type { Page } from '../page/page.ts';
 import { use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
 import { component_of, link_of, links_from } from './board_edits.ts';
 import type { BoardLayout } from './board_layout.ts';
 import { edge_above } from './board_places.ts';
 import type { GraphLink, PlantGraph } from './plant_graph.ts';
-import { Board } from './board.ts';
 
 interface ToolsProps {
   graph: PlantGraph;
@@ -31,13 +31,26 @@ export function BoardTools({ graph, layout }: ToolsProps): ReactElement {
   };
   return (
     <div className="board-tools" role="toolbar" aria-label="Board">
-      <Button icon="plus" tip="Add a component below the chosen one  A" press={() => page.shell.merge({ dialog: 'palette' })}>
+      <Button
+        icon="plus"
+        tip="Add a component below the chosen one  A"
+        press={() => page.shell.merge({ dialog: 'palette' })}
+      >
         Add
       </Button>
-      {component !== null && graph.components.has(component) && <ComponentTools id={component} graph={graph} layout={layout} />}
+      {component !== null && graph.components.has(component) && (
+        <ComponentTools id={component} graph={graph} layout={layout} />
+      )}
       {link && <LinkTools link={link} graph={graph} />}
       <span className="stretch" />
-      {board.folded.size > 0 && <IconButton is_small icon="unfold" label="Unfold all" press={() => page.tool(Board).state.merge({ folded: new Set() })} />}
+      {board.folded.size > 0 && (
+        <IconButton
+          is_small
+          icon="unfold"
+          label="Unfold all"
+          press={() => page.tool(Board).state.merge({ folded: new Set() })}
+        />
+      )}
       <IconButton is_small icon="turn" label="Turn the board" press={turn} />
       <IconButton is_small icon="fit" label="Fit the board" press={() => page.tool(Board).fit()} />
     </div>
@@ -53,10 +66,40 @@ function ComponentTools({ id, graph, layout }: ToolsProps & { id: string }): Rea
   const has_children = graph.links.some((link) => link.from === id);
   return (
     <>
-      <IconButton is_small icon="link" label={`Link from ${id}`} keys="L" press={() => page.tool(Board).state.merge({ connecting: id })} />
-      <IconButton is_small icon="solo" label={`Show ${id} alone`} keys="S" is_on={solo === id} press={() => acts.solo(id)} />
-      {!is_camera && <IconButton is_small icon={hidden.has(id) ? 'eye_off' : 'eye'} label={`Draw ${id}`} keys="H" is_on={!hidden.has(id)} press={() => acts.hide(id)} />}
-      {has_children && <IconButton is_small icon={folded.has(id) ? 'unfold' : 'fold'} label={folded.has(id) ? `Unfold ${id}` : `Fold ${id}`} keys="Space" press={() => acts.fold(id)} />}
+      <IconButton
+        is_small
+        icon="link"
+        label={`Link from ${id}`}
+        keys="L"
+        press={() => page.tool(Board).state.merge({ connecting: id })}
+      />
+      <IconButton
+        is_small
+        icon="solo"
+        label={`Show ${id} alone`}
+        keys="S"
+        is_on={solo === id}
+        press={() => acts.solo(id)}
+      />
+      {!is_camera && (
+        <IconButton
+          is_small
+          icon={hidden.has(id) ? 'eye_off' : 'eye'}
+          label={`Draw ${id}`}
+          keys="H"
+          is_on={!hidden.has(id)}
+          press={() => acts.hide(id)}
+        />
+      )}
+      {has_children && (
+        <IconButton
+          is_small
+          icon={folded.has(id) ? 'unfold' : 'fold'}
+          label={folded.has(id) ? `Unfold ${id}` : `Fold ${id}`}
+          keys="Space"
+          press={() => acts.fold(id)}
+        />
+      )}
       <Menu label={`More for ${id}`} items={menu_of(page, id, graph, layout)} />
     </>
   );
@@ -70,17 +113,24 @@ function menu_of(page: Page, id: string, graph: PlantGraph, layout: BoardLayout)
   const all = acts.written_components;
   const place = all.indexOf(id);
   const items: (MenuItem | false)[] = [
-    page.tool(Board).gardens.document_of(id) !== null && { text: 'Open its document', act: () => void page.tool(Board).gardens.enter(id) },
+    page.tool(Board).gardens.document_of(id) !== null && {
+      text: 'Open its document',
+      act: () => void page.tool(Board).gardens.enter(id),
+    },
     { text: 'Rename…', act: () => page.tool(Board).state.merge({ renaming: id, noting: null }) },
     { text: 'Note…', act: () => page.tool(Board).state.merge({ noting: id, renaming: null }) },
     { text: 'Duplicate', act: () => void parts.duplicate(id) },
     { text: 'Copy', act: () => void parts.copy(id) },
     { text: 'Paste below', act: () => void parts.paste_clip(id) },
     at > 0 && edge !== undefined && { text: 'Move earlier', act: () => void acts.shift(edge.link, -1) },
-    at >= 0 && at + 1 < siblings.length && edge !== undefined && { text: 'Move later', act: () => void acts.shift(edge.link, 1) },
+    at >= 0 &&
+      at + 1 < siblings.length &&
+      edge !== undefined && { text: 'Move later', act: () => void acts.shift(edge.link, 1) },
     place > 0 && { text: 'Earlier in the document', act: () => void acts.shift_component(id, -1) },
-    place >= 0 && place + 1 < all.length && { text: 'Later in the document', act: () => void acts.shift_component(id, 1) },
-    edge !== undefined && edge.link.index !== null && { text: 'Choose its link', act: () => page.choose(`links[${edge.link.index}]`) },
+    place >= 0 &&
+      place + 1 < all.length && { text: 'Later in the document', act: () => void acts.shift_component(id, 1) },
+    edge !== undefined &&
+      edge.link.index !== null && { text: 'Choose its link', act: () => page.choose(`links[${edge.link.index}]`) },
     { text: 'Delete alone', act: () => void acts.remove_alone(id) },
     { text: 'Delete', act: () => void acts.remove(id) },
   ];
@@ -100,9 +150,26 @@ function LinkTools({ link, graph }: { link: GraphLink; graph: PlantGraph }): Rea
   const at = siblings.findIndex((one) => one.index === link.index);
   return (
     <>
-      <Segments label={`Kind of the link from ${link.from} to ${link.to}`} value={link.kind === 'placed' ? 'child' : link.kind} choices={kKinds} choose={(kind) => void acts.set_kind(link, kind)} />
-      <IconButton is_small icon="left" label="Move the link earlier" is_off={at <= 0} press={() => void acts.shift(link, -1)} />
-      <IconButton is_small icon="right" label="Move the link later" is_off={at + 1 >= siblings.length} press={() => void acts.shift(link, 1)} />
+      <Segments
+        label={`Kind of the link from ${link.from} to ${link.to}`}
+        value={link.kind === 'placed' ? 'child' : link.kind}
+        choices={kKinds}
+        choose={(kind) => void acts.set_kind(link, kind)}
+      />
+      <IconButton
+        is_small
+        icon="left"
+        label="Move the link earlier"
+        is_off={at <= 0}
+        press={() => void acts.shift(link, -1)}
+      />
+      <IconButton
+        is_small
+        icon="right"
+        label="Move the link later"
+        is_off={at + 1 >= siblings.length}
+        press={() => void acts.shift(link, 1)}
+      />
       <IconButton is_small icon="bin" label="Delete the link" press={() => void acts.remove_link(link.index ?? -1)} />
     </>
   );

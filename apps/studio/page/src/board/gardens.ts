@@ -2,11 +2,11 @@
 // Documents that are components of other documents. The user enters, changes and leaves them. Unsaved changes are kept
 // by the browser, as whenever another document is opened.
 import { Store } from '../base/store.ts';
-import { member_of } from '../values/path.ts';
 import { folder_of } from '../files/file_path.ts';
-import type { OpenWish } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';
 import { Keeper } from '../saving/keeper.ts';
+import type { OpenWish } from '../server/protocol.ts';
+import { member_of } from '../values/path.ts';
 
 export interface Entered {
   title: string;

@@ -9,13 +9,13 @@ import { Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { use_models } from '../files/models.ts';
-import { use_page } from '../page/use_page.ts';
-import { graph_of, usual_kind } from './plant_graph.ts';
-import type { LinkKind } from './plant_graph.ts';
-import { icon_of } from './component_icon.ts';
 import { ChoiceCard, PlantChoices } from '../files/plant_choices.tsx';
+import { use_page } from '../page/use_page.ts';
 import type { ReadParts } from '../server/protocol.ts';
 import { Board } from './board.ts';
+import { icon_of } from './component_icon.ts';
+import type { LinkKind } from './plant_graph.ts';
+import { graph_of, usual_kind } from './plant_graph.ts';
 
 type Tab = 'types' | 'parts' | 'plants';
 
@@ -38,23 +38,50 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
   const [kind, set_kind] = useState<LinkKind | null>(null); // null: the usual kind
   use_store(page.chosen);
   const { graph, chosen } = page.tool(Board).actions;
-  const below = chosen !== null && graph.components.has(chosen) ? chosen : (graph.roots.find((root) => graph.components.get(root)?.is_camera && graph.components.get(root)?.is_written) ?? null);
-  const kind_for = (type: string): LinkKind => kind ?? usual_kind(page.tables.components, graph.components.get(below ?? '')?.type ?? '', type);
+  const below =
+    chosen !== null && graph.components.has(chosen)
+      ? chosen
+      : (graph.roots.find((root) => graph.components.get(root)?.is_camera && graph.components.get(root)?.is_written) ??
+        null);
+  const kind_for = (type: string): LinkKind =>
+    kind ?? usual_kind(page.tables.components, graph.components.get(below ?? '')?.type ?? '', type);
   const title = below === null ? 'Add to the plant' : `Add below ${below}`;
   const is_wanted = (text: string): boolean => text.toLowerCase().includes(words.toLowerCase());
   return (
     <Dialog title={title} width="wide" close={close}>
       <label className="search">
         <Icon name="search" />
-        <input type="search" autoFocus aria-label="Find what to add" placeholder="Find what to add" value={words} onChange={(event) => set_words(event.target.value)} onKeyDown={press_first} />
+        <input
+          type="search"
+          autoFocus
+          aria-label="Find what to add"
+          placeholder="Find what to add"
+          value={words}
+          onChange={(event) => set_words(event.target.value)}
+          onKeyDown={press_first}
+        />
       </label>
       <div className="palette-tools">
         <Segments label="What to add" value={tab} choices={kTabs} choose={set_tab} />
         <span className="stretch" />
         <span className="quiet">Link</span>
-        <Segments label="Kind of the link" value={kind ?? ('usual' as LinkKind)} choices={[['usual' as LinkKind, 'Usual'], ...kKinds]} choose={(one) => set_kind(one === ('usual' as LinkKind) ? null : one)} />
+        <Segments
+          label="Kind of the link"
+          value={kind ?? ('usual' as LinkKind)}
+          choices={[['usual' as LinkKind, 'Usual'], ...kKinds]}
+          choose={(one) => set_kind(one === ('usual' as LinkKind) ? null : one)}
+        />
       </div>
-      {tab === 'types' && <Types words={words.toLowerCase()} is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} show_plants={() => set_tab('plants')} />}
+      {tab === 'types' && (
+        <Types
+          words={words.toLowerCase()}
+          is_wanted={is_wanted}
+          kind_for={kind_for}
+          below={below}
+          close={close}
+          show_plants={() => set_tab('plants')}
+        />
+      )}
       {tab === 'parts' && <Parts is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} />}
       {tab === 'plants' && <Plants is_wanted={is_wanted} kind={kind ?? 'child'} below={below} close={close} />}
     </Dialog>
@@ -75,24 +102,43 @@ interface TabProps {
   close: () => void;
 }
 
-function Types({ words, is_wanted, kind_for, below, close, show_plants }: TabProps & { words: string; show_plants: () => void }): ReactElement {
+function Types({
+  words,
+  is_wanted,
+  kind_for,
+  below,
+  close,
+  show_plants,
+}: TabProps & { words: string; show_plants: () => void }): ReactElement {
   const page = use_page();
   const { graph } = page.tool(Board).actions;
   const has_camera = [...graph.components.values()].some((one) => one.is_camera && one.is_written);
-  const types = Object.entries(page.tables.components).filter(([name, { doc, is_camera }]) => is_wanted(`${name} ${doc}`) && !(has_camera && is_camera === true));
+  const types = Object.entries(page.tables.components).filter(
+    ([name, { doc, is_camera }]) => is_wanted(`${name} ${doc}`) && !(has_camera && is_camera === true),
+  );
   // A match of the name ranks higher than a match in a sentence.
-  const rank = (name: string): number => (name === words ? 0 : name.startsWith(words) ? 1 : name.includes(words) ? 2 : 3);
+  const rank = (name: string): number =>
+    name === words ? 0 : name.startsWith(words) ? 1 : name.includes(words) ? 2 : 3;
   if (words !== '') types.sort(([a], [b]) => rank(a) - rank(b));
   const add = (type: string) => (): void => {
     // The list of whole plants asks which plant is meant.
     if (page.tables.components[type]?.is_whole_plant === true) return show_plants();
     close();
-    void page.tool(Board).actions.add(type, page.tables.components[type]?.is_camera === true ? null : below, kind_for(type));
+    void page
+      .tool(Board)
+      .actions.add(type, page.tables.components[type]?.is_camera === true ? null : below, kind_for(type));
   };
   return (
     <div className="models palette">
       {types.map(([name, { doc }]) => (
-        <ChoiceCard key={name} name={name} picture={`pictures/part-${name}.jpg`} title={name} text={doc} press={add(name)} />
+        <ChoiceCard
+          key={name}
+          name={name}
+          picture={`pictures/part-${name}.jpg`}
+          title={name}
+          text={doc}
+          press={add(name)}
+        />
       ))}
       {types.length === 0 && <p className="empty">No component is called so.</p>}
     </div>
@@ -102,7 +148,7 @@ function Types({ words, is_wanted, kind_for, below, close, show_plants }: TabPro
 function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
   const page = use_page();
   const models = use_models();
-  const [model, set_model] = useState<{ name: string; title: string } & ReadParts | null>(null);
+  const [model, set_model] = useState<({ name: string; title: string } & ReadParts) | null>(null);
   const open = (name: string, title: string) => (): void => {
     page.connection
       .request<ReadParts>('parts', { model: name })
@@ -115,7 +161,14 @@ function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
         {models
           .filter((one) => is_wanted(`${one.name} ${one.title}`))
           .map((one) => (
-            <ChoiceCard key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={open(one.name, one.title)} />
+            <ChoiceCard
+              key={one.name}
+              name={one.name}
+              picture={one.picture ? `pictures/${one.name}.jpg` : null}
+              title={one.title}
+              text={one.description}
+              press={open(one.name, one.title)}
+            />
           ))}
       </div>
     );
@@ -123,7 +176,13 @@ function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
   const graph = graph_of(model.tree, page.tables.components, model.implied);
   const add = (id: string, type: string) => (): void => {
     close();
-    void page.tool(Board).parts.part_of(graph, id, false, model.name).then((part) => part && page.tool(Board).parts.paste(part, below, `Add ${id} of ${model.title}`, { [id]: kind_for(type) }));
+    void page
+      .tool(Board)
+      .parts.part_of(graph, id, false, model.name)
+      .then(
+        (part) =>
+          part && page.tool(Board).parts.paste(part, below, `Add ${id} of ${model.title}`, { [id]: kind_for(type) }),
+      );
   };
   return (
     <>

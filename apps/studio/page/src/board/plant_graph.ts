@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The p-graph of a document, read from its text: components, links, and links back to an ancestor. It exists even while
 // the text has faults. Facts that only the library knows, such as components that a grammar places, are passed in.
+
+import type { Tables } from '../tables/tables.ts';
 import type { Json } from '../values/json.ts';
 import { is_object } from '../values/json.ts';
 import { member_of } from '../values/path.ts';
-import type { Tables } from '../tables/tables.ts';
 
 export type LinkKind = 'child' | 'branch' | 'leaf' | 'crown' | 'placed';
 
@@ -59,7 +60,11 @@ function kind_of(link: Json | undefined): LinkKind {
   return typeof kind === 'string' && kKinds.has(kind) ? (kind as LinkKind) : 'child';
 }
 
-export function graph_of(document: Json | undefined, types: Tables['components'], implied: readonly ImpliedLink[] = []): PlantGraph {
+export function graph_of(
+  document: Json | undefined,
+  types: Tables['components'],
+  implied: readonly ImpliedLink[] = [],
+): PlantGraph {
   const components = new Map<string, GraphComponent>();
   const said = member_of(document, 'components');
   for (const id of is_object(said) ? Object.keys(said) : []) {
@@ -70,10 +75,12 @@ export function graph_of(document: Json | undefined, types: Tables['components']
   const links: GraphLink[] = [];
   for (const [index, link] of (Array.isArray(written) ? written : []).entries()) {
     const [from, to] = ends_of(link);
-    if (components.has(from) && components.has(to)) links.push({ from, to, kind: kind_of(link), index, recursion: null });
+    if (components.has(from) && components.has(to))
+      links.push({ from, to, kind: kind_of(link), index, recursion: null });
   }
   for (const { from, to } of implied) {
-    if (components.has(from) && components.has(to)) links.push({ from, to, kind: 'placed', index: null, recursion: null });
+    if (components.has(from) && components.has(to))
+      links.push({ from, to, kind: 'placed', index: null, recursion: null });
   }
   add_camera(components, links);
   return with_recursions(components, links);
@@ -149,11 +156,17 @@ function with_recursions(components: Map<string, GraphComponent>, all: GraphLink
 
 /// Returns the reason why the document cannot have a link, or null. `recursion_of` returns the recursion of a
 /// component.
-export function refusal_of_link(graph: PlantGraph, from: string, to: string, recursion_of: (id: string) => number): string | null {
+export function refusal_of_link(
+  graph: PlantGraph,
+  from: string,
+  to: string,
+  recursion_of: (id: string) => number,
+): string | null {
   const target = graph.components.get(to);
   if (!target || !graph.components.has(from)) return 'A link joins two components.';
   if (target.is_camera) return `${to} is the camera, the root of all links: nothing leads to it.`;
-  if (graph.links.some((link) => link.from === from && link.to === to && link.index !== null)) return `${from} links to ${to} already.`;
+  if (graph.links.some((link) => link.from === from && link.to === to && link.index !== null))
+    return `${from} links to ${to} already.`;
   const way = way_between(graph, to, from);
   if (!way || recursion_of(to) >= 2) return null;
   return `The links ${[...way, to].join(' > ')} would form an endless circle. A recursion of at least 2 in ${to} allows it.`;

@@ -4,11 +4,11 @@ import { useMemo } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { use_document, use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
 import type { BoardLayout } from './board_layout.ts';
 import { lay_out } from './board_layout.ts';
 import type { PlantGraph } from './plant_graph.ts';
 import { graph_of } from './plant_graph.ts';
-import { Board } from './board.ts';
 
 export function use_graph(): PlantGraph {
   const { components } = use_page().tables;

@@ -2,7 +2,7 @@
 // Actions with the view's camera: copy it into the document, bookmark it, or draw a still.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
-
+import { Board } from '../board/board.ts';
 import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
 import type { Page } from '../page/page.ts';
@@ -11,7 +11,6 @@ import { component_groups } from '../tables/tables.ts';
 import { kFieldOfView } from '../view/orbit.ts';
 import { bookmarks_of, keep_bookmarks, next_name } from './bookmarks.ts';
 import { camera_edits, camera_of_document } from './camera_document.ts';
-import { Board } from '../board/board.ts';
 
 export function CameraMenu(): ReactElement {
   const page = use_page();
@@ -49,7 +48,9 @@ function set_camera(page: Page): void {
   if (!view) return;
   const edits = camera_edits(document, graph, view.orbit.as_document);
   if (edits.length === 0) return page.notify('A document without components has no camera', true);
-  void page.edit(edits, 'Set the camera').then((faults) => faults === null && page.notify('The document’s camera looks as the view does'));
+  void page
+    .edit(edits, 'Set the camera')
+    .then((faults) => faults === null && page.notify('The document’s camera looks as the view does'));
 }
 
 function look_as_document(page: Page): void {

@@ -29,7 +29,11 @@ const kPixelsPerStep = 2;
 
 /// Returns a number with a readable number of digits.
 export function shown_number(value: number | null): string {
-  return value === null ? '' : String(Math.abs(value) >= 1e-4 || value === 0 ? tidy(Number(value.toPrecision(6))) : Number(value.toPrecision(4)));
+  return value === null
+    ? ''
+    : String(
+        Math.abs(value) >= 1e-4 || value === 0 ? tidy(Number(value.toPrecision(6))) : Number(value.toPrecision(4)),
+      );
 }
 
 function pace(event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): number {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { ExportOptions } from '../server/protocol.ts';
+
 import type { Page } from '../page/page.ts';
+import type { ExportOptions } from '../server/protocol.ts';
 
 export interface ExportWish {
   format: string;

@@ -2,16 +2,16 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { StillDialog } from './still_dialog.tsx';
+import { PaletteDialog } from '../board/palette_dialog.tsx';
 import { Dialog } from '../controls/dialog.tsx';
-import { kShortcuts } from './shortcut_list.ts';
 import { ChanceDialog } from '../find/chance_dialog.tsx';
 import { use_page } from '../page/use_page.ts';
 import { ExportDialog } from './export_dialog.tsx';
-import { PaletteDialog } from '../board/palette_dialog.tsx';
 import { OpenDialog, SaveDialog } from './file_dialogs.tsx';
 import { ModelsDialog } from './models_dialog.tsx';
 import { RecordDialog } from './record_dialog.tsx';
+import { kShortcuts } from './shortcut_list.ts';
+import { StillDialog } from './still_dialog.tsx';
 
 /// The open window, if there is one.
 export function Dialogs(): ReactElement | null {

@@ -8,12 +8,12 @@ import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
-import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
-import { use_document, use_page } from '../page/use_page.ts';
-import { take_file } from './recording.ts';
-import { ExportFooter } from './export_footer.tsx';
 import { size_text } from '../files/file_list.tsx';
+import { use_document, use_page } from '../page/use_page.ts';
+import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
 import { TimeModel } from '../time/time_model.ts';
+import { ExportFooter } from './export_footer.tsx';
+import { take_file } from './recording.ts';
 
 const kInstances = [
   ['automatic', 'As the size asks'],
@@ -57,7 +57,9 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   // Films are exported from the timeline.
   const formats = hello?.formats.filter((one) => !/\.(mp4|webm)$/.test(one.ending)) ?? [];
   const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
-  const [options, set_options] = useState<ExportOptions>(page.tool(TimeModel).time > 0 ? { time: page.tool(TimeModel).time } : {});
+  const [options, set_options] = useState<ExportOptions>(
+    page.tool(TimeModel).time > 0 ? { time: page.tool(TimeModel).time } : {},
+  );
   const [made, set_made] = useState<MadeFile | null>(null);
   const [is_busy, set_busy] = useState(false);
   const format = formats.find((one) => one.ending === ending);
@@ -95,12 +97,22 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
         ))}
       </div>
       {options_of(format).map(({ name, fallback, ...form }) => (
-        <NumberLine key={name} {...form} value={options[name] ?? fallback} set={(value) => set_options({ ...options, [name]: value })} />
+        <NumberLine
+          key={name}
+          {...form}
+          value={options[name] ?? fallback}
+          set={(value) => set_options({ ...options, [name]: value })}
+        />
       ))}
       {format?.instances && (
         <div className="field-line">
           <label htmlFor="instances">Leaves and organs</label>
-          <select id="instances" className="select" value={options.instances ?? 'automatic'} onChange={(event) => set_options({ ...options, instances: event.target.value })}>
+          <select
+            id="instances"
+            className="select"
+            value={options.instances ?? 'automatic'}
+            onChange={(event) => set_options({ ...options, instances: event.target.value })}
+          >
             {kInstances.map(([name, text]) => (
               <option key={name} value={name}>
                 {text}
@@ -117,11 +129,21 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
       )}
       {ending.endsWith('png') && (
         <label className="check-line">
-          <input type="checkbox" checked={options.transparent ?? false} onChange={(event) => set_options({ ...options, transparent: event.target.checked })} />
+          <input
+            type="checkbox"
+            checked={options.transparent ?? false}
+            onChange={(event) => set_options({ ...options, transparent: event.target.checked })}
+          />
           Transparent background
         </label>
       )}
-      {is_busy && <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the export" />}
+      {is_busy && (
+        <progress
+          max={1}
+          value={working?.job === 'export' ? working.share : undefined}
+          aria-label="Progress of the export"
+        />
+      )}
       {made && <Made file={made} />}
     </Dialog>
   );

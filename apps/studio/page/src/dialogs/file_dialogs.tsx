@@ -18,13 +18,23 @@ export function OpenDialog({ close }: { close: () => void }): ReactElement {
     void page.try_open({ path }).then((why) => (why === null ? close() : set_fault(why)));
   };
   return (
-    <Dialog title="Open a plant" close={close} footer={<Button press={() => page.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}>
+    <Dialog
+      title="Open a plant"
+      close={close}
+      footer={<Button press={() => page.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}
+    >
       {fault !== null && (
         <p className="fault-line" role="alert">
           {fault}
         </p>
       )}
-      <Files folder={folder} enter={set_folder} take={open} endings={['.json']} empty="No plant documents in this folder." />
+      <Files
+        folder={folder}
+        enter={set_folder}
+        take={open}
+        endings={['.json']}
+        empty="No plant documents in this folder."
+      />
     </Dialog>
   );
 }
@@ -43,12 +53,32 @@ export function SaveDialog({ close }: { close: () => void }): ReactElement {
     });
   };
   return (
-    <Dialog title="Save as" close={close} footer={<Button kind="main" is_off={file.trim() === ''} press={() => save()}>Save</Button>}>
+    <Dialog
+      title="Save as"
+      close={close}
+      footer={
+        <Button kind="main" is_off={file.trim() === ''} press={() => save()}>
+          Save
+        </Button>
+      }
+    >
       <form className="field-line" onSubmit={save}>
         <label htmlFor="file-name">Name</label>
-        <input id="file-name" className="text-field" autoFocus value={file} onChange={(event) => set_file(event.target.value)} />
+        <input
+          id="file-name"
+          className="text-field"
+          autoFocus
+          value={file}
+          onChange={(event) => set_file(event.target.value)}
+        />
       </form>
-      <Files folder={folder} enter={set_folder} take={(chosen) => set_file(chosen.slice(chosen.lastIndexOf('/') + 1))} endings={['.json']} empty="No plant documents in this folder yet." />
+      <Files
+        folder={folder}
+        enter={set_folder}
+        take={(chosen) => set_file(chosen.slice(chosen.lastIndexOf('/') + 1))}
+        endings={['.json']}
+        empty="No plant documents in this folder yet."
+      />
     </Dialog>
   );
 }

@@ -16,17 +16,39 @@ export function ModelsDialog({ close }: { close: () => void }): ReactElement {
     close();
     void page.open({ model });
   };
-  const wanted = models.filter((one) => `${one.name} ${one.title} ${one.description}`.toLowerCase().includes(words.toLowerCase()));
+  const wanted = models.filter((one) =>
+    `${one.name} ${one.title} ${one.description}`.toLowerCase().includes(words.toLowerCase()),
+  );
   return (
     <Dialog title="Shipped plants" width="wide" close={close}>
       <label className="search">
         <Icon name="search" />
-        <input type="search" autoFocus aria-label="Find a plant" placeholder="Find a plant" value={words} onChange={(event) => set_words(event.target.value)} />
+        <input
+          type="search"
+          autoFocus
+          aria-label="Find a plant"
+          placeholder="Find a plant"
+          value={words}
+          onChange={(event) => set_words(event.target.value)}
+        />
       </label>
       <div className="models">
         {wanted.map((one) => (
-          <button key={one.name} type="button" className="model" data-model={one.name} data-tip={one.description} onClick={open(one.name)}>
-            {one.picture ? <img src={`pictures/${one.name}.jpg`} alt="" loading="lazy" /> : <span className="no-picture"><Icon name="leaf" /></span>}
+          <button
+            key={one.name}
+            type="button"
+            className="model"
+            data-model={one.name}
+            data-tip={one.description}
+            onClick={open(one.name)}
+          >
+            {one.picture ? (
+              <img src={`pictures/${one.name}.jpg`} alt="" loading="lazy" />
+            ) : (
+              <span className="no-picture">
+                <Icon name="leaf" />
+              </span>
+            )}
             <span className="model-title">{one.title}</span>
             <span className="model-description">{one.description}</span>
           </button>

@@ -8,11 +8,11 @@ import { use_store } from '../base/store.ts';
 import { Button, Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
-import type { ExportOptions } from '../server/protocol.ts';
 import { use_document, use_page } from '../page/use_page.ts';
+import type { ExportOptions } from '../server/protocol.ts';
+import { TimeModel } from '../time/time_model.ts';
 import { Made } from './export_dialog.tsx';
 import { ExportFooter } from './export_footer.tsx';
-import { TimeModel } from '../time/time_model.ts';
 import { Recordings } from './recording.ts';
 
 const kSizes = [
@@ -42,7 +42,13 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
   const frames = Math.floor((to - from) * rate + 1e-6) + 1;
   const [width, height] = size.split('x').map(Number) as [number, number];
   const camera = as_seen ? page.view?.orbit.as_document : undefined;
-  const options: ExportOptions = { width, height, samples, frames: { from, to, step: 1 / rate }, ...(camera ? { camera } : {}) };
+  const options: ExportOptions = {
+    width,
+    height,
+    samples,
+    frames: { from, to, step: 1 / rate },
+    ...(camera ? { camera } : {}),
+  };
   const wish = { format: ending, name: null, options };
   const footer = (
     <ExportFooter wish={wish}>
@@ -56,25 +62,58 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
     <Dialog title="Record" close={close} footer={footer}>
       <div className="field-line">
         <span>As</span>
-        <Segments label="What is recorded" value={ending} choices={[...endings.map((one) => [one, kFilms[one] ?? one] as const), ['.png', 'PNG each'], ['.jpg', 'JPEG each']]} choose={set_ending} />
+        <Segments
+          label="What is recorded"
+          value={ending}
+          choices={[
+            ...endings.map((one) => [one, kFilms[one] ?? one] as const),
+            ['.png', 'PNG each'],
+            ['.jpg', 'JPEG each'],
+          ]}
+          choose={set_ending}
+        />
       </div>
-      {endings.length === 0 && <p className="quiet">Films need the program ffmpeg beside the studio. Without it, all frames come as pictures in one archive.</p>}
+      {endings.length === 0 && (
+        <p className="quiet">
+          Films need the program ffmpeg beside the studio. Without it, all frames come as pictures in one archive.
+        </p>
+      )}
       <NumberLine label="From" unit="s" value={from} step={0.1} low={0} high={to} set={set_from} />
       <NumberLine label="To" unit="s" value={to} step={0.1} low={from} high={1e6} set={set_to} />
-      <NumberLine label="Frames per second" value={rate} step={1} low={1} high={120} set={(one) => set_rate(Math.round(one))} />
+      <NumberLine
+        label="Frames per second"
+        value={rate}
+        step={1}
+        low={1}
+        high={120}
+        set={(one) => set_rate(Math.round(one))}
+      />
       <div className="field-line">
         <span>Size, pixels</span>
         <Segments label="Size in pixels" value={size} choices={kSizes} choose={set_size} />
       </div>
-      <NumberLine label="Samples" value={samples} step={4} low={1} high={1024} set={(one) => set_samples(Math.round(one))} />
+      <NumberLine
+        label="Samples"
+        value={samples}
+        step={4}
+        low={1}
+        high={1024}
+        set={(one) => set_samples(Math.round(one))}
+      />
       <label className="check-line">
         <input type="checkbox" checked={as_seen} onChange={(event) => set_as_seen(event.target.checked)} />
         From where the view looks
       </label>
       {is_busy && (
         <p className="record-progress" role="status">
-          <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the recording" />
-          <span className="quiet">{working?.job === 'export' ? working.stage : 'waits'}; the window may be closed, the recording goes on</span>
+          <progress
+            max={1}
+            value={working?.job === 'export' ? working.share : undefined}
+            aria-label="Progress of the recording"
+          />
+          <span className="quiet">
+            {working?.job === 'export' ? working.stage : 'waits'}; the window may be closed, the recording goes on
+          </span>
         </p>
       )}
       {made && <Made file={made} />}

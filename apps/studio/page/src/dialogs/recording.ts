@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A film or a still that the server makes. It continues when its window is closed.
 import { Store } from '../base/store.ts';
-import type { ExportWish } from './copy_command.ts';
+import type { Page } from '../page/page.ts';
 import type { Job } from '../server/connection.ts';
 import type { MadeFile } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
+import type { ExportWish } from './copy_command.ts';
 
 export class Recording {
   readonly made = new Store<MadeFile | null>(null);

@@ -6,11 +6,11 @@ import { useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, Segments } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
+import { use_document, use_page } from '../page/use_page.ts';
+import type { ExportOptions } from '../server/protocol.ts';
+import { TimeModel } from '../time/time_model.ts';
 import { Made } from './export_dialog.tsx';
 import { ExportFooter } from './export_footer.tsx';
-import type { ExportOptions } from '../server/protocol.ts';
-import { use_document, use_page } from '../page/use_page.ts';
-import { TimeModel } from '../time/time_model.ts';
 import { Recordings } from './recording.ts';
 
 const kSizes = [
@@ -39,7 +39,14 @@ export function StillDialog({ close }: { close: () => void }): ReactElement {
   const { view } = page;
   const height = Math.max(16, Math.round(Number(width) / (view?.orbit.camera.aspect ?? 4 / 3)));
   const { time } = page.tool(TimeModel);
-  const options: ExportOptions = { width: Number(width), height, samples: Number(samples), ...(transparent ? { transparent } : {}), ...(time > 0 ? { time } : {}), ...(view ? { camera: view.orbit.as_document } : {}) };
+  const options: ExportOptions = {
+    width: Number(width),
+    height,
+    samples: Number(samples),
+    ...(transparent ? { transparent } : {}),
+    ...(time > 0 ? { time } : {}),
+    ...(view ? { camera: view.orbit.as_document } : {}),
+  };
   const wish = { format: '.png', name: null, options };
   const footer = (
     <ExportFooter wish={wish}>
@@ -62,10 +69,22 @@ export function StillDialog({ close }: { close: () => void }): ReactElement {
         </label>
       </div>
       <div className="still-frame" style={{ aspectRatio: `${width} / ${height}` }} aria-busy={is_busy}>
-        {made ? <img src={made.address} alt="The plant, rendered" /> : !is_busy && <p className="quiet">{width} × {height} pixels, seen as the view is, in the light of the document’s scene.</p>}
+        {made ? (
+          <img src={made.address} alt="The plant, rendered" />
+        ) : (
+          !is_busy && (
+            <p className="quiet">
+              {width} × {height} pixels, seen as the view is, in the light of the document’s scene.
+            </p>
+          )
+        )}
         {is_busy && (
           <p className="record-progress" role="status">
-            <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the still" />
+            <progress
+              max={1}
+              value={working?.job === 'export' ? working.share : undefined}
+              aria-label="Progress of the still"
+            />
             <span className="quiet">{working?.job === 'export' ? working.stage : 'waits'}</span>
           </p>
         )}

@@ -7,15 +7,15 @@ import { Lost } from '../server/connection.ts';
 import type { Saved } from '../server/file_protocol.ts';
 import type { Edit, Edited, Fault, Opened, Reading } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
+import type { Patch } from '../values/patch.ts';
+import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from '../values/patch.ts';
 import type { DocumentState, WaitingEdits } from './document_state.ts';
+import { kNoDocument, opened_state, reading_of, tree_of, whole_reading } from './document_state.ts';
 import type { EditWish, QueuedEdit } from './edit_queue.ts';
 import { EditQueue, kDropped } from './edit_queue.ts';
-import { kNoDocument, opened_state, reading_of, tree_of, whole_reading } from './document_state.ts';
 import { text_hash } from './hash.ts';
 import { text_with_edits } from './text_edits.ts';
 import { variables_of_text } from './text_variables.ts';
-import type { Patch } from '../values/patch.ts';
-import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from '../values/patch.ts';
 import type { UndoState, UndoStep } from './undo_list.ts';
 import { kTypingPause, step_back, step_forward, with_step, with_typing } from './undo_list.ts';
 
@@ -163,7 +163,8 @@ export class DocumentModel {
     const { tree, good, variables } = this.state.get();
     this.state.merge({ text, hash, undo, ...tree_of(text, tree) });
     // A text without faults is read by the server at once, which then sends the values of expressions.
-    if (!good || !this.connection_().is_open) this.state.merge({ variables: variables_of_text(variables, this.state.get().tree) });
+    if (!good || !this.connection_().is_open)
+      this.state.merge({ variables: variables_of_text(variables, this.state.get().tree) });
     return hash;
   }
 

@@ -3,8 +3,8 @@
 import type { Edit, Fault, ImpliedLink, Opened, Reading, Variable } from '../server/protocol.ts';
 import type { Json, JsonNode } from '../values/json.ts';
 import { is_object, keep_values, parse_broken_json, parse_json } from '../values/json.ts';
-import type { UndoState } from './undo_list.ts';
 import { variables_of_text } from './text_variables.ts';
+import type { UndoState } from './undo_list.ts';
 import { kNothingDone } from './undo_list.ts';
 
 /// How the tree was read: from valid JSON, from JSON with a repaired fault, or from an earlier text.
@@ -56,10 +56,20 @@ export const kNoDocument: DocumentState = {
 
 /// Returns the changes of the state by a reading. The server computes no variables of a faulty text; they are then read
 /// from the text.
-export function reading_of({ good, faults, implied = [], notes = {}, variables }: Reading, tree: JsonNode | null, known: Variable[]): Partial<DocumentState> {
+export function reading_of(
+  { good, faults, implied = [], notes = {}, variables }: Reading,
+  tree: JsonNode | null,
+  known: Variable[],
+): Partial<DocumentState> {
   if (!good && variables.length === 0) return { good, faults, notes, variables: variables_of_text(known, tree) };
   // An empty expression means that there is no expression.
-  return { good, faults, implied, notes, variables: variables.map((one) => ({ ...one, expression: one.expression || null })) };
+  return {
+    good,
+    faults,
+    implied,
+    notes,
+    variables: variables.map((one) => ({ ...one, expression: one.expression || null })),
+  };
 }
 
 /// Returns the tree of a text. If the text is not JSON, reads around the fault. If top-level names of the last tree are
@@ -92,7 +102,18 @@ export function values_of_variables({ variables }: DocumentState): Record<string
 /// Returns the state of a document that was just opened.
 export function opened_state({ path, model, name, text, hash, saved, ...reading }: Opened): DocumentState {
   const read = tree_of(text, null);
-  return { ...kNoDocument, ...reading_of(reading, read.tree, []), path, model, name, text, hash, saved, base: hash, ...read };
+  return {
+    ...kNoDocument,
+    ...reading_of(reading, read.tree, []),
+    path,
+    model,
+    name,
+    text,
+    hash,
+    saved,
+    base: hash,
+    ...read,
+  };
 }
 
 /// Returns the reading in an answer, or null if the answer has none.

@@ -69,7 +69,11 @@ function without_member(text: string, tree: JsonNode, path: string): string | nu
   const around = node_at(tree, path_of(steps.slice(0, -1)));
   if (!around?.members) return around ? null : text;
   const k = around.members.findIndex((member) => member.name === steps.at(-1));
-  const [before, member, behind]: (JsonMember | undefined)[] = [around.members[k - 1], around.members[k], around.members[k + 1]];
+  const [before, member, behind]: (JsonMember | undefined)[] = [
+    around.members[k - 1],
+    around.members[k],
+    around.members[k + 1],
+  ];
   if (!member) return text;
   if (behind) return text.slice(0, member.name_start) + text.slice(behind.name_start);
   return text.slice(0, before ? before.node.end : member.name_start) + text.slice(member.node.end);

@@ -3,13 +3,13 @@
 // into the plane of an outline.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import { is_object } from '../values/json.ts';
-import type { Point } from './shape.ts';
+import type { Page } from '../page/page.ts';
 import type { ArrayPlace, PacketArrays } from '../server/packet.ts';
 import { floats } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import type { Point } from './shape.ts';
 
 export interface ToldCloud {
   component: string;
@@ -39,7 +39,8 @@ export class CrownCloud {
     this.page_.connection
       .request<{ cloud: { positions: ArrayPlace; count: number } | null; arrays: PacketArrays }>('cloud', { component })
       .then(({ cloud, arrays }) => {
-        if (counts()) this.told.set(cloud && { component, positions: floats(arrays, cloud.positions), count: cloud.count });
+        if (counts())
+          this.told.set(cloud && { component, positions: floats(arrays, cloud.positions), count: cloud.count });
       })
       .catch(() => undefined);
   }
@@ -47,7 +48,11 @@ export class CrownCloud {
 
 /// Returns the points in the plane of an outline, as radius and height. An outline at an azimuth gets the points that
 /// are not nearer to another outline.
-export function turned_points(positions: ArrayLike<number>, azimuth: number | null, others: readonly number[]): Point[] {
+export function turned_points(
+  positions: ArrayLike<number>,
+  azimuth: number | null,
+  others: readonly number[],
+): Point[] {
   const points: Point[] = [];
   for (let k = 0; k + 2 < positions.length; k += 3) {
     const [x, y, z] = [positions[k] ?? 0, positions[k + 1] ?? 0, positions[k + 2] ?? 0];

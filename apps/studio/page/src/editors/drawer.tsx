@@ -5,14 +5,14 @@ import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import { path_below, path_of, steps_of, value_at } from '../values/path.ts';
+import { Faults } from '../controls/faults.tsx';
+import { use_document, use_page } from '../page/use_page.ts';
 import { excluded_by } from '../rows/exclusion.ts';
 import { use_faults, use_row_actions, use_shown_value } from '../rows/row_actions.ts';
-import { Faults } from '../controls/faults.tsx';
 import { use_row_kinds } from '../rows/row_kinds.ts';
-import { use_document, use_page } from '../page/use_page.ts';
 import { groups_at, rows_at } from '../tables/resolve.ts';
 import type { Row } from '../tables/tables.ts';
+import { path_below, path_of, steps_of, value_at } from '../values/path.ts';
 
 export function Drawer(): ReactElement | null {
   const page = use_page();
@@ -64,7 +64,15 @@ function LargeEditor({ path, parent, row, close }: LargeEditorProps): ReactEleme
         <IconButton icon="close" label={`Close the large ${label}`} press={close} />
       </header>
       <div className="drawer-body" data-path={path}>
-        <Editor row={row} label={label} path={path} value={value} actions={actions} is_faulty={faults.some((fault) => fault.severity === 'error')} size="large" />
+        <Editor
+          row={row}
+          label={label}
+          path={path}
+          value={value}
+          actions={actions}
+          is_faulty={faults.some((fault) => fault.severity === 'error')}
+          size="large"
+        />
         <Faults faults={faults} />
       </div>
     </section>
@@ -72,5 +80,9 @@ function LargeEditor({ path, parent, row, close }: LargeEditorProps): ReactEleme
 }
 
 function title_of(path: string): string {
-  return path === '' ? 'the document' : steps_of(path).filter((one) => one !== 'components').join(' ');
+  return path === ''
+    ? 'the document'
+    : steps_of(path)
+        .filter((one) => one !== 'components')
+        .join(' ');
 }

@@ -5,15 +5,15 @@ import { useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
+import { TextField } from '../controls/text_field.tsx';
+import { names_pictures } from '../files/file_endings.ts';
+import { use_document } from '../page/use_page.ts';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
+import type { Row } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
+import { FileChooser, ShippedFiles } from './file_chooser.tsx';
 import { PictureEditor } from './picture_editor.tsx';
 import { Thumbnail } from './thumbnail.tsx';
-import type { Json } from '../values/json.ts';
-import { use_document } from '../page/use_page.ts';
-import type { Row } from '../tables/tables.ts';
-import { FileChooser, ShippedFiles } from './file_chooser.tsx';
-import { names_pictures } from '../files/file_endings.ts';
-import type { RowEditorProps } from '../rows/row_kinds.ts';
-import { TextField } from '../controls/text_field.tsx';
 
 export function FileRow(props: RowEditorProps): ReactElement {
   const { label, value, row, actions, size = 'row' } = props;
@@ -23,9 +23,19 @@ export function FileRow(props: RowEditorProps): ReactElement {
   return (
     <div className={`file-row${names_pictures(row) ? ' of-pictures' : ''}`}>
       {names_pictures(row) && <Thumbnail file={file} />}
-      <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="path of a file" />
+      <TextField
+        label={label}
+        value={file}
+        commit={actions.commit}
+        is_code
+        is_faulty={props.is_faulty}
+        description={row.doc}
+        placeholder="path of a file"
+      />
       <IconButton is_small icon="folder" label={`Choose a file for ${label}`} press={() => set_open(true)} />
-      {is_open && <FileDialog label={label} row={row} value={value} take={actions.commit} close={() => set_open(false)} />}
+      {is_open && (
+        <FileDialog label={label} row={row} value={value} take={actions.commit} close={() => set_open(false)} />
+      )}
     </div>
   );
 }

@@ -31,7 +31,10 @@ export function names_of(side: Side): readonly [string, string] {
 /// Returns the positions of a value, or null if it has expressions.
 export function places_of(value: Json | undefined): Vec[] | null {
   if (!Array.isArray(value)) return null;
-  const places = value.filter((one): one is [number, number, number] => Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'));
+  const places = value.filter(
+    (one): one is [number, number, number] =>
+      Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'),
+  );
   return places.length === value.length ? places : null;
 }
 

@@ -41,7 +41,10 @@ export function use_thumbnail(file: string, size: number): MadeThumbnail | null 
   useEffect(() => {
     let is_wanted = true;
     show(null);
-    if (file !== '') void thumbnail_of(page, `${size}|${model ?? ''}|${path ?? ''}|${file}`, file, size).then((made) => is_wanted && show(made));
+    if (file !== '')
+      void thumbnail_of(page, `${size}|${model ?? ''}|${path ?? ''}|${file}`, file, size).then(
+        (made) => is_wanted && show(made),
+      );
     return () => {
       is_wanted = false;
     };
@@ -58,5 +61,12 @@ export function Thumbnail({ file }: { file: string }): ReactElement {
         <Icon name="document" />
       </span>
     );
-  return <img className="thumbnail" src={`data:image/png;base64,${shown.picture}`} alt={`${file}, ${shown.width} by ${shown.height} pixels`} data-tip={`${file}\n${shown.width} × ${shown.height} pixels`} />;
+  return (
+    <img
+      className="thumbnail"
+      src={`data:image/png;base64,${shown.picture}`}
+      alt={`${file}, ${shown.width} by ${shown.height} pixels`}
+      data-tip={`${file}\n${shown.width} × ${shown.height} pixels`}
+    />
+  );
 }

@@ -2,11 +2,10 @@
 import { useEffect, useMemo } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { path_of, steps_of, value_at } from '../values/path.ts';
-import type { Point } from './shape.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import { azimuths_of, turned_points } from './crown_cloud.ts';
-import { CrownCloud } from './crown_cloud.ts';
+import { path_of, steps_of, value_at } from '../values/path.ts';
+import { azimuths_of, CrownCloud, turned_points } from './crown_cloud.ts';
+import type { Point } from './shape.ts';
 
 const kNone: readonly Point[] = [];
 

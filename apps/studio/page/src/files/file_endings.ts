@@ -20,5 +20,7 @@ export function names_pictures(row: Row): boolean {
 /// Returns the endings of the formats that a sentence names. Returns an empty list if it names no format; any file is
 /// then accepted.
 export function endings_in(sentence: string): string[] {
-  return Object.entries(kEndings).flatMap(([word, endings]) => (new RegExp(`\\b${word}\\b`).test(sentence) ? endings : []));
+  return Object.entries(kEndings).flatMap(([word, endings]) =>
+    new RegExp(`\\b${word}\\b`).test(sentence) ? endings : [],
+  );
 }

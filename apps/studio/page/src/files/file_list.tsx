@@ -36,7 +36,8 @@ export function Files({ folder, enter, take, endings, empty, picture_of }: Files
   const page = use_page();
   const files = use_files(page, folder);
   const below = (name: string): string => (folder === '' ? name : `${folder}/${name}`);
-  const is_wanted = (name: string): boolean => endings.length === 0 || endings.some((ending) => name.toLowerCase().endsWith(ending));
+  const is_wanted = (name: string): boolean =>
+    endings.length === 0 || endings.some((ending) => name.toLowerCase().endsWith(ending));
   const shown = files?.filter((one) => one.folder || is_wanted(one.name)) ?? [];
   return (
     <div className="files">
@@ -44,20 +45,31 @@ export function Files({ folder, enter, take, endings, empty, picture_of }: Files
         <button type="button" onClick={() => enter('')}>
           {page.server.get().hello?.root ?? 'folder'}
         </button>
-        {folder.split('/').filter(Boolean).map((name, index, all) => (
-          <span key={index}>
-            {' / '}
-            <button type="button" onClick={() => enter(all.slice(0, index + 1).join('/'))}>
-              {name}
-            </button>
-          </span>
-        ))}
+        {folder
+          .split('/')
+          .filter(Boolean)
+          .map((name, index, all) => (
+            <span key={index}>
+              {' / '}
+              <button type="button" onClick={() => enter(all.slice(0, index + 1).join('/'))}>
+                {name}
+              </button>
+            </span>
+          ))}
       </p>
       <ul>
         {shown.map((one) => (
           <li key={one.name}>
-            <button type="button" className="file" onClick={() => (one.folder ? enter(below(one.name)) : take(below(one.name)))}>
-              {picture_of && !one.folder ? picture_of(below(one.name)) : <Icon name={one.folder ? 'folder' : 'document'} />}
+            <button
+              type="button"
+              className="file"
+              onClick={() => (one.folder ? enter(below(one.name)) : take(below(one.name)))}
+            >
+              {picture_of && !one.folder ? (
+                picture_of(below(one.name))
+              ) : (
+                <Icon name={one.folder ? 'folder' : 'document'} />
+              )}
               <span>{one.name}</span>
               {!one.folder && <span className="quiet">{size_text(one.bytes)}</span>}
             </button>

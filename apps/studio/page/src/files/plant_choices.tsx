@@ -4,10 +4,10 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
-import { Files } from './file_list.tsx';
-import { use_models } from './models.ts';
-import { folder_of, path_from } from './file_path.ts';
 import { use_document } from '../page/use_page.ts';
+import { Files } from './file_list.tsx';
+import { folder_of, path_from } from './file_path.ts';
+import { use_models } from './models.ts';
 
 interface PlantChoicesProps {
   is_wanted: (text: string) => boolean;
@@ -24,11 +24,24 @@ export function PlantChoices({ is_wanted, take }: PlantChoicesProps): ReactEleme
         {models
           .filter((one) => is_wanted(`${one.name} ${one.title} ${one.description}`))
           .map((one) => (
-            <ChoiceCard key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={() => take(one.name)} />
+            <ChoiceCard
+              key={one.name}
+              name={one.name}
+              picture={one.picture ? `pictures/${one.name}.jpg` : null}
+              title={one.title}
+              text={one.description}
+              press={() => take(one.name)}
+            />
           ))}
       </div>
       <h3>Documents of this folder</h3>
-      <Files folder={folder} enter={set_folder} take={(file) => take(path_from(folder_of(path ?? ''), file))} endings={['.json']} empty="No plant documents in this folder." />
+      <Files
+        folder={folder}
+        enter={set_folder}
+        take={(file) => take(path_from(folder_of(path ?? ''), file))}
+        endings={['.json']}
+        empty="No plant documents in this folder."
+      />
     </>
   );
 }

@@ -6,10 +6,10 @@ import { useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
+import { use_document, use_page } from '../page/use_page.ts';
+import type { Variable } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
 import { step_of } from './handle_step.ts';
-import type { Variable } from '../server/protocol.ts';
-import { use_document, use_page } from '../page/use_page.ts';
 import { StillPicture } from './still_picture.tsx';
 import { values_by_chance } from './strip_states.ts';
 import type { StateValues } from './use_stills.ts';
@@ -28,7 +28,10 @@ export function ChanceDialog({ close }: { close: () => void }): ReactElement {
   const states = use_states(free, sows, throws);
   const { stills, is_working, fault } = use_stills(states, kSize);
   const take = (state: StateValues): void => {
-    void page.edit(Object.entries(state).map(([path, value]) => ({ set: path, value })), 'Take one of nine');
+    void page.edit(
+      Object.entries(state).map(([path, value]) => ({ set: path, value })),
+      'Take one of nine',
+    );
     close();
   };
   const footer = (
@@ -46,11 +49,20 @@ export function ChanceDialog({ close }: { close: () => void }): ReactElement {
   return (
     <Dialog title="Nine by chance" width="wide" close={close} footer={footer}>
       <p className="quiet">
-        {free.length === 0 ? 'All handles are locked, so the seed alone differs.' : `${free.map((one) => one.name.replaceAll('_', ' ')).join(', ')} within their ranges. Locked handles stay.`} A click takes one, as one step.
+        {free.length === 0
+          ? 'All handles are locked, so the seed alone differs.'
+          : `${free.map((one) => one.name.replaceAll('_', ' ')).join(', ')} within their ranges. Locked handles stay.`}{' '}
+        A click takes one, as one step.
       </p>
       <div className="nine" aria-busy={is_working}>
         {states.map((state, k) => (
-          <button key={`${throws} ${k}`} type="button" aria-label={`Plant ${k + 1}: ${words_of(state)}`} data-tip={words_of(state)} onClick={() => take(state)}>
+          <button
+            key={`${throws} ${k}`}
+            type="button"
+            aria-label={`Plant ${k + 1}: ${words_of(state)}`}
+            data-tip={words_of(state)}
+            onClick={() => take(state)}
+          >
             <StillPicture still={stills[k]} is_working={is_working} />
           </button>
         ))}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { fitting_step } from '../values/arithmetic.ts';
+
 import type { Variable } from '../server/protocol.ts';
+import { fitting_step } from '../values/arithmetic.ts';
 
 /// Returns the step of a handle. Whole numbers are used if the range and the value are whole and the range is long
 /// enough.

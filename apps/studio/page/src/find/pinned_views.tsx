@@ -5,16 +5,16 @@ import { useEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
+import type { Page } from '../page/page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { Connection } from '../server/connection.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import { read_packet } from '../server/packet.ts';
 import type { Opened } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
-import { use_document, use_page } from '../page/use_page.ts';
+import { TimeModel } from '../time/time_model.ts';
 import { budgets_of } from '../view/budgets.ts';
 import { View } from '../view/view.ts';
 import type { Pin } from './pins.ts';
-import { TimeModel } from '../time/time_model.ts';
 import { PinList } from './pins.ts';
 
 export function PinnedViews(): ReactElement {
@@ -33,7 +33,14 @@ export function PinButton(): ReactElement {
   const page = use_page();
   const pins = use_store(page.tool(PinList).shown);
   const pin = (): void => page.tool(PinList).add(page.document.state.get());
-  return <IconButton icon="pin" label={pins.length < 2 ? 'Pin this state beside the view' : 'Two states are pinned'} is_off={pins.length >= 2} press={pin} />;
+  return (
+    <IconButton
+      icon="pin"
+      label={pins.length < 2 ? 'Pin this state beside the view' : 'Two states are pinned'}
+      is_off={pins.length >= 2}
+      press={pin}
+    />
+  );
 }
 
 function PinnedView({ pin }: { pin: Pin }): ReactElement {
@@ -44,13 +51,28 @@ function PinnedView({ pin }: { pin: Pin }): ReactElement {
   useEffect(() => (canvas.current ? show_pin(page, pin, canvas.current, set_note) : undefined), [page, pin]);
   return (
     <section className="pinned" data-pin={pin.name} aria-label={`Pinned state ${pin.name}`}>
-      <canvas ref={canvas} tabIndex={0} role="application" aria-label={`The plant of the pinned state ${pin.name}, seen as the plant beside it`} />
+      <canvas
+        ref={canvas}
+        tabIndex={0}
+        role="application"
+        aria-label={`The plant of the pinned state ${pin.name}, seen as the plant beside it`}
+      />
       <div className="pinned-tools">
         <b>{pin.name}</b>
-        <Button kind="quiet" is_off={text === pin.text} tip="Makes this the document again, as one step" press={() => void page.document.replace(pin.text, `Take state ${pin.name}`)}>
+        <Button
+          kind="quiet"
+          is_off={text === pin.text}
+          tip="Makes this the document again, as one step"
+          press={() => void page.document.replace(pin.text, `Take state ${pin.name}`)}
+        >
           Take
         </Button>
-        <IconButton is_small icon="close" label={`Let state ${pin.name} go`} press={() => page.tool(PinList).remove(pin.id)} />
+        <IconButton
+          is_small
+          icon="close"
+          label={`Let state ${pin.name} go`}
+          press={() => page.tool(PinList).remove(pin.id)}
+        />
       </div>
       {note !== '' && <p className="view-note">{note}</p>}
     </section>
@@ -103,7 +125,12 @@ function show_pin(page: Page, pin: Pin, canvas: HTMLCanvasElement, say: (note: s
     time = page.tool(TimeModel).time;
     times.ask();
   };
-  const stops = [page.tool(TimeModel).state.subscribe(follow_time), page.view_facts.subscribe(() => view.follow(main)), page.view_state.subscribe(dress), page.shell.subscribe(dress)];
+  const stops = [
+    page.tool(TimeModel).state.subscribe(follow_time),
+    page.view_facts.subscribe(() => view.follow(main)),
+    page.view_state.subscribe(dress),
+    page.shell.subscribe(dress),
+  ];
   view.follow(main);
   connection.connect();
   return () => {

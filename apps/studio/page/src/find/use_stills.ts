@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small pictures of states of the document, made by the server, and made again when the document changes.
 import { useEffect, useState } from 'react';
-
-import type { Json } from '../values/json.ts';
-import type { Still } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';
 import { use_document, use_page } from '../page/use_page.ts';
+import type { Still } from '../server/protocol.ts';
+import type { Json } from '../values/json.ts';
 
 export type StateValues = Record<string, Json>;
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grips of a box: it is moved as a whole, sized by its faces, and turned about its middle if its table has turns.
+
+import type { Row } from '../tables/tables.ts';
 import { rounded } from '../values/arithmetic.ts';
 import type { Json } from '../values/json.ts';
-import type { Row } from '../tables/tables.ts';
+import type { Frame3, Vec } from '../values/space_math.ts';
+import { add, length, point_in, times, unit, vector_out } from '../values/space_math.ts';
 import type { Amount, Grip, GripField, GripGroup, Values } from './grip.ts';
 import { moved_vector } from './grip.ts';
 import { move_grips } from './move_grips.ts';
 import { turn_grips } from './pose_group.ts';
 import type { Spot } from './spot.ts';
 import { vec_of } from './spot.ts';
-import type { Frame3, Vec } from '../values/space_math.ts';
-import { add, length, point_in, times, unit, vector_out } from '../values/space_math.ts';
 
 const kAxes = ['x', 'y', 'z'] as const;
 const kSizes = ['width', 'height', 'depth'];
@@ -35,7 +36,14 @@ export function box_group(spot: Spot, row: Row, base: Frame3): GripGroup | null 
     ...faces_of(a, b, frame, path),
     ...turn_grips(spot, middle, base),
   ];
-  return { key: path, label: spot.title === row.name ? spot.title : `${spot.title}, ${row.name}`, at, grips, fields: fields_of(a, b, corners), lines: edges_of(a, b, frame) };
+  return {
+    key: path,
+    label: spot.title === row.name ? spot.title : `${spot.title}, ${row.name}`,
+    at,
+    grips,
+    fields: fields_of(a, b, corners),
+    lines: edges_of(a, b, frame),
+  };
 }
 
 function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Grip[] {
@@ -43,7 +51,7 @@ function faces_of(a: Vec, b: Vec, frame: Frame3, path: string): Grip[] {
   for (const axis of [0, 1, 2] as const) {
     for (const side of [-1, 1] as const) {
       // Corners may be in any order: the upper face moves the corner that is upper along this axis.
-      const of_a = (a[axis] >= b[axis]) === (side > 0);
+      const of_a = a[axis] >= b[axis] === side > 0;
       const [moved, other] = of_a ? [a, b] : [b, a];
       const centre = times(add(a, b), 0.5).map((one, k) => (k === axis ? moved[axis] : one)) as unknown as Vec;
       const way = unit(times(frame.axes[axis], side));
@@ -73,17 +81,38 @@ function fields_of(a: Vec, b: Vec, corners: (one: number[], other: number[]) => 
   const middle = times(add(a, b), 0.5);
   return kAxes.flatMap((name, axis): GripField[] => {
     const size = Math.abs((b[axis] ?? 0) - (a[axis] ?? 0));
-    const shift = (by: number): Values => corners(a.map((one, k) => (k === axis ? rounded(one + by, 1e-6) : one)), b.map((one, k) => (k === axis ? rounded(one + by, 1e-6) : one)));
+    const shift = (by: number): Values =>
+      corners(
+        a.map((one, k) => (k === axis ? rounded(one + by, 1e-6) : one)),
+        b.map((one, k) => (k === axis ? rounded(one + by, 1e-6) : one)),
+      );
     const sized = (to: number): Values => {
       const grow = (to - size) / 2;
       const up = (b[axis] ?? 0) >= (a[axis] ?? 0) ? 1 : -1;
       // The size grows upward from the lower side, so that a box stays on its ground.
       const [low, high] = axis === 1 ? [0, 2 * grow] : [-grow, grow];
-      return corners(a.map((one, k) => (k === axis ? rounded(one + (up > 0 ? low : high), 1e-6) : one)), b.map((one, k) => (k === axis ? rounded(one + (up > 0 ? high : low), 1e-6) : one)));
+      return corners(
+        a.map((one, k) => (k === axis ? rounded(one + (up > 0 ? low : high), 1e-6) : one)),
+        b.map((one, k) => (k === axis ? rounded(one + (up > 0 ? high : low), 1e-6) : one)),
+      );
     };
     return [
-      { label: name, unit: 'm', value: middle[axis] ?? 0, step: 0.05, limit: (one) => one, values: (one) => shift(one - (middle[axis] ?? 0)) },
-      { label: kSizes[axis] ?? '', unit: 'm', value: size, step: 0.05, limit: (one) => Math.max(kThinnest, one), values: sized },
+      {
+        label: name,
+        unit: 'm',
+        value: middle[axis] ?? 0,
+        step: 0.05,
+        limit: (one) => one,
+        values: (one) => shift(one - (middle[axis] ?? 0)),
+      },
+      {
+        label: kSizes[axis] ?? '',
+        unit: 'm',
+        value: size,
+        step: 0.05,
+        limit: (one) => Math.max(kThinnest, one),
+        values: sized,
+      },
     ];
   });
 }
@@ -91,6 +120,7 @@ function fields_of(a: Vec, b: Vec, corners: (one: number[], other: number[]) => 
 function edges_of(a: Vec, b: Vec, frame: Frame3): Vec[][] {
   const corner = (k: number): Vec => point_in(frame, [(k & 1 ? b : a)[0], (k & 2 ? b : a)[1], (k & 4 ? b : a)[2]]);
   const edges: Vec[][] = [];
-  for (let k = 0; k < 8; k += 1) for (const bit of [1, 2, 4]) if ((k & bit) === 0) edges.push([corner(k), corner(k | bit)]);
+  for (let k = 0; k < 8; k += 1)
+    for (const bit of [1, 2, 4]) if ((k & bit) === 0) edges.push([corner(k), corner(k | bit)]);
   return edges;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of a document that are written as expressions, or as ranges over instances. Grips stand at their present
 // values. A drag moves a variable that stands alone; other expressions block the grip.
-import type { Json } from '../values/json.ts';
-import { path_below, steps_of } from '../values/path.ts';
-import { value_within, with_value, with_values } from '../values/put_values.ts';
+
 import type { Variable } from '../server/protocol.ts';
 import type { ParameterTable, Tables } from '../tables/tables.ts';
 import { as_object } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
+import { path_below, steps_of } from '../values/path.ts';
+import { value_within, with_value, with_values } from '../values/put_values.ts';
 import type { Values } from './grip.ts';
 import { nested_objects } from './nested_objects.ts';
 
@@ -30,7 +31,12 @@ const kMost = 1000; // maximum number of expressions in one request
 const kStill = 1e-9; // a smaller difference counts as no movement
 
 /// Returns the expressions that an object has instead of numbers, by their paths.
-export function expressions_in(tables: Tables, row_tables: readonly ParameterTable[], value: Json | undefined, path: string): Map<string, Json> {
+export function expressions_in(
+  tables: Tables,
+  row_tables: readonly ParameterTable[],
+  value: Json | undefined,
+  path: string,
+): Map<string, Json> {
   const found = new Map<string, Json>();
   const note = (one: Json | undefined, at: string): void => {
     if (one !== undefined && one !== null && typeof one !== 'number' && found.size < kMost) found.set(at, one);
@@ -56,7 +62,12 @@ export function expressions_in(tables: Tables, row_tables: readonly ParameterTab
 
 /// Returns the expressions with their present values, except unknown ones. `value_of` returns a variable's present
 /// value; `told` has the values from the server.
-export function expressed(found: ReadonlyMap<string, Json>, told: Readonly<Record<string, number>>, variables: readonly Variable[], value_of: (variable: Variable) => number): Expressed[] {
+export function expressed(
+  found: ReadonlyMap<string, Json>,
+  told: Readonly<Record<string, number>>,
+  variables: readonly Variable[],
+  value_of: (variable: Variable) => number,
+): Expressed[] {
   return [...found].flatMap(([path, written]): Expressed[] => {
     const variable = variables.find((one) => one.name === written && one.expression === null) ?? null;
     const value = variable ? value_of(variable) : told[path];
@@ -71,7 +82,11 @@ export function with_numbers(value: Json | undefined, path: string, all: readonl
 
 /// Returns the values for the document. Numbers that have not moved stay as they are written, and variables move
 /// instead of their names. `written_at` returns the document's value at a path.
-export function meant_values(values: Values, all: readonly Expressed[], written_at: (path: string) => Json | undefined): MeantValues {
+export function meant_values(
+  values: Values,
+  all: readonly Expressed[],
+  written_at: (path: string) => Json | undefined,
+): MeantValues {
   const meant: MeantValues = { values: {}, held: [] };
   for (const [path, value] of Object.entries(values)) {
     const within = all.filter((one) => one.path === path || one.path.startsWith(`${path}[`));
@@ -82,7 +97,8 @@ export function meant_values(values: Values, all: readonly Expressed[], written_
       if (typeof number === 'number' && Math.abs(number - one.value) > kStill) move(one, number, meant);
       written = with_value(written, rest, one.written);
     }
-    if (within.length === 0 || JSON.stringify(written) !== JSON.stringify(written_at(path))) meant.values[path] = written;
+    if (within.length === 0 || JSON.stringify(written) !== JSON.stringify(written_at(path)))
+      meant.values[path] = written;
   }
   return meant;
 }
@@ -90,13 +106,18 @@ export function meant_values(values: Values, all: readonly Expressed[], written_
 /// A variable cannot have two values at once.
 function move(one: Expressed, number: number, meant: MeantValues): void {
   const { variable } = one;
-  const wanted = variable && Math.min(Math.max(variable.max, one.value), Math.max(Math.min(variable.min, one.value), number));
-  if (variable && wanted !== null && (meant.values[variable.name] ?? wanted) === wanted) meant.values[variable.name] = wanted;
+  const wanted =
+    variable && Math.min(Math.max(variable.max, one.value), Math.max(Math.min(variable.min, one.value), number));
+  if (variable && wanted !== null && (meant.values[variable.name] ?? wanted) === wanted)
+    meant.values[variable.name] = wanted;
   else meant.held.push(one);
 }
 
 /// Returns the expressions that block a grip, as text.
 export function said_of_held(held: readonly Expressed[]): string {
-  const said = held.map(({ path, written }) => `${path.slice(path.indexOf('.') + 1)} is ${typeof written === 'string' ? `the expression “${written}”` : JSON.stringify(written)}`);
+  const said = held.map(
+    ({ path, written }) =>
+      `${path.slice(path.indexOf('.') + 1)} is ${typeof written === 'string' ? `the expression “${written}”` : JSON.stringify(written)}`,
+  );
   return `${said.slice(0, 2).join(', ')}${said.length > 2 ? `, and ${said.length - 2} more` : ''}`;
 }

@@ -3,22 +3,22 @@
 // present values of its expressions.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import { write_json } from '../values/json.ts';
-import { path_of, steps_of, value_at } from '../values/path.ts';
-import type { Variable } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';
+import type { Variable } from '../server/protocol.ts';
 import { legal_values } from '../tables/legal.ts';
 import { groups_at } from '../tables/resolve.ts';
 import { value_now } from '../time/values_now.ts';
+import type { Json } from '../values/json.ts';
+import { write_json } from '../values/json.ts';
+import { path_of, steps_of, value_at } from '../values/path.ts';
+import type { Frame3 } from '../values/space_math.ts';
+import { frame_of_rows, kWorld } from '../values/space_math.ts';
 import type { BoundGroup } from './bound_group.ts';
 import { bound_group } from './bound_group.ts';
 import type { Expressed } from './expressions.ts';
 import { expressed, expressions_in, with_numbers } from './expressions.ts';
 import type { Sight } from './grip.ts';
 import { groups_of_object } from './row_groups.ts';
-import type { Frame3 } from '../values/space_math.ts';
-import { frame_of_rows, kWorld } from '../values/space_math.ts';
 
 const kNothing: Readonly<Record<string, number>> = {};
 
@@ -65,9 +65,14 @@ export class Gizmo {
     const variables = new Set<Json>(this.variables.map((one) => one.name));
     const unknown = [...this.expressions_of(object)].filter(([, written]) => !variables.has(written));
     if (unknown.length === 0) return this.told.set(kNothing);
-    const expressions = Object.fromEntries(unknown.map(([path, written]) => [path, typeof written === 'string' ? written : write_json(written)]));
+    const expressions = Object.fromEntries(
+      unknown.map(([path, written]) => [path, typeof written === 'string' ? written : write_json(written)]),
+    );
     this.page_.connection
-      .request<{ numbers: Record<string, number> }>('worked_out', { expressions, ...(object === 'scene' ? {} : { component: steps_of(object)[1] }) })
+      .request<{ numbers: Record<string, number> }>('worked_out', {
+        expressions,
+        ...(object === 'scene' ? {} : { component: steps_of(object)[1] }),
+      })
       .then(({ numbers }) => {
         if (counts()) this.told.set(numbers);
       })
@@ -82,10 +87,27 @@ export class Gizmo {
     if (object === null || !frame) return [];
     const { tree } = page.document.state.get();
     const tables = groups_at(page.tables, tree, object).map((one) => one.table);
-    const all = expressed(this.expressions_of(object), this.told.get(), this.variables, (variable) => this.number_of(variable));
+    const all = expressed(this.expressions_of(object), this.told.get(), this.variables, (variable) =>
+      this.number_of(variable),
+    );
     const value = with_numbers(this.value_of(object), object, all);
-    const groups = groups_of_object(page.tables, tables, value, object, String(steps_of(object).at(-1) ?? ''), frame, sight);
-    return groups.map((group) => bound_group(group, all, (path) => value_at(tree, path), (values) => legal_values(page.tables, tree, values)));
+    const groups = groups_of_object(
+      page.tables,
+      tables,
+      value,
+      object,
+      String(steps_of(object).at(-1) ?? ''),
+      frame,
+      sight,
+    );
+    return groups.map((group) =>
+      bound_group(
+        group,
+        all,
+        (path) => value_at(tree, path),
+        (values) => legal_values(page.tables, tree, values),
+      ),
+    );
   }
 
   private get variables(): readonly Variable[] {

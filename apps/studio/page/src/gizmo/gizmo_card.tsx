@@ -6,16 +6,16 @@ import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { NumberField, shown_number } from '../controls/number_field.tsx';
 import { use_snapping } from '../editors/snapping.ts';
+import type { Page } from '../page/page.ts';
 import { use_page } from '../page/use_page.ts';
 import { drag_values, set_values } from '../time/values_now.ts';
-import type { Page } from '../page/page.ts';
 import { tidy } from '../values/arithmetic.ts';
+import type { Vec } from '../values/space_math.ts';
 import type { Binding, BoundGroup } from './bound_group.ts';
 import { step_label } from './bound_group.ts';
 import { said_of_held } from './expressions.ts';
-import type { GripField, Values } from './grip.ts';
-import type { Vec } from '../values/space_math.ts';
 import { Gizmo } from './gizmo.ts';
+import type { GripField, Values } from './grip.ts';
 
 interface GizmoCardProps {
   groups: readonly BoundGroup[];
@@ -29,7 +29,12 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
   return (
     <section className="gizmo-card" aria-label="Grips">
       <header>
-        <select className="select" aria-label="What has grips" value={shown?.key ?? ''} onChange={(event) => active.set(event.target.value === '' ? null : event.target.value)}>
+        <select
+          className="select"
+          aria-label="What has grips"
+          value={shown?.key ?? ''}
+          onChange={(event) => active.set(event.target.value === '' ? null : event.target.value)}
+        >
           <option value="">{groups.length === 1 ? '1 thing has grips' : `${groups.length} things have grips`}</option>
           {groups.map((group) => (
             <option key={group.key} value={group.key}>
@@ -37,8 +42,21 @@ export function GizmoCard({ groups, shown }: GizmoCardProps): ReactElement {
             </option>
           ))}
         </select>
-        <IconButton is_small icon="magnet" label="Move in whole steps; Alt holds it off" is_on={snaps} press={() => set_snaps(!snaps)} />
-        {shown && is_out_of_sight(page, shown) && <IconButton is_small icon="fit" label="Some of it is out of sight: see all of it beside the plant" press={() => look_at(page, shown)} />}
+        <IconButton
+          is_small
+          icon="magnet"
+          label="Move in whole steps; Alt holds it off"
+          is_on={snaps}
+          press={() => set_snaps(!snaps)}
+        />
+        {shown && is_out_of_sight(page, shown) && (
+          <IconButton
+            is_small
+            icon="fit"
+            label="Some of it is out of sight: see all of it beside the plant"
+            press={() => look_at(page, shown)}
+          />
+        )}
         {shown && <IconButton is_small icon="close" label="Hide the grips" press={() => active.set(null)} />}
       </header>
       {shown && shown.fields.length > 0 && (
@@ -77,13 +95,18 @@ function Refused({ group }: { group: BoundGroup }): ReactElement | null {
   const held = last?.group === group.key ? last.held.filter((one) => paths.has(one.path)) : [];
   if (held.length === 0) return null;
   const replace = (): void => {
-    void page.edit(held.map(({ path, value }) => ({ set: path, value: tidy(value) })), 'Replace an expression by its value');
+    void page.edit(
+      held.map(({ path, value }) => ({ set: path, value: tidy(value) })),
+      'Replace an expression by its value',
+    );
     refused.set(null);
   };
   return (
     <div className="gizmo-refused" role="status">
       <p>{said_of_held(held)}. Grips move numbers and variables alone.</p>
-      <Button press={replace}>Replace by {held.length === 1 ? `its value ${shown_number(held[0]?.value ?? 0)}` : 'their values'}</Button>
+      <Button press={replace}>
+        Replace by {held.length === 1 ? `its value ${shown_number(held[0]?.value ?? 0)}` : 'their values'}
+      </Button>
     </div>
   );
 }
@@ -97,7 +120,16 @@ function Field({ group, field }: { group: BoundGroup; field: GripField & Binding
   return (
     <label className={`gizmo-field${field.held.length + field.moves.length > 0 ? ' expressed' : ''}`}>
       <span>{field.label}</span>
-      <NumberField label={`${group.label}, ${field.label}`} value={field.value} step={field.step} unit={field.unit} limit={field.limit} drag={(one) => give(one, (values) => drag_values(page, values))} commit={(one) => give(one, (values) => set_values(page, values, step_label(group, values, field)))} cancel={() => page.stop_drag()} />
+      <NumberField
+        label={`${group.label}, ${field.label}`}
+        value={field.value}
+        step={field.step}
+        unit={field.unit}
+        limit={field.limit}
+        drag={(one) => give(one, (values) => drag_values(page, values))}
+        commit={(one) => give(one, (values) => set_values(page, values, step_label(group, values, field)))}
+        cancel={() => page.stop_drag()}
+      />
     </label>
   );
 }

@@ -4,25 +4,24 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { use_held } from '../controls/use_held.ts';
+import { use_snapping } from '../editors/snapping.ts';
+import type { Page } from '../page/page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { TimeModel } from '../time/time_model.ts';
+import { drag_values, set_values } from '../time/values_now.ts';
 import { fitting_step } from '../values/arithmetic.ts';
 import { steps_of } from '../values/path.ts';
-import { use_snapping } from '../editors/snapping.ts';
-import { use_held } from '../controls/use_held.ts';
-import { use_document, use_page } from '../page/use_page.ts';
-import type { Page } from '../page/page.ts';
-import { drag_values, set_values } from '../time/values_now.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import type { View } from '../view/view.ts';
-import { GizmoCard } from './gizmo_card.tsx';
-import { GripShape } from './grip_shape.tsx';
 import type { Binding, BoundGroup } from './bound_group.ts';
 import { step_label } from './bound_group.ts';
 import { said_of_held } from './expressions.ts';
-import type { Hold, Grip, GripGroup, Sight, Values } from './grip.ts';
+import { Gizmo, object_of } from './gizmo.ts';
+import { GizmoCard } from './gizmo_card.tsx';
+import type { Grip, GripGroup, Hold, Sight, Values } from './grip.ts';
 import { amount_of, amount_of_key } from './grip.ts';
-import { object_of } from './gizmo.ts';
-import { TimeModel } from '../time/time_model.ts';
-import { Gizmo } from './gizmo.ts';
+import { GripShape } from './grip_shape.tsx';
 
 const kReach = 72; // pixels from the middle of a group to the ends of its arrows
 const kSnap = { pixels: 8, degrees: 5 };
@@ -45,11 +44,19 @@ export function GizmoOverlay(): ReactElement | null {
   const sight = sight_of(view);
   const groups = gizmo.groups(sight);
   if (groups.length === 0) return null;
-  const shown = groups.find((one) => one.key === active) ?? groups.find((one) => active !== null && one.key.startsWith(`${active}.`)) ?? null;
+  const shown =
+    groups.find((one) => one.key === active) ??
+    groups.find((one) => active !== null && one.key.startsWith(`${active}.`)) ??
+    null;
   return (
     <>
       <svg className="gizmo" role="group" aria-label="Grips of what is chosen" data-groups={groups.length}>
-        {groups.map((group) => group !== shown && <Dot key={group.key} view={view} group={group} press={() => gizmo.active.set(group.key)} />)}
+        {groups.map(
+          (group) =>
+            group !== shown && (
+              <Dot key={group.key} view={view} group={group} press={() => gizmo.active.set(group.key)} />
+            ),
+        )}
         {shown && <ActiveGroup key={shown.key} view={view} group={shown} sight={sight} />}
       </svg>
       <GizmoCard groups={groups} shown={shown} />
@@ -79,7 +86,13 @@ function Dot({ view, group, press }: { view: View; group: GripGroup; press: () =
   const at = view.eye.project(group.at);
   if (!at) return null;
   return (
-    <g className="gizmo-dot" data-group={group.key} transform={`translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`} onPointerDown={(event) => event.stopPropagation()} onClick={press}>
+    <g
+      className="gizmo-dot"
+      data-group={group.key}
+      transform={`translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`}
+      onPointerDown={(event) => event.stopPropagation()}
+      onClick={press}
+    >
       <circle className="reach" r="11" />
       <circle r="5" />
       <title>{group.label}</title>
@@ -123,7 +136,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     const hand = held.get();
     if (!hand) return;
     const { grip } = hand.hold;
-    const amount = amount_of(hand.hold, ray(event), sight.toward, step_of(grip, !snaps || event.altKey || event.shiftKey));
+    const amount = amount_of(
+      hand.hold,
+      ray(event),
+      sight.toward,
+      step_of(grip, !snaps || event.altKey || event.shiftKey),
+    );
     if (!amount) return;
     if (grip.motion === 'ring') amount.degrees = amount.step * Math.round(amount.degrees / amount.step);
     const is_still = amount.degrees === 0 && amount.by.every((one) => one === 0);
@@ -152,7 +170,10 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
     event.preventDefault();
     event.stopPropagation();
   };
-  const first = chosen.shown !== null && group.grips.some((one) => one.key === chosen.shown) ? chosen.shown : (group.grips[0]?.key ?? '');
+  const first =
+    chosen.shown !== null && group.grips.some((one) => one.key === chosen.shown)
+      ? chosen.shown
+      : (group.grips[0]?.key ?? '');
   const holding = held.shown?.hold.grip.key ?? null;
   return (
     <g ref={root} className="gizmo-group">

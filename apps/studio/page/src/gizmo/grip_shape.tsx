@@ -2,12 +2,11 @@
 // The shapes of grips: an arrow, a square of a plane, a ring, a dot, the middle of a face. Each has a wider invisible
 // area for grabbing.
 import type { ReactElement } from 'react';
-
+import type { Vec } from '../values/space_math.ts';
+import { add, beside, cross, times } from '../values/space_math.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import type { View } from '../view/view.ts';
 import type { Grip } from './grip.ts';
-import type { Vec } from '../values/space_math.ts';
-import { add, beside, cross, times } from '../values/space_math.ts';
 
 const kShortest = 10; // pixels; a shorter arrow, which points at the camera, is not drawn
 const kRing = 1.25; // radius of rings, in reaches
@@ -49,7 +48,8 @@ function Arrow({ from, to }: { from: [number, number]; to: [number, number] | nu
   const long = Math.hypot(x, y);
   if (long < kShortest) return null;
   const [along, aside] = [[x / long, y / long] as const, [-y / long, x / long] as const];
-  const tip = (back: number, side: number): string => `${(to[0] - along[0] * back + aside[0] * side).toFixed(1)} ${(to[1] - along[1] * back + aside[1] * side).toFixed(1)}`;
+  const tip = (back: number, side: number): string =>
+    `${(to[0] - along[0] * back + aside[0] * side).toFixed(1)} ${(to[1] - along[1] * back + aside[1] * side).toFixed(1)}`;
   // It begins beside the dot in the middle.
   const start = `${(from[0] + along[0] * 9).toFixed(1)} ${(from[1] + along[1] * 9).toFixed(1)}`;
   return (
@@ -71,17 +71,41 @@ function Line({ view, places }: { view: View; places: readonly Vec[] }): ReactEl
 }
 
 function Square({ view, at, way, reach }: { view: View; at: Vec; way: Vec; reach: number }): ReactElement | null {
-  const ways = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vec[]).map((axis) => axis.map((one, k) => one - way.reduce((sum, w, j) => sum + w * (axis[j] ?? 0), 0) * (way[k] ?? 0)) as unknown as Vec).filter((one) => Math.hypot(...one) > 0.5);
+  const ways = (
+    [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ] as Vec[]
+  )
+    .map(
+      (axis) =>
+        axis.map(
+          (one, k) => one - way.reduce((sum, w, j) => sum + w * (axis[j] ?? 0), 0) * (way[k] ?? 0),
+        ) as unknown as Vec,
+    )
+    .filter((one) => Math.hypot(...one) > 0.5);
   const [one, other] = [ways[0] ?? beside(way), ways[1] ?? cross(way, beside(way))];
-  const corner = (a: number, b: number): [number, number] | null => view.eye.project(add(at, add(times(one, a * reach), times(other, b * reach))));
+  const corner = (a: number, b: number): [number, number] | null =>
+    view.eye.project(add(at, add(times(one, a * reach), times(other, b * reach))));
   const { from, to } = kSquare;
   const corners = [corner(from, from), corner(to, from), corner(to, to), corner(from, to)];
   if (corners.some((place) => place === null)) return null;
-  return <polygon className="patch" points={corners.map((place) => `${place?.[0].toFixed(1) ?? 0},${place?.[1].toFixed(1) ?? 0}`).join(' ')} />;
+  return (
+    <polygon
+      className="patch"
+      points={corners.map((place) => `${place?.[0].toFixed(1) ?? 0},${place?.[1].toFixed(1) ?? 0}`).join(' ')}
+    />
+  );
 }
 
 function circle(centre: Vec, axis: Vec, radius: number): Vec[] {
   const side = beside(axis);
   const other = cross(axis, side);
-  return Array.from({ length: 65 }, (_, k) => add(centre, add(times(side, radius * Math.cos((Math.PI * k) / 32)), times(other, radius * Math.sin((Math.PI * k) / 32)))));
+  return Array.from({ length: 65 }, (_, k) =>
+    add(
+      centre,
+      add(times(side, radius * Math.cos((Math.PI * k) / 32)), times(other, radius * Math.sin((Math.PI * k) / 32))),
+    ),
+  );
 }

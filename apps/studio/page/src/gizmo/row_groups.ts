@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the grips of a part of the document, by the geometric roles of its rows in the parameter tables.
+
+import type { ParameterTable, Row, Tables } from '../tables/tables.ts';
+import { table_of } from '../tables/tables.ts';
 import type { Json } from '../values/json.ts';
 import { is_object } from '../values/json.ts';
 import { path_below } from '../values/path.ts';
-import type { ParameterTable, Row, Tables } from '../tables/tables.ts';
-import { table_of } from '../tables/tables.ts';
-import type { GripGroup, Sight } from './grip.ts';
 import type { Frame3 } from '../values/space_math.ts';
 import { framed, point_in } from '../values/space_math.ts';
-import type { Spot } from './spot.ts';
-import { pose_of, vec_of } from './spot.ts';
 import { box_group } from './box_group.ts';
+import type { GripGroup, Sight } from './grip.ts';
 import { nested_objects } from './nested_objects.ts';
-import { pose_group } from './pose_group.ts';
 import { place_groups } from './place_group.ts';
 import { points_groups, profile_group } from './points_groups.ts';
+import { pose_group } from './pose_group.ts';
+import type { Spot } from './spot.ts';
+import { pose_of, vec_of } from './spot.ts';
 
 const kMostGroups = 200;
 const kDeepest = 12; // levels of tables below the chosen one
@@ -27,12 +28,28 @@ interface Walk {
 
 /// Returns the groups of all rows of an object. `frame` is the frame of the rows; for a component it is the frame of
 /// its site.
-export function groups_of_object(tables: Tables, row_tables: readonly ParameterTable[], value: Json | undefined, path: string, title: string, frame: Frame3, sight: Sight): GripGroup[] {
+export function groups_of_object(
+  tables: Tables,
+  row_tables: readonly ParameterTable[],
+  value: Json | undefined,
+  path: string,
+  title: string,
+  frame: Frame3,
+  sight: Sight,
+): GripGroup[] {
   const walk: Walk = { tables, sight, groups: [] };
   const object = is_object(value) ? value : {};
   const own = framed(frame, own_frame(tables, row_tables, object));
   for (const table of row_tables) {
-    const spot: Spot = { table, value: object, path, title, frame: own, is_given: false, path_of: (row) => path_below(path, row) };
+    const spot: Spot = {
+      table,
+      value: object,
+      path,
+      title,
+      frame: own,
+      is_given: false,
+      path_of: (row) => path_below(path, row),
+    };
     visit(walk, spot, frame, 0);
   }
   return walk.groups.slice(0, kMostGroups);
@@ -80,7 +97,12 @@ function visit_nested(walk: Walk, row: Row, around: Spot, base: Frame3, depth: n
   const frame = is_own_frame ? base : below_root(around).frame;
   const own = row.name.replaceAll('_', ' ');
   const label = depth === 0 ? own : `${around.title}, ${own}`;
-  for (const { table, value, path, step, path_of } of nested_objects(walk.tables, row, around.value[row.name], around.path_of(row.name))) {
+  for (const { table, value, path, step, path_of } of nested_objects(
+    walk.tables,
+    row,
+    around.value[row.name],
+    around.path_of(row.name),
+  )) {
     const title = step === null ? label : `${singular(label)} ${typeof step === 'number' ? step + 1 : step}`;
     visit(walk, { table, value, path, title, frame, is_given: true, path_of }, frame, depth + 1);
   }

@@ -27,5 +27,8 @@ export function pose_of(table: ParameterTable | null, value: { [name: string]: J
   const said = value['scale'];
   const scale: Vec = typeof said === 'number' ? [said, said, said] : (vec_of(said) ?? [1, 1, 1]);
   const turn = turn_of(of('turn') ?? [0, 0, 0]);
-  return { axes: [times(turn[0], scale[0]), times(turn[1], scale[1]), times(turn[2], scale[2])], origin: of('shift') ?? [0, 0, 0] };
+  return {
+    axes: [times(turn[0], scale[0]), times(turn[1], scale[1]), times(turn[2], scale[2])],
+    origin: of('shift') ?? [0, 0, 0],
+  };
 }

@@ -3,13 +3,13 @@
 // plant of that step.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import { is_object } from '../values/json.ts';
-import { member_of, path_below } from '../values/path.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import type { Page } from '../page/page.ts';
 import type { Derivation } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
 import type { Tables } from '../tables/tables.ts';
-import { InstanceChoice } from '../page/instance_choice.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 
 export interface DerivationState {
   component: string; // component whose grammar is shown; "" for none
@@ -23,7 +23,17 @@ export interface DerivationState {
   fault: string;
 }
 
-const kNothing: DerivationState = { component: '', instance: null, number: 0, step: null, is_drawn: false, first: 0, told: null, is_working: false, fault: '' };
+const kNothing: DerivationState = {
+  component: '',
+  instance: null,
+  number: 0,
+  step: null,
+  is_drawn: false,
+  first: 0,
+  told: null,
+  is_working: false,
+  fault: '',
+};
 const kModules = 4000; // modules per page
 const kPause = 120; // ms after the last change of the text
 
@@ -54,7 +64,11 @@ export class DerivationModel {
     this.state.set(before.component === component ? { ...before, step: null } : { ...kNothing, component });
     const { document, dragged } = this.page_;
     const { found } = this.page_.tool(InstanceChoice);
-    const stops = [document.state.subscribe(() => this.ask_later()), dragged.subscribe(() => this.follow_drags()), found.subscribe(() => this.follow_choice())];
+    const stops = [
+      document.state.subscribe(() => this.ask_later()),
+      dragged.subscribe(() => this.follow_drags()),
+      found.subscribe(() => this.follow_choice()),
+    ];
     this.take_choice();
     const leave = (): void => {
       for (const stop of stops) stop();
@@ -146,8 +160,17 @@ export class DerivationModel {
     const counts = this.newest_.begin();
     this.state.merge({ is_working: true });
     this.page_.connection
-      .request<{ derivation: Derivation }>('grammar', { component, ...(instance === null ? { number: wanted } : { instance }), step, drawn: is_drawn, first, count: kModules })
-      .then(({ derivation }) => this.take(counts, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }))
+      .request<{ derivation: Derivation }>('grammar', {
+        component,
+        ...(instance === null ? { number: wanted } : { instance }),
+        step,
+        drawn: is_drawn,
+        first,
+        count: kModules,
+      })
+      .then(({ derivation }) =>
+        this.take(counts, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }),
+      )
       .catch((fault: unknown) => this.take(counts, { fault: fault instanceof Refusal ? fault.message : '' }));
   }
 

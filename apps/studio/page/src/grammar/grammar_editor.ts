@@ -5,13 +5,12 @@ import type { Diagnostic } from '@codemirror/lint';
 import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
-
+import { fault_text } from '../controls/faults.tsx';
+import type { Page } from '../page/page.ts';
+import type { Fault } from '../server/protocol.ts';
+import { code_extensions } from '../text/code_extensions.ts';
 import { patch_between } from '../values/patch.ts';
 import { node_at } from '../values/path.ts';
-import { fault_text } from '../controls/faults.tsx';
-import type { Fault } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
-import { code_extensions } from '../text/code_extensions.ts';
 import { kGrammarLanguage } from './grammar_language.ts';
 import { offset_in_text, text_in, with_text } from './grammar_source.ts';
 
@@ -50,7 +49,10 @@ export class GrammarEditor {
     private readonly path_: string,
     label: string,
   ) {
-    this.view_ = new EditorView({ parent, state: EditorState.create({ doc: this.said() ?? '', extensions: this.extensions(label) }) });
+    this.view_ = new EditorView({
+      parent,
+      state: EditorState.create({ doc: this.said() ?? '', extensions: this.extensions(label) }),
+    });
     this.stop_ = page_.document.state.subscribe(() => this.follow());
     this.show_faults();
   }
@@ -95,7 +97,11 @@ export class GrammarEditor {
     const said = this.said();
     if (said === null) return;
     const patch = patch_between(this.view_.state.doc.toString(), said);
-    const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));
+    const changes = patch.map(({ offset, length, replacement }) => ({
+      from: offset,
+      to: offset + length,
+      insert: replacement,
+    }));
     if (changes.length > 0) this.view_.dispatch({ changes, annotations: kFromDocument.of(true) });
     this.show_faults();
   }
@@ -105,7 +111,12 @@ export class GrammarEditor {
     const marks: Diagnostic[] = grammar_faults(this.page_, this.path_).map(({ fault, offset }) => {
       const from = Math.min(offset, size);
       const word = /^(?:\w+|[^\s])/.exec(this.view_.state.sliceDoc(from, from + 100));
-      return { from, to: Math.min(size, from + (word?.[0].length ?? 1)), severity: fault.severity, message: fault_text(fault) };
+      return {
+        from,
+        to: Math.min(size, from + (word?.[0].length ?? 1)),
+        severity: fault.severity,
+        message: fault_text(fault),
+      };
     });
     this.view_.dispatch(setDiagnostics(this.view_.state, marks), { annotations: kFromDocument.of(true) });
   }

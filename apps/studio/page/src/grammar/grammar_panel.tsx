@@ -5,15 +5,14 @@ import { useEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
-import { Icon } from '../controls/icon.tsx';
-import { path_below } from '../values/path.ts';
 import { fault_text } from '../controls/faults.tsx';
+import { Icon } from '../controls/icon.tsx';
 import { use_document, use_page } from '../page/use_page.ts';
+import { path_below } from '../values/path.ts';
 import type { GrammarPlace } from './derivation.ts';
-import { grammars_of } from './derivation.ts';
+import { DerivationModel, grammars_of } from './derivation.ts';
 import { DerivationPart } from './derivation_part.tsx';
-import { grammar_faults, GrammarEditor } from './grammar_editor.ts';
-import { DerivationModel } from './derivation.ts';
+import { GrammarEditor, grammar_faults } from './grammar_editor.ts';
 
 export function GrammarPanel(): ReactElement {
   const page = use_page();
@@ -26,7 +25,10 @@ export function GrammarPanel(): ReactElement {
   if (!place) {
     return (
       <section className="panel grammar-panel" aria-label="Grammar">
-        <p className="empty">This document has no grammar. A component of the type lsystem grows by one: its text stands in the document or in a file.</p>
+        <p className="empty">
+          This document has no grammar. A component of the type lsystem grows by one: its text stands in the document or
+          in a file.
+        </p>
       </section>
     );
   }
@@ -37,7 +39,12 @@ export function GrammarPanel(): ReactElement {
   return (
     <section className="panel grammar-panel" aria-label="Grammar">
       {places.length > 1 && (
-        <select className="select" aria-label="Component whose grammar is shown" value={place.component} onChange={(event) => choose(event.target.value)}>
+        <select
+          className="select"
+          aria-label="Component whose grammar is shown"
+          value={place.component}
+          onChange={(event) => choose(event.target.value)}
+        >
           {places.map((one) => (
             <option key={one.component}>{one.component}</option>
           ))}
@@ -93,7 +100,10 @@ function FileGrammar({ place }: { place: GrammarPlace }): ReactElement {
   const text = told?.text ?? null;
   const take = (): void => {
     const owner = path_below('components', place.component);
-    void page.edit([{ unset: path_below(owner, 'file') }, { set: place.path, value: (text ?? '').replace(/\n$/, '').split('\n') }], 'Take the grammar into the document');
+    void page.edit(
+      [{ unset: path_below(owner, 'file') }, { set: place.path, value: (text ?? '').replace(/\n$/, '').split('\n') }],
+      'Take the grammar into the document',
+    );
   };
   return (
     <>

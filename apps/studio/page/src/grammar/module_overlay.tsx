@@ -7,9 +7,9 @@ import { use_store } from '../base/store.ts';
 import type { Page } from '../page/page.ts';
 import { use_page } from '../page/use_page.ts';
 import type { View } from '../view/view.ts';
+import { DerivationModel } from './derivation.ts';
 import { nearest_place, place_of } from './drawn_places.ts';
 import { short_module } from './word_view.ts';
-import { DerivationModel } from './derivation.ts';
 
 export function ModuleOverlay(): ReactElement | null {
   const page = use_page();

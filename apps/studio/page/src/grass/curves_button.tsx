@@ -3,9 +3,9 @@ import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
-import { steps_of } from '../values/path.ts';
 import { use_document, use_page } from '../page/use_page.ts';
 import { groups_at } from '../tables/resolve.ts';
+import { steps_of } from '../values/path.ts';
 import { LeafCurvesModel } from './leaf_curves.ts';
 
 const kDrawnBy = ['midrib_points', 'profile']; // rows of components that are drawn by midrib and width
@@ -21,7 +21,11 @@ export function CurvesButton({ path }: { path: string }): ReactElement | null {
   if (!kDrawnBy.every((name) => names.includes(name))) return null;
   const is_open = open === component;
   return (
-    <Button is_open={is_open} tip="With the measured points, and beside the leaf in the view" press={() => page.tool(LeafCurvesModel).component.set(is_open ? null : component)}>
+    <Button
+      is_open={is_open}
+      tip="With the measured points, and beside the leaf in the view"
+      press={() => page.tool(LeafCurvesModel).component.set(is_open ? null : component)}
+    >
       Midrib and width…
     </Button>
   );

@@ -25,7 +25,11 @@ export class LeafCurvesModel {
   ask(component: string, rank: number | null, leaf: number | null): void {
     const counts = this.newest_.begin();
     this.page_.connection
-      .request<{ curves: LeafCurves | null }>('curves', { component, ...(rank === null ? {} : { rank }), ...(leaf === null ? {} : { leaf }) })
+      .request<{ curves: LeafCurves | null }>('curves', {
+        component,
+        ...(rank === null ? {} : { rank }),
+        ...(leaf === null ? {} : { leaf }),
+      })
       .then(({ curves }) => {
         if (counts() && this.component.get() === component) this.told.set(curves);
       })

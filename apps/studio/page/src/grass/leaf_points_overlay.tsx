@@ -4,12 +4,12 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
 import { use_page } from '../page/use_page.ts';
 import { frame_of_rows, point_in } from '../values/space_math.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import { line_length, place_beside } from './curves.ts';
 import { LeafCurvesModel } from './leaf_curves.ts';
-import { InstanceChoice } from '../page/instance_choice.ts';
 
 const kAside = 0.1; // share of the length
 
@@ -26,7 +26,8 @@ export function LeafPointsOverlay(): ReactElement | null {
   // Blades have length 1 and are scaled by their frames.
   const frame = frame_of_rows(rows);
   const scale = 1 / (line_length(curves.midrib) || 1);
-  const places = (points: typeof curves.midrib): [number, number, number][] => points.map((one) => [...point_in(frame, place_beside(one, scale, kAside))]);
+  const places = (points: typeof curves.midrib): [number, number, number][] =>
+    points.map((one) => [...point_in(frame, place_beside(one, scale, kAside))]);
   return (
     <svg className="leaf-points" aria-hidden="true" data-points={curves.midrib_points.length}>
       <ProjectedLine view={view} places={places(curves.midrib)} className="fitted" />

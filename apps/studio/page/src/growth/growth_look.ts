@@ -2,12 +2,12 @@
 // The growth that is examined: the step that the view shows, and the overlays on it. The server records the growth
 // meanwhile, and shows each step without a new growth.
 import { Store } from '../base/store.ts';
-import { LatestSender } from '../server/latest_sender.ts';
+import type { Page } from '../page/page.ts';
 import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
+import { LatestSender } from '../server/latest_sender.ts';
 import type { PacketArrays } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
 import type { LegendKey } from './layers.ts';
 import { view_layer } from './layers.ts';
 
@@ -21,7 +21,15 @@ export interface GrowthLookState {
   legend: readonly LegendKey[];
 }
 
-const kAtRest: GrowthLookState = { is_open: false, step: null, steps: null, of: null, growing: {}, parts: [], legend: [] };
+const kAtRest: GrowthLookState = {
+  is_open: false,
+  step: null,
+  steps: null,
+  of: null,
+  growing: {},
+  parts: [],
+  legend: [],
+};
 
 export class GrowthLook {
   readonly state = new Store<GrowthLookState>(kAtRest);
@@ -110,9 +118,11 @@ export class GrowthLook {
     const { parts, is_open } = this.state.get();
     if (!is_open) return;
     if (parts.length === 0) return this.state.merge({ legend: [] });
-    const answer = await this.page_.connection.request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts }).catch((fault: unknown) => {
-      if (fault instanceof Refusal) this.page_.notify(fault.message, true, 'overlays');
-    });
+    const answer = await this.page_.connection
+      .request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts })
+      .catch((fault: unknown) => {
+        if (fault instanceof Refusal) this.page_.notify(fault.message, true, 'overlays');
+      });
     if (!answer) return;
     const { overlays, arrays } = answer;
     const wanted = this.state.get().parts;

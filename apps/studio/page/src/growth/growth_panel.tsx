@@ -6,13 +6,21 @@ import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { use_page } from '../page/use_page.ts';
-import type { LegendKey } from './layers.ts';
 import { GrowthLook } from './growth_look.ts';
+import type { LegendKey } from './layers.ts';
 
 export function GrowthButton(): ReactElement {
   const look = use_page().tool(GrowthLook);
   const { is_open } = use_store(look.state);
-  return <IconButton icon="growth" label="Steps of growth, and what the plant grew by" keys="S" is_on={is_open} press={() => look.toggle()} />;
+  return (
+    <IconButton
+      icon="growth"
+      label="Steps of growth, and what the plant grew by"
+      keys="S"
+      is_on={is_open}
+      press={() => look.toggle()}
+    />
+  );
 }
 
 export function GrowthPanel(): ReactElement | null {
@@ -69,7 +77,16 @@ function Steps(): ReactElement {
     <div className="growth-steps" role="group" aria-label="Step of growth" onKeyDown={key} aria-busy={steps === null}>
       <IconButton is_small icon="first" label="Before growth" press={() => go(0)} />
       <IconButton is_small icon="left" label="A step back" keys="PageDown" press={() => go(shown - 1)} />
-      <Slider label="Step of growth" value={shown} low={0} high={last} step={1} drag={go} commit={go} cancel={() => go(last)} />
+      <Slider
+        label="Step of growth"
+        value={shown}
+        low={0}
+        high={last}
+        step={1}
+        drag={go}
+        commit={go}
+        cancel={() => go(last)}
+      />
       <IconButton is_small icon="right" label="A step on" keys="PageUp" press={() => go(shown + 1)} />
       <IconButton is_small icon="last" label="After all steps" press={() => go(last)} />
       <output className="growth-step">{steps === null ? '…' : `${shown} of ${last}`}</output>
@@ -83,7 +100,14 @@ function Parts(): ReactElement {
   return (
     <div className="growth-parts" role="group" aria-label="Shown over the plant">
       {look.known.map(({ name, title, doc }) => (
-        <button key={name} type="button" className="chip" aria-pressed={parts.includes(name)} data-tip={doc} onClick={() => look.switch_part(name)}>
+        <button
+          key={name}
+          type="button"
+          className="chip"
+          aria-pressed={parts.includes(name)}
+          data-tip={doc}
+          onClick={() => look.switch_part(name)}
+        >
           {title}
         </button>
       ))}
@@ -97,7 +121,10 @@ function Legend({ keys }: { keys: readonly LegendKey[] }): ReactElement | null {
     <ul className="growth-legend" aria-label="What the colours mean">
       {keys.map(({ colour, text }) => (
         <li key={text}>
-          <span aria-hidden="true" style={{ background: `rgb(${colour.map((share) => Math.round(255 * share)).join(' ')})` }} />
+          <span
+            aria-hidden="true"
+            style={{ background: `rgb(${colour.map((share) => Math.round(255 * share)).join(' ')})` }}
+          />
           {text}
         </li>
       ))}

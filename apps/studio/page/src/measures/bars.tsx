@@ -12,7 +12,12 @@ export function Bars({ label, values }: { label: string; values: readonly Json[]
   const numbers = values.map((one) => (typeof one === 'number' ? one : 0));
   const most = Math.max(...numbers, 1e-12);
   return (
-    <span className="bars" role="img" aria-label={`${label}: ${shown_measure([...values])}`} data-tip={numbers.map((one, k) => `${k}: ${shown_measure(one)}`).join('\n')}>
+    <span
+      className="bars"
+      role="img"
+      aria-label={`${label}: ${shown_measure([...values])}`}
+      data-tip={numbers.map((one, k) => `${k}: ${shown_measure(one)}`).join('\n')}
+    >
       {numbers.map((one, k) => (
         <span key={k} style={{ height: `${Math.max(1, (kHigh * one) / most)}px` }} />
       ))}
@@ -34,7 +39,10 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
       <h3>Leaf area by height</h3>
       <ol className="layers" aria-label="Leaf area by height, from above">
         {[...all].reverse().map((one, k) => (
-          <li key={k} data-tip={`${shown_measure(number(one, 'low'))} to ${shown_measure(number(one, 'high'))} m: ${shown_measure(number(one, 'leaf_area'))} m²`}>
+          <li
+            key={k}
+            data-tip={`${shown_measure(number(one, 'low'))} to ${shown_measure(number(one, 'high'))} m: ${shown_measure(number(one, 'leaf_area'))} m²`}
+          >
             <span className="quiet">{shown_measure(number(one, 'low'))} m</span>
             <span className="layer" style={{ width: `${(100 * number(one, 'leaf_area')) / most}%` }} />
             <span>{shown_measure(number(one, 'leaf_area'))} m²</span>

@@ -3,12 +3,12 @@
 // over the values of a handle.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
+import type { Page } from '../page/page.ts';
 import type { Job } from '../server/connection.ts';
 import type { Fault, Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
 import { TimeModel } from '../time/time_model.ts';
+import type { Json } from '../values/json.ts';
 
 export interface MeasureRow {
   name: string;
@@ -91,12 +91,20 @@ export class MeasureModel {
   async measure_over(variable: string, values: readonly number[]): Promise<void> {
     const counts = this.newest_sweep_.begin();
     this.sweep.set({ variable, points: [], is_working: true, fault: '' });
-    this.sweeping_ = this.page_.connection.begin<{ sweep: SweepPoint[] }>('sweep', { path: variable, values, light: this.state.get().with_light });
+    this.sweeping_ = this.page_.connection.begin<{ sweep: SweepPoint[] }>('sweep', {
+      path: variable,
+      values,
+      light: this.state.get().with_light,
+    });
     try {
       const { sweep } = await this.sweeping_.answer;
       if (counts()) this.sweep.merge({ points: sweep, is_working: false });
     } catch (fault) {
-      if (counts()) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
+      if (counts())
+        this.sweep.merge({
+          is_working: false,
+          fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '',
+        });
     }
   }
 
@@ -129,7 +137,10 @@ export class MeasureModel {
     const height = typeof told?.['height'] === 'number' ? told['height'] : 0;
     const layers = with_light && height > 0 ? { layer_height: Number((height / kLayers).toPrecision(1)) } : {};
     try {
-      const { measures } = await this.page_.connection.request<{ measures: Measured }>('measures', { light: with_light, ...layers });
+      const { measures } = await this.page_.connection.request<{ measures: Measured }>('measures', {
+        light: with_light,
+        ...layers,
+      });
       if (counts()) this.state.merge({ told: measures, is_working: false, fault: '' });
     } catch (fault) {
       if (!counts()) return;

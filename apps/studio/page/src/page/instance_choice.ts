@@ -2,13 +2,13 @@
 // The clicked instance of the chosen component, and instances that are selected by clicks.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import { path_below } from '../values/path.ts';
 import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import type { FoundInstance, Grown } from '../server/protocol.ts';
-import type { Page } from './page.ts';
+import { path_below } from '../values/path.ts';
 import { scene_path } from '../view/seen_name.ts';
 import type { SeenInstance } from '../view/view.ts';
+import type { Page } from './page.ts';
 
 /// A shoot on which operations can act.
 export type FoundShoot = FoundInstance & ShootName & { course: number[]; metamers: number[]; iteration: number };
@@ -50,7 +50,9 @@ export class InstanceChoice {
   choose(seen: SeenInstance | null): void {
     if (seen === null || this.selecting.get()?.component !== seen.component) {
       this.selecting.set(null);
-      this.page_.choose(seen === null ? '' : scene_path(seen.component) ? 'scene' : path_below('components', seen.component));
+      this.page_.choose(
+        seen === null ? '' : scene_path(seen.component) ? 'scene' : path_below('components', seen.component),
+      );
     }
     const obstacle = seen && scene_path(seen.component);
     if (seen === null || obstacle) return;
@@ -78,14 +80,24 @@ export class InstanceChoice {
     return true;
   }
 
-  private async ask_shoot(component: string, of: ShootName | null, way: ShootWay | null = null): Promise<FoundShoot | null> {
+  private async ask_shoot(
+    component: string,
+    of: ShootName | null,
+    way: ShootWay | null = null,
+  ): Promise<FoundShoot | null> {
     const name = of && { stem: of.stem, tree: of.tree, shoot: of.shoot, metamer: of.metamer };
-    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('shoot', { component, of: name, go: way });
+    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('shoot', {
+      component,
+      of: name,
+      go: way,
+    });
     return InstanceChoice.shoot_of(instance);
   }
 
   private async ask(seen: SeenInstance): Promise<FoundInstance | null> {
-    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('instance', { ...seen });
+    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('instance', {
+      ...seen,
+    });
     return instance;
   }
 
@@ -103,7 +115,8 @@ export class InstanceChoice {
     const counts = this.newest_.begin();
     const now = await this.ask_shoot(shoot.component, shoot);
     if (!counts()) return;
-    if (this.found.get() !== shoot) this.again_.ask(); // the position on the shoot has moved meanwhile
+    if (this.found.get() !== shoot)
+      this.again_.ask(); // the position on the shoot has moved meanwhile
     else if (now && now.key === shoot.key) this.found.set(now);
     else this.forget();
   }
@@ -113,7 +126,8 @@ export class InstanceChoice {
     // The tool draws over the shoot only, and not over the whole instance.
     if (InstanceChoice.shoot_of(instance)) this.page_.view?.unmark();
     const now = this.selecting.get();
-    if (now && now.component === instance?.component) this.selecting.set({ ...now, numbers: toggled(now.numbers, instance.i) });
+    if (now && now.component === instance?.component)
+      this.selecting.set({ ...now, numbers: toggled(now.numbers, instance.i) });
   }
 }
 

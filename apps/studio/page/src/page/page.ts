@@ -3,8 +3,8 @@
 // model, which composes them.
 import type { Store } from '../base/store.ts';
 import type { ToastList } from '../base/toast_list.ts';
-import type { EditWish } from '../document/edit_queue.ts';
 import type { DocumentModel } from '../document/document_model.ts';
+import type { EditWish } from '../document/edit_queue.ts';
 import type { Connection } from '../server/connection.ts';
 import type { Edit, Fault, OpenWish } from '../server/protocol.ts';
 import type { Tables } from '../tables/tables.ts';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the page, except the document.
 import { preference } from '../base/preferences.ts';
-import type { Fault, Grown, Hello, Working } from '../server/protocol.ts';
-import type { PacketHead } from '../server/packet.ts';
-import type { Drawing } from '../view/plant_scene.ts';
 import type { KeptWork } from '../document/recovery.ts';
+import type { PacketHead } from '../server/packet.ts';
+import type { Fault, Grown, Hello, Working } from '../server/protocol.ts';
+import type { Drawing } from '../view/plant_scene.ts';
 
 export interface GrowthState {
   grown: Grown | null;
@@ -50,7 +50,14 @@ export interface ViewState {
   solo: string | null; // the component that is drawn alone with its descendants
 }
 
-export const kFirstView: ViewState = { drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null };
+export const kFirstView: ViewState = {
+  drawing: 'shaded',
+  hidden: new Set(),
+  shows_ground: true,
+  shows_grips: true,
+  is_sunlit: false,
+  solo: null,
+};
 
 /// A part under the resting pointer, with its place in the view in pixels.
 export interface PointedPart {
@@ -61,7 +68,17 @@ export interface PointedPart {
 
 export type Theme = 'system' | 'light' | 'dark';
 
-export type Dialog = 'open' | 'save' | 'record' | 'still' | 'models' | 'export' | 'shortcuts' | 'palette' | 'chance' | null;
+export type Dialog =
+  | 'open'
+  | 'save'
+  | 'record'
+  | 'still'
+  | 'models'
+  | 'export'
+  | 'shortcuts'
+  | 'palette'
+  | 'chance'
+  | null;
 
 export interface ShellState {
   dialog: Dialog;

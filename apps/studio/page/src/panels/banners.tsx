@@ -20,7 +20,8 @@ export function LostBanner(): ReactElement | null {
     <div className="banner warning" role="alert" data-banner="lost">
       <Icon name="warning" />
       <p>
-        The server is gone. Your work is kept in this browser: start <code>meristem studio</code> again and open the address that it prints. What you change here until then is kept, too.
+        The server is gone. Your work is kept in this browser: start <code>meristem studio</code> again and open the
+        address that it prints. What you change here until then is kept, too.
       </p>
       <Button press={() => save_copy(page)}>Download the text</Button>
     </div>
@@ -46,7 +47,9 @@ export function ElsewhereBanner(): ReactElement | null {
     <div className="banner warning" role="alert" data-banner="elsewhere">
       <Icon name="warning" />
       <p>
-        <strong>{elsewhere.path}</strong> is open in {elsewhere.count === 1 ? 'another tab or program' : `${elsewhere.count} other tabs or programs`}, too. Changes of one do not reach the other: save in one of them only.
+        <strong>{elsewhere.path}</strong> is open in{' '}
+        {elsewhere.count === 1 ? 'another tab or program' : `${elsewhere.count} other tabs or programs`}, too. Changes
+        of one do not reach the other: save in one of them only.
       </p>
       <Button press={() => page.shell.merge({ elsewhere: null })}>Close this note</Button>
     </div>
@@ -60,7 +63,8 @@ export function KeptBanner(): ReactElement | null {
   if (!kept) return null;
   const { work, before } = kept;
   const when = new Date(work.at).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
-  if (before === null) return <OtherWork name={work.name} when={when} open={() => void page.tool(Keeper).open_other(work)} />;
+  if (before === null)
+    return <OtherWork name={work.name} when={when} open={() => void page.tool(Keeper).open_other(work)} />;
   const lines = line_difference(before, work.text);
   const differing = lines.filter((one) => one.sign !== ' ').length;
   const waiting = work.waiting.length;
@@ -68,7 +72,8 @@ export function KeptBanner(): ReactElement | null {
     <div className="banner" role="alert" data-banner="kept">
       <Icon name="reset" />
       <p>
-        Unsaved changes of <strong>{work.name}</strong> from {when}: {differing} {differing === 1 ? 'line differs' : 'lines differ'}
+        Unsaved changes of <strong>{work.name}</strong> from {when}: {differing}{' '}
+        {differing === 1 ? 'line differs' : 'lines differ'}
         {waiting > 0 && `, and ${waiting} ${waiting === 1 ? 'edit waits' : 'edits wait'} for the server`}.
       </p>
       <Button kind="quiet" press={() => set_shows(!shows)}>
@@ -116,7 +121,8 @@ export function ConflictBanner(): ReactElement | null {
     <div className="banner warning" role="alert" data-banner="conflict">
       <Icon name="warning" />
       <p>
-        <strong>{conflict.path}</strong> on the disk is another one than this page knows. Saving puts this page’s text in its place.
+        <strong>{conflict.path}</strong> on the disk is another one than this page knows. Saving puts this page’s text
+        in its place.
       </p>
       <Button press={close}>Do not save</Button>
       <Button

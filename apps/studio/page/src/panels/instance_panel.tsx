@@ -5,11 +5,11 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { shown_number } from '../controls/number_field.tsx';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import type { FoundInstance } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
 import { path_below, value_at } from '../values/path.ts';
-import type { FoundInstance } from '../server/protocol.ts';
-import { use_document, use_page } from '../page/use_page.ts';
-import { InstanceChoice } from '../page/instance_choice.ts';
 
 export function InstancePanel({ path }: { path: string }): ReactElement | null {
   const page = use_page();
@@ -17,7 +17,8 @@ export function InstancePanel({ path }: { path: string }): ReactElement | null {
   const selecting = use_store(page.tool(InstanceChoice).selecting);
   if (!instance || path !== path_below('components', instance.component)) return null;
   const { component, i, n } = instance;
-  const begin = (row: 'omit' | 'only') => () => page.tool(InstanceChoice).selecting.set({ component, row, numbers: [i] });
+  const begin = (row: 'omit' | 'only') => () =>
+    page.tool(InstanceChoice).selecting.set({ component, row, numbers: [i] });
   return (
     <section className="instance" aria-label="The chosen instance">
       <h3>
@@ -46,7 +47,10 @@ function Values({ instance, path }: { instance: FoundInstance; path: string }): 
     ...(instance.depth > 0 ? [['depth', String(instance.depth)] as [string, string]] : []),
     ...(instance.order > 0 ? [['order', String(instance.order)] as [string, string]] : []),
     ['u', shown_number(instance.u)],
-    ...instance.values.map(({ path: of, value }): [string, string] => [of.slice(path.length + 1).replaceAll('_', ' '), shown_number(value)]),
+    ...instance.values.map(({ path: of, value }): [string, string] => [
+      of.slice(path.length + 1).replaceAll('_', ' '),
+      shown_number(value),
+    ]),
   ];
   return (
     <dl className="instance-values">
@@ -73,12 +77,17 @@ function Selecting(): ReactElement | null {
     const said = value_at(tree, path);
     const before: Json[] = Array.isArray(said) ? said : said === undefined ? [] : [said];
     const more = numbers.filter((one) => !before.includes(one));
-    page.set_value(path, [...before, ...more], row === 'omit' ? `Leave out ${more.join(', ')} of ${component}` : `Only ${numbers.join(', ')} of ${component}`);
+    page.set_value(
+      path,
+      [...before, ...more],
+      row === 'omit' ? `Leave out ${more.join(', ')} of ${component}` : `Only ${numbers.join(', ')} of ${component}`,
+    );
   };
   return (
     <div className="selecting" role="status">
       <p>
-        {row === 'omit' ? 'To leave out' : 'The only ones'}: <b>{numbers.join(', ') || 'none yet'}</b>. Click further instances of {component} in the view.
+        {row === 'omit' ? 'To leave out' : 'The only ones'}: <b>{numbers.join(', ') || 'none yet'}</b>. Click further
+        instances of {component} in the view.
       </p>
       <p className="instance-tools">
         <Button is_off={numbers.length === 0} press={take}>

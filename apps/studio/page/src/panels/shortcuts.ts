@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys that act on the whole page.
 import { prefer } from '../base/preferences.ts';
-import type { Page } from '../page/page.ts';
-import { TimeModel } from '../time/time_model.ts';
-import { GrowthLook } from '../growth/growth_look.ts';
 import { PinList } from '../find/pins.ts';
+import { GrowthLook } from '../growth/growth_look.ts';
+import type { Page } from '../page/page.ts';
 import { save_document } from '../saving/saving.ts';
+import { TimeModel } from '../time/time_model.ts';
 
 export function save_here(page: Page): void {
   const { path } = page.document.state.get();
@@ -54,12 +54,16 @@ const kPlain: Record<string, (page: Page) => void> = {
   n: (page) => page.shell.merge({ dialog: 'chance' }),
   p: (page) => page.tool(PinList).add(page.document.state.get()),
   k: (page) => page.tool(TimeModel).toggle(),
-  K: (page) => (page.tool(TimeModel).state.get().is_playing ? page.tool(TimeModel).stop() : page.tool(TimeModel).play()),
+  K: (page) =>
+    page.tool(TimeModel).state.get().is_playing ? page.tool(TimeModel).stop() : page.tool(TimeModel).play(),
   '?': (page) => page.shell.merge({ dialog: 'shortcuts' }),
 };
 
 function is_typed_into(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && (target.isContentEditable || target.matches('input:not([type=range]):not([type=color]), textarea, select'));
+  return (
+    target instanceof HTMLElement &&
+    (target.isContentEditable || target.matches('input:not([type=range]):not([type=color]), textarea, select'))
+  );
 }
 
 /// Undo and redo belong to the field while its typed text is not applied yet.
@@ -72,7 +76,11 @@ export function listen_to_keys(page: Page): void {
     if (page.shell.get().dialog !== null) return;
     const has_control = event.ctrlKey || event.metaKey;
     if (event.key === 'Escape') page.stop_drag();
-    const act = has_control ? kWithControl[event.shiftKey ? event.key.toUpperCase() : event.key] : event.altKey || is_typed_into(event.target) ? undefined : kPlain[event.key];
+    const act = has_control
+      ? kWithControl[event.shiftKey ? event.key.toUpperCase() : event.key]
+      : event.altKey || is_typed_into(event.target)
+        ? undefined
+        : kPlain[event.key];
     if (!act || belongs_to_field(event)) return;
     event.preventDefault();
     act(page);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
-
-import { Icon } from '../controls/icon.tsx';
-import { node_at } from '../values/path.ts';
 import { fault_text } from '../controls/faults.tsx';
-import type { Fault } from '../server/protocol.ts';
+import { Icon } from '../controls/icon.tsx';
 import { use_document, use_page } from '../page/use_page.ts';
+import type { Fault } from '../server/protocol.ts';
 import { TextEditor } from '../text/editor.ts';
+import { node_at } from '../values/path.ts';
 
 /// The panel of the whole document as text, with its faults below.
 export function TextPanel(): ReactElement {

@@ -8,11 +8,11 @@ import { Button, IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { copy_command } from '../dialogs/copy_command.ts';
-import { member_of } from '../values/path.ts';
-import { use_document, use_page } from '../page/use_page.ts';
-import { save_here } from './shortcuts.ts';
 import type { Page } from '../page/page.ts';
 import type { Theme } from '../page/page_state.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { member_of } from '../values/path.ts';
+import { save_here } from './shortcuts.ts';
 
 /// The text of a new document.
 const kNewPlant = `{
@@ -40,13 +40,29 @@ export function TopBar(): ReactElement {
         <IconButton icon="save" label="Save" keys="Ctrl+S" press={() => save_here(page)} />
         <IconButton icon="save_as" label="Save as" keys="Ctrl+Shift+S" press={ask('save')} />
         <span className="gap" />
-        <IconButton icon="undo" label={undo.done.length > 0 ? `Undo: ${undo.done.at(-1)?.label}` : 'Undo'} keys="Ctrl+Z" is_off={undo.done.length === 0} press={() => void page.undo()} />
-        <IconButton icon="redo" label={undo.undone.length > 0 ? `Redo: ${undo.undone.at(-1)?.label}` : 'Redo'} keys="Ctrl+Shift+Z" is_off={undo.undone.length === 0} press={() => void page.redo()} />
+        <IconButton
+          icon="undo"
+          label={undo.done.length > 0 ? `Undo: ${undo.done.at(-1)?.label}` : 'Undo'}
+          keys="Ctrl+Z"
+          is_off={undo.done.length === 0}
+          press={() => void page.undo()}
+        />
+        <IconButton
+          icon="redo"
+          label={undo.undone.length > 0 ? `Redo: ${undo.undone.at(-1)?.label}` : 'Redo'}
+          keys="Ctrl+Shift+Z"
+          is_off={undo.undone.length === 0}
+          press={() => void page.redo()}
+        />
       </div>
       <span className="stretch" />
       <Seed />
       <span className="gap" />
-      <IconButton icon="command" label="Copy as command" press={() => void copy_command(page, { format: first_format(page), name: null, options: {} })} />
+      <IconButton
+        icon="command"
+        label="Copy as command"
+        press={() => void copy_command(page, { format: first_format(page), name: null, options: {} })}
+      />
       <ThemeButton />
       <IconButton icon="help" label="Shortcuts" keys="?" press={ask('shortcuts')} />
       <Button kind="main" icon="export" press={ask('export')}>
@@ -74,7 +90,14 @@ function DocumentTitle(): ReactElement {
       <div>
         <h1>
           <span data-tip={shown}>{shown}</span>
-          {is_changed && <span className="changed" role="img" aria-label="not saved" data-tip="Not saved yet; kept in this browser" />}
+          {is_changed && (
+            <span
+              className="changed"
+              role="img"
+              aria-label="not saved"
+              data-tip="Not saved yet; kept in this browser"
+            />
+          )}
         </h1>
         <p data-tip={path ?? undefined}>{from}</p>
       </div>

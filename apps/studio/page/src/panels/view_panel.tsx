@@ -8,24 +8,24 @@ import { CameraMenu } from '../camera/camera_menu.tsx';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
+import { Gizmo } from '../gizmo/gizmo.ts';
+import { GizmoOverlay } from '../gizmo/gizmo_overlay.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
 import { LeafPointsOverlay } from '../grass/leaf_points_overlay.tsx';
-import { PruningOverlay } from '../pruning/pruning_overlay.tsx';
-import { ShootTool } from '../pruning/shoot_tool.tsx';
 import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
-import { use_document, use_page } from '../page/use_page.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
 import type { Page } from '../page/page.ts';
 import type { GrowthState } from '../page/page_state.ts';
-import { GizmoOverlay } from '../gizmo/gizmo_overlay.tsx';
-import { TimeButton } from '../timeline/timeline_panel.tsx';
-import { OverlayLabels } from './overlay_labels.tsx';
-import { Gizmo } from '../gizmo/gizmo.ts';
-import { InstanceChoice } from '../page/instance_choice.ts';
-import type { SeenInstance } from '../view/view_events.ts';
-import { View } from '../view/view.ts';
-import { scene_path, seen_name } from '../view/seen_name.ts';
-import { scale_bar } from '../view/scale_bar.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { Pruning } from '../pruning/pruning.ts';
+import { PruningOverlay } from '../pruning/pruning_overlay.tsx';
+import { ShootTool } from '../pruning/shoot_tool.tsx';
+import { TimeButton } from '../timeline/timeline_panel.tsx';
+import { scale_bar } from '../view/scale_bar.ts';
+import { scene_path, seen_name } from '../view/seen_name.ts';
+import { View } from '../view/view.ts';
+import type { SeenInstance } from '../view/view_events.ts';
+import { OverlayLabels } from './overlay_labels.tsx';
 
 const kDrawings = [
   ['shaded', 'Shaded'],
@@ -43,7 +43,12 @@ export function ViewPanel(): ReactElement {
   const look = (azimuth: number, altitude: number) => () => page.view?.look_from(azimuth, altitude);
   return (
     <div className="view">
-      <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits, Enter takes hold of a shoot." />
+      <canvas
+        ref={canvas}
+        tabIndex={0}
+        role="application"
+        aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits, Enter takes hold of a shoot."
+      />
       <Nothing />
       <StalePlant />
       <ModuleOverlay />
@@ -52,9 +57,25 @@ export function ViewPanel(): ReactElement {
       <GizmoOverlay />
       <OverlayLabels />
       <div className="view-tools" role="toolbar" aria-label="View">
-        <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => page.change_view({ drawing })} />
-        <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => page.change_view({ shows_ground: !view.shows_ground })} />
-        <IconButton icon="grips" label="Grips of what is chosen" keys="E" is_on={view.shows_grips} press={() => page.change_view({ shows_grips: !view.shows_grips })} />
+        <Segments
+          label="Drawing"
+          value={view.drawing}
+          choices={kDrawings}
+          choose={(drawing) => page.change_view({ drawing })}
+        />
+        <IconButton
+          icon="ground"
+          label="Ground"
+          is_on={view.shows_ground}
+          press={() => page.change_view({ shows_ground: !view.shows_ground })}
+        />
+        <IconButton
+          icon="grips"
+          label="Grips of what is chosen"
+          keys="E"
+          is_on={view.shows_grips}
+          press={() => page.change_view({ shows_grips: !view.shows_grips })}
+        />
         <PinButton />
         <GrowthButton />
         <TimeButton />
@@ -111,7 +132,12 @@ function Compass(): ReactElement {
   // The compass turns with the camera: up on the screen is the direction of view.
   const north = ((180 - azimuth) * Math.PI) / 180;
   return (
-    <svg className="compass" viewBox="-20 -20 40 40" role="img" aria-label={`Compass: the camera stands at ${Math.round(azimuth)} degrees`}>
+    <svg
+      className="compass"
+      viewBox="-20 -20 40 40"
+      role="img"
+      aria-label={`Compass: the camera stands at ${Math.round(azimuth)} degrees`}
+    >
       <circle r="17" />
       <g transform={`rotate(${(180 - azimuth).toFixed(1)})`}>
         <path className="north" d="M0 -7L3 1h-6z" />
@@ -161,7 +187,8 @@ function StalePlant(): ReactElement | null {
       <p>
         <Icon name="fault" />
         <span>
-          <strong>This is the last plant without faults.</strong> {errors.length === 1 ? 'The text has a fault' : `The text has ${errors.length} faults`}
+          <strong>This is the last plant without faults.</strong>{' '}
+          {errors.length === 1 ? 'The text has a fault' : `The text has ${errors.length} faults`}
           {first ? `${first.line === null ? '' : ` in line ${first.line}`}: ${first.message}` : ''}
         </span>
         {side !== 'text' && (
@@ -184,14 +211,19 @@ function Nothing(): ReactElement | null {
       <p className="view-note fault">
         {failed.message || failed.faults[0]?.message}. {left_to_see(shown, hash)}
         {failed.continues && (
-          <Button kind="quiet" tip="Goes on from what is finished, for as long again" press={() => continue_growth(page)}>
+          <Button
+            kind="quiet"
+            tip="Goes on from what is finished, for as long again"
+            press={() => continue_growth(page)}
+          >
             Continue
           </Button>
         )}
       </p>
     );
   }
-  if (!good && text !== '' && !shown) return <p className="view-note fault">The text has faults: there is no plant to show yet.</p>;
+  if (!good && text !== '' && !shown)
+    return <p className="view-note fault">The text has faults: there is no plant to show yet.</p>;
   if (!good && text !== '') return null;
   if (shown && shown.of.triangles === 0) return <p className="view-note">Nothing of this document can be seen.</p>;
   if (!shown) return <p className="view-note">{working ? 'Growing…' : 'Waiting for the plant…'}</p>;
@@ -207,5 +239,7 @@ function continue_growth(page: Page): void {
 /// Returns a message about what the view still shows of a document whose growth has failed.
 function left_to_see(shown: GrowthState['shown'], hash: string): string {
   if (!shown) return 'There is nothing to show yet.';
-  return shown.draft && shown.hash === hash ? 'What is shown is a draft.' : 'What is shown is the last plant that could grow.';
+  return shown.draft && shown.hash === hash
+    ? 'What is shown is a draft.'
+    : 'What is shown is the last plant that could grow.';
 }

@@ -2,19 +2,19 @@
 // Operations on trees: their acts, the chosen operation, and additions to the list.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import { member_of, node_at, path_below, steps_of, value_at } from '../values/path.ts';
+import { PinList } from '../find/pins.ts';
 import type { FoundShoot } from '../page/instance_choice.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import type { Page } from '../page/page.ts';
 import type { ToldOperations } from '../server/growth_protocol.ts';
 import type { Edit } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
 import { component_groups } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
+import { member_of, node_at, path_below, steps_of, value_at } from '../values/path.ts';
+import { text_with_off } from './operation_text.ts';
 import type { DeedChoice } from './shoot_cut.ts';
 import { kFirstChoice, label_of, operation_of } from './shoot_cut.ts';
-import { text_with_off } from './operation_text.ts';
 import { ShootWalk } from './shoot_walk.ts';
-import { PinList } from '../find/pins.ts';
-import { InstanceChoice } from '../page/instance_choice.ts';
 
 /// The chosen operation and year; null: all years.
 export interface LookedAt {
@@ -47,7 +47,9 @@ export class Pruning {
     const types = this.page_.tables;
     return Object.entries(typeof all === 'object' && all !== null ? all : {}).flatMap(([id, component]) => {
       const type = member_of(component as Json, 'type');
-      const has_list = component_groups(types, String(type)).some(({ rows }) => rows.some((row) => row.name === 'operations' && row.kinds !== undefined));
+      const has_list = component_groups(types, String(type)).some(({ rows }) =>
+        rows.some((row) => row.name === 'operations' && row.kinds !== undefined),
+      );
       return has_list ? [id] : [];
     });
   }
@@ -72,7 +74,11 @@ export class Pruning {
     const counts = this.newest_.begin();
     const { path = '', iteration = null } = this.looked_at.get() ?? {};
     this.page_.connection
-      .request<{ operations: ToldOperations | null }>('operations', { component, operation: path, ...(iteration === null ? {} : { iteration }) })
+      .request<{ operations: ToldOperations | null }>('operations', {
+        component,
+        operation: path,
+        ...(iteration === null ? {} : { iteration }),
+      })
       .then(({ operations }) => {
         if (counts()) this.told.set(operations ? { component, operations } : null);
       })
@@ -86,7 +92,10 @@ export class Pruning {
 
   /// Returns the number of trees that may have a shoot of this name, as the document gives it.
   trees_beside(shoot: FoundShoot): number {
-    const roots = value_at(this.page_.document.state.get().tree, path_below(path_below('components', shoot.component), 'roots'));
+    const roots = value_at(
+      this.page_.document.state.get().tree,
+      path_below(path_below('components', shoot.component), 'roots'),
+    );
     return Math.max(Array.isArray(roots) ? roots.length : 1, shoot.tree + 1);
   }
 
@@ -96,7 +105,10 @@ export class Pruning {
     const before = this.operations_of(shoot.component);
     const choice = this.choice.get();
     const operation: Json = operation_of(shoot, choice, this.trees_beside(shoot));
-    const edit: Edit = value_at(this.page_.document.state.get().tree, list) === undefined ? { set: list, value: [operation] } : { insert: path_below(list, -1), value: operation };
+    const edit: Edit =
+      value_at(this.page_.document.state.get().tree, list) === undefined
+        ? { set: list, value: [operation] }
+        : { insert: path_below(list, -1), value: operation };
     const faults = await this.page_.edit([edit], label_of(shoot, choice), { only_if_good: true });
     if (faults) return this.page_.notify(faults[0]?.message ?? 'That cannot be done', true);
     this.page_.tool(InstanceChoice).forget();
@@ -109,18 +121,24 @@ export class Pruning {
     const { text, tree, path: file, model } = this.page_.document.state.get();
     const node = node_at(tree, path);
     if (!node?.members) return;
-    this.page_.tool(PinList).add({ text: text_with_off(text, node.start, node.members.length === 0), path: file, model });
+    this.page_
+      .tool(PinList)
+      .add({ text: text_with_off(text, node.start, node.members.length === 0), path: file, model });
   }
 
   switch_off(path: string, is_off: boolean): void {
     const at = path_below(path, 'off');
-    void this.page_.edit([is_off ? { set: at, value: true } : { unset: at }], is_off ? 'Switch an operation off' : 'Switch an operation on');
+    void this.page_.edit(
+      [is_off ? { set: at, value: true } : { unset: at }],
+      is_off ? 'Switch an operation off' : 'Switch an operation on',
+    );
   }
 
   /// Moves an operation in the list. The choice follows.
   move(component: string, from: number, to: number): void {
     const list = list_path(component);
-    if (this.looked_at.get()?.path === path_below(list, from)) this.looked_at.set({ path: path_below(list, to), iteration: null });
+    if (this.looked_at.get()?.path === path_below(list, from))
+      this.looked_at.set({ path: path_below(list, to), iteration: null });
     void this.page_.edit([{ move: path_below(list, from), index: to }], 'Move an operation');
   }
 

@@ -9,10 +9,10 @@ import { places_of_numbers } from '../base/vec.ts';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import { use_page } from '../page/use_page.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
-import { use_plan_component } from './use_plan_component.ts';
+import { Pruning } from './pruning.ts';
 import { kept_metamers, parts_of } from './shoot_cut.ts';
 import { place_of } from './shoot_text.ts';
-import { Pruning } from './pruning.ts';
+import { use_plan_component } from './use_plan_component.ts';
 
 const kMostDrawn = 400; // number of positions of an operation; more would hide the plant
 
@@ -38,12 +38,16 @@ export function PruningOverlay(): ReactElement | null {
       ))}
       {places.map((place, k) => {
         const at = view.eye.project(place.position);
-        return at && <circle key={k} className={`act of-${place.act}`} cx={at[0].toFixed(1)} cy={at[1].toFixed(1)} r="4" />;
+        return (
+          at && <circle key={k} className={`act of-${place.act}`} cx={at[0].toFixed(1)} cy={at[1].toFixed(1)} r="4" />
+        );
       })}
       {parts && (
         <>
           <ProjectedLine view={view} places={places_of_numbers(parts.stays)} className="stays" />
-          {parts.goes.length > 3 && <ProjectedLine view={view} places={places_of_numbers(parts.goes)} className="goes" />}
+          {parts.goes.length > 3 && (
+            <ProjectedLine view={view} places={places_of_numbers(parts.goes)} className="goes" />
+          )}
         </>
       )}
       {held_at && <circle className="held-place" cx={held_at[0].toFixed(1)} cy={held_at[1].toFixed(1)} r="5" />}

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves the choice from shoot to shoot along the tree, by keys.
 import { Store } from '../base/store.ts';
-import { InstanceChoice } from '../page/instance_choice.ts';
 import type { FoundShoot } from '../page/instance_choice.ts';
-import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
 import type { Page } from '../page/page.ts';
+import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
 import type { DeedChoice } from './shoot_cut.ts';
 import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';
 
@@ -56,7 +56,10 @@ export class ShootWalk {
     const { shoot } = this;
     if (!shoot || this.is_asking_) return;
     this.is_asking_ = true;
-    const is_held = await this.page_.tool(InstanceChoice).hold(shoot.component, shoot, way).catch(() => null);
+    const is_held = await this.page_
+      .tool(InstanceChoice)
+      .hold(shoot.component, shoot, way)
+      .catch(() => null);
     this.is_asking_ = false;
     if (is_held === false) this.note.set(kNowhere[way](shoot.shoot));
   }

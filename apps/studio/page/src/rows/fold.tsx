@@ -24,7 +24,13 @@ export function Fold({ title, tip, path, is_set, menu, children }: FoldProps): R
   return (
     <div className={`fold${is_set ? '' : ' unset'}`} data-path={path}>
       <div className="fold-head">
-        <button type="button" className="fold-title" aria-expanded={is_open} data-tip={tip} onClick={() => set_open(!is_open)}>
+        <button
+          type="button"
+          className="fold-title"
+          aria-expanded={is_open}
+          data-tip={tip}
+          onClick={() => set_open(!is_open)}
+        >
           <Icon name={is_open ? 'down' : 'right'} />
           <span>{title}</span>
           {deep.length > 0 && <Icon name="warning" />}

@@ -5,14 +5,14 @@ import { useContext, useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
 import { Menu } from '../controls/menu.tsx';
-import type { Json } from '../values/json.ts';
-import { is_object } from '../values/json.ts';
-import { member_of, path_below } from '../values/path.ts';
 import { use_page } from '../page/use_page.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_object, table_of } from '../tables/tables.ts';
-import { ExcludedPaths } from './exclusion.ts';
 import { give } from '../time/values_now.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
+import { ExcludedPaths } from './exclusion.ts';
 import { Fold } from './fold.tsx';
 import { tip_of } from './row_editor.tsx';
 import type { NestedRowProps } from './row_kinds.ts';
@@ -23,7 +23,10 @@ export function NestedRow({ row, path, value, rivals }: NestedRowProps): ReactEl
   const excluded = [...useContext(ExcludedPaths), ...rivals];
   const label = row.name.replaceAll('_', ' ');
   const remove = (): void => void page.edit([{ unset: path }], `Unset ${row.name}`);
-  const menu = value === undefined || row.required ? undefined : <Menu label={`More for ${label}`} items={[{ text: 'Unset', act: remove }]} />;
+  const menu =
+    value === undefined || row.required ? undefined : (
+      <Menu label={`More for ${label}`} items={[{ text: 'Unset', act: remove }]} />
+    );
   return (
     <Fold title={label} tip={tip_of(row)} path={path} is_set={value !== undefined} menu={menu}>
       <ExcludedPaths.Provider value={excluded}>
@@ -45,25 +48,49 @@ function ListRows({ row, path, value }: Omit<NestedRowProps, 'rivals'>): ReactEl
   const elements = Array.isArray(value) ? value : [];
   const add = (element: Json): void => {
     // A missing list is added together with its first element.
-    const edit = value === undefined ? { set: path, value: [element] } : { insert: path_below(path, -1), value: element };
+    const edit =
+      value === undefined ? { set: path, value: [element] } : { insert: path_below(path, -1), value: element };
     give(page, [edit], `Add to ${row.name}`, excluded);
   };
   return (
     <>
       {elements.map((element, index) => (
-        <Fold key={index} title={element_title(row, element, index)} tip={row.doc} path={path_below(path, index)} is_set menu={<ElementButtons path={path} index={index} count={elements.length} />}>
-          <TableRows table={element_table(page.tables.tables, row, element)} path={path_below(path, index)} value={element} />
+        <Fold
+          key={index}
+          title={element_title(row, element, index)}
+          tip={row.doc}
+          path={path_below(path, index)}
+          is_set
+          menu={<ElementButtons path={path} index={index} count={elements.length} />}
+        >
+          <TableRows
+            table={element_table(page.tables.tables, row, element)}
+            path={path_below(path, index)}
+            value={element}
+          />
         </Fold>
       ))}
       {row.kinds ? (
         <div className="add-line">
           Add
-          <Menu icon="plus" label={`Add to ${row.name}`} items={Object.entries(row.kinds.tables).map(([kind, name]) => ({ text: kind, act: () => add({ [row.kinds?.key ?? 'kind']: kind, ...object_of(first_object(page.tables, name)) }) }))} />
+          <Menu
+            icon="plus"
+            label={`Add to ${row.name}`}
+            items={Object.entries(row.kinds.tables).map(([kind, name]) => ({
+              text: kind,
+              act: () => add({ [row.kinds?.key ?? 'kind']: kind, ...object_of(first_object(page.tables, name)) }),
+            }))}
+          />
         </div>
       ) : (
         <div className="add-line">
           Add
-          <IconButton is_small icon="plus" label={`Add to ${row.name}`} press={() => add(first_object(page.tables, row.table ?? ''))} />
+          <IconButton
+            is_small
+            icon="plus"
+            label={`Add to ${row.name}`}
+            press={() => add(first_object(page.tables, row.table ?? ''))}
+          />
         </div>
       )}
     </>
@@ -75,9 +102,26 @@ function ElementButtons({ path, index, count }: { path: string; index: number; c
   const at = path_below(path, index);
   return (
     <>
-      <IconButton is_small icon="up" label={`Move ${index + 1} up`} is_off={index === 0} press={() => void page.edit([{ move: at, index: index - 1 }], 'Move up')} />
-      <IconButton is_small icon="down" label={`Move ${index + 1} down`} is_off={index === count - 1} press={() => void page.edit([{ move: at, index: index + 1 }], 'Move down')} />
-      <IconButton is_small icon="close" label={`Remove ${index + 1}`} press={() => void page.edit([{ remove: at }], 'Remove')} />
+      <IconButton
+        is_small
+        icon="up"
+        label={`Move ${index + 1} up`}
+        is_off={index === 0}
+        press={() => void page.edit([{ move: at, index: index - 1 }], 'Move up')}
+      />
+      <IconButton
+        is_small
+        icon="down"
+        label={`Move ${index + 1} down`}
+        is_off={index === count - 1}
+        press={() => void page.edit([{ move: at, index: index + 1 }], 'Move down')}
+      />
+      <IconButton
+        is_small
+        icon="close"
+        label={`Remove ${index + 1}`}
+        press={() => void page.edit([{ remove: at }], 'Remove')}
+      />
     </>
   );
 }
@@ -90,20 +134,47 @@ function MapRows({ row, path, value }: Omit<NestedRowProps, 'rivals'>): ReactEle
   const table = table_of(page.tables, row.table ?? '');
   const add = (): void => {
     const made = first_object(page.tables, row.table ?? '');
-    const edit = value === undefined ? { set: path, value: { [name]: made } } : { set: path_below(path, name), value: made };
+    const edit =
+      value === undefined ? { set: path, value: { [name]: made } } : { set: path_below(path, name), value: made };
     give(page, [edit], `Add ${name}`, excluded);
     set_name('');
   };
   return (
     <>
       {Object.keys(object).map((key) => (
-        <Fold key={key} title={key} tip={table.doc} path={path_below(path, key)} is_set menu={<IconButton is_small icon="close" label={`Remove ${key}`} press={() => void page.edit([{ remove: path_below(path, key) }], `Remove ${key}`)} />}>
+        <Fold
+          key={key}
+          title={key}
+          tip={table.doc}
+          path={path_below(path, key)}
+          is_set
+          menu={
+            <IconButton
+              is_small
+              icon="close"
+              label={`Remove ${key}`}
+              press={() => void page.edit([{ remove: path_below(path, key) }], `Remove ${key}`)}
+            />
+          }
+        >
           <TableRows table={table} path={path_below(path, key)} value={object[key]} />
         </Fold>
       ))}
       <div className="add-line">
-        <input className="text-field" aria-label={`Name of a new element of ${row.name}`} placeholder="new name" value={name} onChange={(event) => set_name(event.target.value)} />
-        <IconButton is_small icon="plus" label={`Add to ${row.name}`} is_off={name === '' || name in object} press={add} />
+        <input
+          className="text-field"
+          aria-label={`Name of a new element of ${row.name}`}
+          placeholder="new name"
+          value={name}
+          onChange={(event) => set_name(event.target.value)}
+        />
+        <IconButton
+          is_small
+          icon="plus"
+          label={`Add to ${row.name}`}
+          is_off={name === '' || name in object}
+          press={add}
+        />
       </div>
     </>
   );

@@ -3,13 +3,13 @@
 import { useContext, useSyncExternalStore } from 'react';
 
 import { use_part } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import type { Fault } from '../server/protocol.ts';
 import { use_page } from '../page/use_page.ts';
+import type { Fault } from '../server/protocol.ts';
+import { TimeModel } from '../time/time_model.ts';
 import { use_keyed } from '../time/use_keyed.ts';
 import { drag_values, has_keys_below, set_values, value_now } from '../time/values_now.ts';
+import type { Json } from '../values/json.ts';
 import { ExcludedPaths } from './exclusion.ts';
-import { TimeModel } from '../time/time_model.ts';
 
 export interface RowActions {
   drag: (value: Json) => void;
@@ -47,7 +47,12 @@ export function use_shown_value(path: string, value: Json | undefined): Json | u
 export function use_faults(path: string, deep = false): Fault[] {
   return use_part(
     use_page().document.state,
-    ({ faults }) => faults.filter((fault) => fault.path === path || (deep && (fault.path.startsWith(`${path}.`) || fault.path.startsWith(`${path}[`)))),
-    (some, others) => some.length === others.length && (some.length === 0 || JSON.stringify(some) === JSON.stringify(others)),
+    ({ faults }) =>
+      faults.filter(
+        (fault) =>
+          fault.path === path || (deep && (fault.path.startsWith(`${path}.`) || fault.path.startsWith(`${path}[`))),
+      ),
+    (some, others) =>
+      some.length === others.length && (some.length === 0 || JSON.stringify(some) === JSON.stringify(others)),
   );
 }

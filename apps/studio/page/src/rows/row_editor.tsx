@@ -8,24 +8,24 @@ import { IconButton } from '../controls/button.tsx';
 import { Faults } from '../controls/faults.tsx';
 import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
-import type { Json } from '../values/json.ts';
-import { write_json } from '../values/json.ts';
-import { path_below } from '../values/path.ts';
 import { Strip } from '../find/strip.tsx';
 import { strip_states } from '../find/strip_states.ts';
 import { use_page } from '../page/use_page.ts';
-import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
-import { commit_keys, use_keyed } from '../time/use_keyed.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
+import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
+import { commit_keys, use_keyed } from '../time/use_keyed.ts';
+import type { Json } from '../values/json.ts';
+import { write_json } from '../values/json.ts';
+import { path_below } from '../values/path.ts';
 import { excluded_by } from './exclusion.ts';
 import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
-import { names_plant, PlantRow } from './plant_row.tsx';
 import { WrittenRow } from './plain_rows.tsx';
+import { names_plant, PlantRow } from './plant_row.tsx';
 import type { RowActions } from './row_actions.ts';
-import { use_row_kinds } from './row_kinds.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
+import { use_row_kinds } from './row_kinds.ts';
 
 interface RowViewProps {
   table: ParameterTable; // table of the row
@@ -56,10 +56,18 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
   const items = menu_of(row, value, actions, () => first_value(page.tables, row));
-  if (keyed) items.push({ text: 'Remove its keys', act: () => commit_keys(page, keyed.track.name, [], `Remove the keys of ${label}`) });
+  if (keyed)
+    items.push({
+      text: 'Remove its keys',
+      act: () => commit_keys(page, keyed.track.name, [], `Remove the keys of ${label}`),
+    });
   const enlarge = kind?.can_be_large?.(row) ? (): void => page.enlarged.set(path) : null;
   return (
-    <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
+    <div
+      className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`}
+      data-path={path}
+      data-kind={row.kind}
+    >
       {can_have_keys(row, path) && <RowKeyButton row={row} path={path} value={shown} />}
       <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
         {label}
@@ -71,7 +79,13 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
       <Menu label={`More for ${label}`} items={items} />
       {states.length > 1 && (
         <span className="row-extra">
-          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => page.strip.set(has_strip ? null : path)} />
+          <IconButton
+            is_small
+            icon="strip"
+            label={`Plants over ${label}`}
+            is_on={has_strip}
+            press={() => page.strip.set(has_strip ? null : path)}
+          />
         </span>
       )}
       {enlarge && (
@@ -80,7 +94,9 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
         </span>
       )}
       <Faults faults={faults} />
-      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />}
+      {has_strip && (
+        <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />
+      )}
     </div>
   );
 });
@@ -110,12 +126,17 @@ function menu_of(row: Row, value: Json | undefined, actions: RowActions, first: 
     for (const [form, text] of kForms) {
       // A number that is equal for all instances accepts an expression, but no range.
       if (row.varies === undefined && (form === 'range' || form === 'both')) continue;
-      items.push({ text, is_on: value !== undefined && form_of(value) === form, act: () => actions.commit(in_form(form, value, number)) });
+      items.push({
+        text,
+        is_on: value !== undefined && form_of(value) === form,
+        act: () => actions.commit(in_form(form, value, number)),
+      });
     }
   }
   if (value === undefined) items.push({ text: 'Set', act: () => actions.commit(first()) });
   else {
-    if (row.default !== undefined) items.push({ text: 'Set to default', act: () => actions.commit(row.default ?? null) });
+    if (row.default !== undefined)
+      items.push({ text: 'Set to default', act: () => actions.commit(row.default ?? null) });
     if (!row.required) items.push({ text: 'Unset', act: actions.unset });
   }
   return items;

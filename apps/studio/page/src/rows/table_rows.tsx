@@ -17,7 +17,9 @@ interface TableRowsProps {
 /// All rows of a table that have an effect beside the other values.
 export function TableRows({ table, path, value, without }: TableRowsProps): ReactElement {
   const object = as_object(table, value);
-  const rows = table.rows.filter((row) => row.name !== without && (object[row.name] !== undefined || has_meaning(table, row.name, object)));
+  const rows = table.rows.filter(
+    (row) => row.name !== without && (object[row.name] !== undefined || has_meaning(table, row.name, object)),
+  );
   return (
     <>
       {rows.map((row) => (

@@ -5,8 +5,8 @@ import { of_this_page, remember_for_this_page } from '../base/preferences.ts';
 import { living_tabs } from '../base/tab.ts';
 import type { KeptWork } from '../document/recovery.ts';
 import { forget, keep, kept_work, slot_of, work_key } from '../document/recovery.ts';
-import type { Hello, Opened, OpenWish } from '../server/protocol.ts';
 import type { Page } from '../page/page.ts';
+import type { Hello, Opened, OpenWish } from '../server/protocol.ts';
 
 const kPause = 300;
 const kFile = 'file:';
@@ -51,7 +51,9 @@ export class Keeper {
     const living = await living_tabs();
     const all = (await kept_work()).filter((one) => one.tab === this.tab_ || one.is_lost || !living.has(one.tab));
     const own = slot_of(this.tab_, key);
-    const work = all.find((one) => one.slot === own) ?? all.find((one) => one.key === key && (key !== kNew || one.tab === this.tab_));
+    const work =
+      all.find((one) => one.slot === own) ??
+      all.find((one) => one.key === key && (key !== kNew || one.tab === this.tab_));
     const other = this.is_first_ ? all.find((one) => one.key !== key) : undefined;
     this.is_first_ = false;
     const differs = work !== undefined && (work.text !== opened.text || work.waiting.length > 0);

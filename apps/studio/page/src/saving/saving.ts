@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saves the open document to a file of the server's folder.
+
+import type { Page } from '../page/page.ts';
 import type { Saved } from '../server/file_protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Page } from '../page/page.ts';
 import { Keeper } from './keeper.ts';
 
 /// Returns true if the document was saved. Otherwise reports the reason, or asks whether to replace somebody else's
@@ -40,7 +41,11 @@ const kMostNamed = 4; // files in a message
 
 function tell_saved(page: Page, { path, copied = [], omitted = [] }: Saved): void {
   page.notify(`Saved ${path}${copied.length > 0 ? `, and copied ${listed(copied)}, which it names` : ''}`);
-  if (omitted.length > 0) page.notify(`Not copied to the new place: ${listed(omitted.map(({ file, reason }) => `${file} (${reason})`))}`, true);
+  if (omitted.length > 0)
+    page.notify(
+      `Not copied to the new place: ${listed(omitted.map(({ file, reason }) => `${file} (${reason})`))}`,
+      true,
+    );
 }
 
 /// Returns the first of some names as text.

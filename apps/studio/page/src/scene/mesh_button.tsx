@@ -5,13 +5,16 @@ import { useState } from 'react';
 import { Button } from '../controls/button.tsx';
 import { FileDialog } from '../editors/file_row.tsx';
 import { use_page } from '../page/use_page.ts';
-import { table_of } from '../tables/tables.ts';
 import type { Row } from '../tables/tables.ts';
+import { table_of } from '../tables/tables.ts';
 
 /// Returns the row of the obstacles' mesh, whose sentence names the accepted files.
 function mesh_row(page: ReturnType<typeof use_page>): Row | undefined {
   const { tables } = page;
-  const scene = table_of(tables, table_of(tables, tables.document).rows.find((row) => row.name === 'scene')?.table ?? '');
+  const scene = table_of(
+    tables,
+    table_of(tables, tables.document).rows.find((row) => row.name === 'scene')?.table ?? '',
+  );
   const obstacles = table_of(tables, scene.rows.find((row) => row.name === 'obstacles')?.table ?? '');
   return obstacles.rows.find((row) => row.name === 'mesh');
 }

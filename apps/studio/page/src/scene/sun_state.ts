@@ -26,7 +26,10 @@ export function sun_state(scene: Json | undefined): SunState {
   const number = (name: string): number | null => (typeof of(name) === 'number' ? (of(name) as number) : null);
   const latitude = member_of(scene, 'latitude');
   const days = of('days');
-  const ends = Array.isArray(days) && days.length === 2 && days.every((one) => typeof one === 'number') ? (days as [number, number]) : null;
+  const ends =
+    Array.isArray(days) && days.length === 2 && days.every((one) => typeof one === 'number')
+      ? (days as [number, number])
+      : null;
   const date = of('date');
   const day = typeof date === 'string' ? day_of_date(date) : number('day');
   const [azimuth, altitude] = [number('azimuth'), number('altitude')];
@@ -41,7 +44,8 @@ export function sun_state(scene: Json | undefined): SunState {
   };
   if (sun === undefined) return { ...state, kind: 'none' };
   if (state.place) return { ...state, kind: 'fixed' };
-  if (of('time') !== undefined) return { ...state, kind: day !== null && hour_of(of('time')) !== null ? 'clock' : 'other' };
+  if (of('time') !== undefined)
+    return { ...state, kind: day !== null && hour_of(of('time')) !== null ? 'clock' : 'other' };
   if (ends) return { ...state, kind: 'season' };
   const hour = of('hour');
   return { ...state, kind: day !== null && (hour === undefined || hour_of(hour) !== null) ? 'day' : 'other' };
@@ -70,7 +74,10 @@ export function with_time(scene: Json | undefined, state: SunState, day: number,
 
 /// Returns the values that set the position of a fixed sun.
 export function with_place({ azimuth, altitude }: SkyPlace): Record<string, Json> {
-  return { 'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5), 'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5) };
+  return {
+    'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5),
+    'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5),
+  };
 }
 
 /// A panel of the sun: the scene, its sun, and the effects of changes.

@@ -232,7 +232,15 @@ export class Refusal extends Error {
 
   /// The faults of the text, or else the message as a fault. There is always at least one.
   get reasons(): Fault[] {
-    const own: Fault = { severity: 'error', message: this.message, path: '', line: null, column: null, offset: null, text: this.message };
+    const own: Fault = {
+      severity: 'error',
+      message: this.message,
+      path: '',
+      line: null,
+      column: null,
+      offset: null,
+      text: this.message,
+    };
     return this.facts.faults?.length ? this.facts.faults : [own];
   }
 }

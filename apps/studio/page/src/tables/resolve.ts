@@ -11,7 +11,10 @@ export function groups_at(tables: Tables, tree: JsonNode | null, path: string): 
   const [head, second] = steps_of(path);
   if (head === 'components' && second !== undefined) return component_groups(tables, text_at(tree, path, 'type'));
   if (head === 'links' && second !== undefined) return link_groups(tables, link_kind(value_at(tree, path)));
-  if (head === 'variables' && second !== undefined) return [{ title: 'Handle', table: table_of(tables, tables.variable), rows: table_of(tables, tables.variable).rows }];
+  if (head === 'variables' && second !== undefined)
+    return [
+      { title: 'Handle', table: table_of(tables, tables.variable), rows: table_of(tables, tables.variable).rows },
+    ];
   return document_groups(tables, typeof head === 'string' && document_parts(tables).includes(head) ? head : '');
 }
 

@@ -6,12 +6,11 @@ import type { Diagnostic } from '@codemirror/lint';
 import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
-
-import { patch_between } from '../values/patch.ts';
-import { node_at, path_at } from '../values/path.ts';
 import { fault_text } from '../controls/faults.tsx';
 import type { Page } from '../page/page.ts';
 import { chosen_with } from '../tables/resolve.ts';
+import { patch_between } from '../values/patch.ts';
+import { node_at, path_at } from '../values/path.ts';
 import { code_extensions } from './code_extensions.ts';
 import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
@@ -30,7 +29,10 @@ export class TextEditor {
     private readonly page_: Page,
   ) {
     const { state } = page_.document;
-    this.view_ = new EditorView({ parent, state: EditorState.create({ doc: state.get().text, extensions: this.extensions() }) });
+    this.view_ = new EditorView({
+      parent,
+      state: EditorState.create({ doc: state.get().text, extensions: this.extensions() }),
+    });
     this.stop_ = [state.subscribe(() => this.follow()), page_.chosen.subscribe(() => this.show_chosen())];
     this.show_faults();
   }
@@ -43,7 +45,10 @@ export class TextEditor {
   /// Shows an offset and moves the cursor there.
   reveal(offset: number): void {
     const at = Math.min(offset, this.view_.state.doc.length);
-    this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center', xMargin: kContext }) });
+    this.view_.dispatch({
+      selection: { anchor: at },
+      effects: EditorView.scrollIntoView(at, { y: 'center', xMargin: kContext }),
+    });
   }
 
   private extensions() {
@@ -80,9 +85,20 @@ export class TextEditor {
   private show_chosen(): void {
     const { tree, text } = this.page_.document.state.get();
     const node = node_at(tree, this.page_.chosen.get());
-    if (this.is_choosing_ || !node || this.view_.hasFocus || this.page_.chosen.get() === '' || text !== this.view_.state.doc.toString()) return;
+    if (
+      this.is_choosing_ ||
+      !node ||
+      this.view_.hasFocus ||
+      this.page_.chosen.get() === '' ||
+      text !== this.view_.state.doc.toString()
+    )
+      return;
     const anchor = node.start;
-    this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center', xMargin: kContext }), annotations: kFromDocument.of(true) });
+    this.view_.dispatch({
+      selection: { anchor },
+      effects: EditorView.scrollIntoView(anchor, { y: 'center', xMargin: kContext }),
+      annotations: kFromDocument.of(true),
+    });
   }
 
   /// Called when the document has changed, here or elsewhere.
@@ -90,7 +106,11 @@ export class TextEditor {
     // Typed text that is not in the document yet stays in the editor.
     if (this.page_.document.awaits_typed) return;
     const patch = patch_between(this.view_.state.doc.toString(), this.page_.document.state.get().text);
-    const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));
+    const changes = patch.map(({ offset, length, replacement }) => ({
+      from: offset,
+      to: offset + length,
+      insert: replacement,
+    }));
     if (changes.length > 0) this.view_.dispatch({ changes, annotations: kFromDocument.of(true) });
     this.show_faults();
   }
@@ -101,7 +121,12 @@ export class TextEditor {
     const marks: Diagnostic[] = faults.map((fault) => {
       const from = Math.min(fault.offset ?? 0, size);
       const word = /^(?:"(?:[^"\\\n]|\\.)*"?|[^\s,{}[\]]+)/.exec(this.view_.state.sliceDoc(from, from + 200));
-      return { from, to: Math.min(size, from + (word?.[0].length ?? 1)), severity: fault.severity, message: fault_text(fault) };
+      return {
+        from,
+        to: Math.min(size, from + (word?.[0].length ?? 1)),
+        severity: fault.severity,
+        message: fault_text(fault),
+      };
     });
     this.view_.dispatch(setDiagnostics(this.view_.state, marks), { annotations: kFromDocument.of(true) });
   }

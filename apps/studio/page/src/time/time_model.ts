@@ -2,10 +2,10 @@
 // The time that the view shows, which the user scrubs or plays. While it moves, the server is asked only for few
 // triangles and for the newest time. At rest it is asked for full detail.
 import { Store } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import { LatestSender } from '../server/latest_sender.ts';
 import type { Page } from '../page/page.ts';
+import { LatestSender } from '../server/latest_sender.ts';
 import { document_names } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
 import { budgets_of } from '../view/budgets.ts';
 import type { AnimationFacts, Track } from './keys.ts';
 import { animation_of, tidy_time, tracks_of } from './keys.ts';
@@ -155,7 +155,10 @@ export class TimeModel {
   private send(): Promise<unknown> {
     const { view, connection } = this.page_;
     const budgets = view ? budgets_of(view) : null;
-    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 || this.state.get().is_playing ? budgets.drag_triangles : budgets.rest_triangles };
+    const rest = budgets && {
+      rest_triangles:
+        this.moves_until_ !== 0 || this.state.get().is_playing ? budgets.drag_triangles : budgets.rest_triangles,
+    };
     return connection.request('view', { time: this.time, ...rest });
   }
 }

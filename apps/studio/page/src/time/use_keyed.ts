@@ -4,15 +4,15 @@ import { useSyncExternalStore } from 'react';
 
 import { without } from '../base/lists.ts';
 import { use_part } from '../base/store.ts';
-import type { Json } from '../values/json.ts';
-import { member_of } from '../values/path.ts';
 import type { Page } from '../page/page.ts';
 import { use_page } from '../page/use_page.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import type { Track } from './keys.ts';
-import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
+import { dragged_keys, key_at, keys_edits, kKeysPath, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
+import { TimeModel } from './time_model.ts';
 import type { Key } from './track.ts';
 import { value_at_time } from './track.ts';
-import { TimeModel } from './time_model.ts';
 
 export interface Keyed {
   track: Track; // track, including a present drag
@@ -41,7 +41,12 @@ export function use_keyed(path: string): Keyed | null {
 }
 
 /// Returns the track with the temporary keys of a drag.
-export function with_dragged(track: Track, dragged: Record<string, Json>, document: Json | undefined, tops: ReadonlySet<string>): Track {
+export function with_dragged(
+  track: Track,
+  dragged: Record<string, Json>,
+  document: Json | undefined,
+  tops: ReadonlySet<string>,
+): Track {
   const own = dragged[track_path(track.name)];
   const all = dragged[kKeysPath] ?? member_of(dragged['animation'], 'keys');
   const keys = own !== undefined ? { [track.name]: own } : all;
@@ -63,6 +68,7 @@ export function toggle_key(page: Page, path: string, keyed: Keyed | null, value:
   const name = keyed?.track.name ?? name_of_path(model.tops, keyed_path(path));
   const label = name.replaceAll('_', ' ');
   if (!model.state.get().is_open) model.toggle();
-  if (keyed && keyed.index >= 0) commit_keys(page, name, without(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
+  if (keyed && keyed.index >= 0)
+    commit_keys(page, name, without(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
   else commit_keys(page, name, with_key(keyed?.track.keys ?? [], model.time, value), `Key ${label}`);
 }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values with keys are shown and edited at the view's time. A new value at a path becomes a key if the path has keys,
 // and the value in the text otherwise.
-import type { Json } from '../values/json.ts';
-import { steps_of } from '../values/path.ts';
-import type { PathStep } from '../values/path.ts';
-import { value_within, with_value, with_values } from '../values/put_values.ts';
-import type { Edit } from '../server/protocol.ts';
+
 import type { Page } from '../page/page.ts';
+import type { Edit } from '../server/protocol.ts';
+import type { Json } from '../values/json.ts';
+import type { PathStep } from '../values/path.ts';
+import { steps_of } from '../values/path.ts';
+import { value_within, with_value, with_values } from '../values/put_values.ts';
 import type { Track } from './keys.ts';
 import { dragged_keys, keys_edits, with_key } from './keys.ts';
+import { TimeModel } from './time_model.ts';
 import type { Key } from './track.ts';
 import { value_at_time } from './track.ts';
 import { keyed_path, with_dragged } from './use_keyed.ts';
-import { TimeModel } from './time_model.ts';
 
 export type Values = Readonly<Record<string, Json>>;
 
@@ -36,11 +37,14 @@ export function parted(values: Values, tracks: readonly Track[], time: number): 
     const whole = tracks.find((one) => one.path === keyed_path(path) || one.name === path);
     const above = tracks.find((one) => is_below(steps, steps_of(one.path)));
     if (whole) put(whole, value);
-    else if (above) put(above, with_value(value_at_time(keys_of(above), time), steps.slice(steps_of(above.path).length), value));
+    else if (above)
+      put(above, with_value(value_at_time(keys_of(above), time), steps.slice(steps_of(above.path).length), value));
     else {
       made.plain[path] = value;
       for (const track of tracks) {
-        const own = is_below(steps_of(track.path), steps) ? value_within(value, steps_of(track.path).slice(steps.length)) : undefined;
+        const own = is_below(steps_of(track.path), steps)
+          ? value_within(value, steps_of(track.path).slice(steps.length))
+          : undefined;
         if (own !== undefined) put(track, own, true);
       }
     }
@@ -95,7 +99,8 @@ export function set_values(page: Page, values: Values, label: string, excluded: 
 /// Makes edits and removes excluded values, as one step.
 export function give(page: Page, edits: Edit[], label: string, excluded: readonly string[]): void {
   void page.edit([...edits, ...excluded.map((path) => ({ unset: path }))], label);
-  if (excluded.length > 0) page.notify(`Removed ${excluded.map(last_name).join(' and ')}, which cannot stand beside it`);
+  if (excluded.length > 0)
+    page.notify(`Removed ${excluded.map(last_name).join(' and ')}, which cannot stand beside it`);
 }
 
 function edits_of_keys(page: Page, keys: PartedValues['keys']): Edit[] {

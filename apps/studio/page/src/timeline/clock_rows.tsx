@@ -7,15 +7,15 @@ import { useEffect, useRef, useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { component_path } from '../board/board_edits.ts';
 import { shown_number } from '../controls/number_field.tsx';
+import { use_held } from '../controls/use_held.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import type { BegunClocks } from '../server/protocol.ts';
+import { tidy_time } from '../time/keys.ts';
+import { TimeModel } from '../time/time_model.ts';
 import type { Json } from '../values/json.ts';
 import { is_object } from '../values/json.ts';
 import { path_below, value_at } from '../values/path.ts';
-import { use_held } from '../controls/use_held.ts';
-import type { BegunClocks } from '../server/protocol.ts';
-import { use_document, use_page } from '../page/use_page.ts';
 import { percent, time_under } from './lane.ts';
-import { tidy_time } from '../time/keys.ts';
-import { TimeModel } from '../time/time_model.ts';
 
 const kStill = 3; // pixels within which a press is a click
 const kMostRows = 6; // blocks in separate rows; further ones overlap
@@ -98,19 +98,43 @@ function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): 
     held.set(null);
     if (!hand) return;
     if (!hand.moved) page.choose(component_path(component));
-    else if (commits && hand.by !== 0) page.set_value(path, moved_delay(delay, hand.by) ?? 0, `Move ${component} in time`);
+    else if (commits && hand.by !== 0)
+      page.set_value(path, moved_delay(delay, hand.by) ?? 0, `Move ${component} in time`);
     else page.stop_drag();
   };
   const shift = held.shown?.by ?? 0;
   const rows = Math.min(kMostRows, blocks.length);
   return (
     <div className={`lane-row${chosen === component_path(component) ? ' chosen' : ''}`} data-clock={component}>
-      <button type="button" className="lane-name" data-tip={`${count === 1 ? 'The clock' : `The ${count} clocks`} of ${component}`} onClick={() => page.choose(component_path(component))}>
+      <button
+        type="button"
+        className="lane-name"
+        data-tip={`${count === 1 ? 'The clock' : `The ${count} clocks`} of ${component}`}
+        onClick={() => page.choose(component_path(component))}
+      >
         {component}
       </button>
-      <div ref={lane} className={`lane clocks${can_move ? ' movable' : ''}`} role="img" aria-label={`${count === 1 ? '1 clock' : `${count} clocks`} of ${component}, from ${shown_number(tidy_time(blocks[0]?.[0] ?? 0))} s on`} onPointerDown={down} onPointerMove={move} onPointerUp={() => let_go(true)} onPointerCancel={() => let_go(false)}>
+      <div
+        ref={lane}
+        className={`lane clocks${can_move ? ' movable' : ''}`}
+        role="img"
+        aria-label={`${count === 1 ? '1 clock' : `${count} clocks`} of ${component}, from ${shown_number(tidy_time(blocks[0]?.[0] ?? 0))} s on`}
+        onPointerDown={down}
+        onPointerMove={move}
+        onPointerUp={() => let_go(true)}
+        onPointerCancel={() => let_go(false)}
+      >
         {blocks.map(([start], k) => (
-          <span key={k} className="clock-block" style={{ left: percent(start + shift, length), right: 0, top: `${(100 * (k % kMostRows)) / rows}%`, height: `${100 / rows}%` }} />
+          <span
+            key={k}
+            className="clock-block"
+            style={{
+              left: percent(start + shift, length),
+              right: 0,
+              top: `${(100 * (k % kMostRows)) / rows}%`,
+              height: `${100 / rows}%`,
+            }}
+          />
         ))}
       </div>
     </div>

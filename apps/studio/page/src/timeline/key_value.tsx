@@ -20,11 +20,40 @@ interface KeyValueProps {
 }
 
 export function KeyValue({ label, value, legal, drag, commit, cancel }: KeyValueProps): ReactElement {
-  if (typeof value === 'number') return <NumberField label={label} value={value} step={Math.max(1e-4, fitting_step(0, Math.abs(value) || 1, 100))} limit={(one) => legal(one) as number} drag={drag} commit={commit} cancel={cancel} />;
-  if (typeof value === 'string' && full_colour(value) !== null) return <ColourField label={label} value={value} is_faulty={false} is_dim={false} drag={drag} commit={commit} cancel={cancel} />;
+  if (typeof value === 'number')
+    return (
+      <NumberField
+        label={label}
+        value={value}
+        step={Math.max(1e-4, fitting_step(0, Math.abs(value) || 1, 100))}
+        limit={(one) => legal(one) as number}
+        drag={drag}
+        commit={commit}
+        cancel={cancel}
+      />
+    );
+  if (typeof value === 'string' && full_colour(value) !== null)
+    return (
+      <ColourField
+        label={label}
+        value={value}
+        is_faulty={false}
+        is_dim={false}
+        drag={drag}
+        commit={commit}
+        cancel={cancel}
+      />
+    );
   if (typeof value === 'boolean') {
     return (
-      <button type="button" role="switch" className="switch" aria-checked={value} aria-label={label} onClick={() => commit(!value)}>
+      <button
+        type="button"
+        role="switch"
+        className="switch"
+        aria-checked={value}
+        aria-label={label}
+        onClick={() => commit(!value)}
+      >
         <span />
       </button>
     );
@@ -36,5 +65,7 @@ export function KeyValue({ label, value, legal, drag, commit, cancel }: KeyValue
       commit(text); // the server reports what is wrong
     }
   };
-  return <TextField label={label} value={typeof value === 'string' ? value : write_json(value)} commit={take} is_code />;
+  return (
+    <TextField label={label} value={typeof value === 'string' ? value : write_json(value)} commit={take} is_code />
+  );
 }

@@ -5,10 +5,10 @@ import { useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { shown_number } from '../controls/number_field.tsx';
-import { fitting_step, rounded } from '../values/arithmetic.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import { percent, time_under, to_frame } from './lane.ts';
 import { TimeModel } from '../time/time_model.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
+import { percent, time_under, to_frame } from './lane.ts';
 
 const kMarks = 10; // approximate count of numbers over the whole length
 
@@ -22,7 +22,8 @@ export function Ruler(): ReactElement {
   const is_held = useRef(false);
   const step = fitting_step(0, length, kMarks);
   const marks = Array.from({ length: Math.floor(length / step + 1e-6) + 1 }, (_, k) => rounded(k * step, step));
-  const go = (event: PointerEvent): void => model.scrub(to_frame(time_under(event, lane.current, length), fps, event.altKey));
+  const go = (event: PointerEvent): void =>
+    model.scrub(to_frame(time_under(event, lane.current, length), fps, event.altKey));
   const down = (event: PointerEvent): void => {
     if (event.button !== 0) return;
     model.stop();
@@ -32,7 +33,9 @@ export function Ruler(): ReactElement {
   };
   const key = (event: KeyboardEvent): void => {
     const frames = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 }[event.key];
-    const to = { Home: 0, End: length }[event.key] ?? (frames === undefined ? undefined : time + (frames * (event.shiftKey ? 10 : 1)) / fps);
+    const to =
+      { Home: 0, End: length }[event.key] ??
+      (frames === undefined ? undefined : time + (frames * (event.shiftKey ? 10 : 1)) / fps);
     if (to === undefined) return;
     event.preventDefault();
     model.stop();

@@ -5,14 +5,14 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { member_of } from '../values/path.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import { ClockRows } from './clock_rows.tsx';
 import { animation_of } from '../time/keys.ts';
+import { TimeModel } from '../time/time_model.ts';
+import { member_of } from '../values/path.ts';
+import { ClockRows } from './clock_rows.tsx';
 import { Ruler } from './ruler.tsx';
 import { TrackEditor } from './track_editor.tsx';
 import { TrackRow } from './track_row.tsx';
-import { TimeModel } from '../time/time_model.ts';
 
 export function TimelinePanel(): ReactElement | null {
   const page = use_page();
@@ -38,12 +38,17 @@ function Timeline(): ReactElement {
             <TrackRow key={one.name} track={one} />
           ))}
           <ClockRows />
-          <span className="timeline-now" aria-hidden="true" style={{ left: `calc(var(--names) + (100% - var(--names) - var(--end)) * ${time / animation.length})` }} />
+          <span
+            className="timeline-now"
+            aria-hidden="true"
+            style={{ left: `calc(var(--names) + (100% - var(--names) - var(--end)) * ${time / animation.length})` }}
+          />
         </div>
       </div>
       {tracks.length === 0 && (
         <p className="empty">
-          {has_animation ? 'No parameter has keys yet.' : 'Nothing of this document changes over time yet.'} The diamond before a row of the inspector puts a key where the time stands.
+          {has_animation ? 'No parameter has keys yet.' : 'Nothing of this document changes over time yet.'} The diamond
+          before a row of the inspector puts a key where the time stands.
         </p>
       )}
       {edited && <TrackEditor key={edited.name} track={edited} />}
@@ -71,13 +76,50 @@ function TimelineHead(): ReactElement {
   return (
     <header className="timeline-head" role="toolbar" aria-label="Time">
       <IconButton is_small icon="first" label="To the beginning" press={() => scrub(0)} />
-      <IconButton icon={is_playing ? 'pause' : 'play'} label={is_playing ? 'Stop playing' : 'Play'} keys="Shift+K" is_on={is_playing} press={() => (is_playing ? model.stop() : model.play())} />
+      <IconButton
+        icon={is_playing ? 'pause' : 'play'}
+        label={is_playing ? 'Stop playing' : 'Play'}
+        keys="Shift+K"
+        is_on={is_playing}
+        press={() => (is_playing ? model.stop() : model.play())}
+      />
       <IconButton is_small icon="last" label="To the end" press={() => scrub(length)} />
-      <NumberField label="Time" value={time} step={1 / fps} unit="s" limit={(one) => Math.min(length, Math.max(0, one))} drag={scrub} commit={scrub} cancel={() => undefined} />
+      <NumberField
+        label="Time"
+        value={time}
+        step={1 / fps}
+        unit="s"
+        limit={(one) => Math.min(length, Math.max(0, one))}
+        drag={scrub}
+        commit={scrub}
+        cancel={() => undefined}
+      />
       <span className="quiet">of</span>
-      <NumberField label="Length" value={length} step={0.1} unit="s" limit={(one) => Math.min(1e6, Math.max(0.01, one))} drag={() => undefined} commit={set('length')} cancel={() => undefined} />
-      <NumberField label="Frames per second" value={fps} step={1} unit="per s" limit={(one) => Math.min(1000, Math.max(1, Math.round(one)))} drag={() => undefined} commit={set('fps')} cancel={() => undefined} />
-      <Button kind="quiet" tip="What the document says of its time: also how fast plants grow" press={() => page.choose('animation')}>
+      <NumberField
+        label="Length"
+        value={length}
+        step={0.1}
+        unit="s"
+        limit={(one) => Math.min(1e6, Math.max(0.01, one))}
+        drag={() => undefined}
+        commit={set('length')}
+        cancel={() => undefined}
+      />
+      <NumberField
+        label="Frames per second"
+        value={fps}
+        step={1}
+        unit="per s"
+        limit={(one) => Math.min(1000, Math.max(1, Math.round(one)))}
+        drag={() => undefined}
+        commit={set('fps')}
+        cancel={() => undefined}
+      />
+      <Button
+        kind="quiet"
+        tip="What the document says of its time: also how fast plants grow"
+        press={() => page.choose('animation')}
+      >
         {unrolls ? 'Grows over time' : 'Growth…'}
       </Button>
       <span className="stretch" />
@@ -93,5 +135,7 @@ function TimelineHead(): ReactElement {
 export function TimeButton(): ReactElement {
   const page = use_page();
   const { is_open } = use_store(page.tool(TimeModel).state);
-  return <IconButton icon="clock" label="Timeline" keys="K" is_on={is_open} press={() => page.tool(TimeModel).toggle()} />;
+  return (
+    <IconButton icon="clock" label="Timeline" keys="K" is_on={is_open} press={() => page.tool(TimeModel).toggle()} />
+  );
 }

@@ -8,12 +8,9 @@ import { without } from '../base/lists.ts';
 import { use_store } from '../base/store.ts';
 import { IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { fitting_step, rounded } from '../values/arithmetic.ts';
-import type { Json } from '../values/json.ts';
-import { KeyValue } from './key_value.tsx';
-import { focus_point, PlaneCanvas } from '../editors/plane_canvas.tsx';
 import type { Limits } from '../editors/limits.ts';
 import { with_limits } from '../editors/limits.ts';
+import { focus_point, PlaneCanvas } from '../editors/plane_canvas.tsx';
 import type { Frame, Point, Range } from '../editors/shape.ts';
 import { use_snapping } from '../editors/snapping.ts';
 import { use_document, use_page } from '../page/use_page.ts';
@@ -21,10 +18,13 @@ import { legal_value, row_of_value } from '../tables/legal.ts';
 import { hard_range } from '../tables/tables.ts';
 import type { Track } from '../time/keys.ts';
 import { tidy_time, with_key, with_time, with_way } from '../time/keys.ts';
+import { TimeModel } from '../time/time_model.ts';
 import type { Key } from '../time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../time/track.ts';
 import { commit_keys, drag_keys, with_dragged } from '../time/use_keyed.ts';
-import { TimeModel } from '../time/time_model.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { KeyValue } from './key_value.tsx';
 
 const kFree: Range = { low: -Infinity, high: Infinity };
 const kSize = { wide: 720, high: 150, margin: 20 };
@@ -81,7 +81,20 @@ interface KeysProps {
 }
 
 /// The curve of numeric keys; other keys have none.
-function KeyCurve({ label, keys, index, length, legal, range, choose, add, remove, drag, commit, cancel }: KeysProps): ReactElement | null {
+function KeyCurve({
+  label,
+  keys,
+  index,
+  length,
+  legal,
+  range,
+  choose,
+  add,
+  remove,
+  drag,
+  commit,
+  cancel,
+}: KeysProps): ReactElement | null {
   const root = useRef<HTMLDivElement>(null);
   const { snaps } = use_snapping();
   const end = Math.max(length, keys.at(-1)?.time ?? 0);
@@ -91,7 +104,10 @@ function KeyCurve({ label, keys, index, length, legal, range, choose, add, remov
   const limits: Limits = { x: { low: 0, high: end }, y: range };
   const frame = with_limits(frame_of(points, end), limits, 'function');
   const digits = fitting_step(frame.y.low, frame.y.high, 200);
-  const moved = (which: number, [time, value]: Point): Key[] => with_time(keys, which, time, end).map((one, k) => (k === which ? { ...one, value: legal(rounded(value, digits / 10)) } : one));
+  const moved = (which: number, [time, value]: Point): Key[] =>
+    with_time(keys, which, time, end).map((one, k) =>
+      k === which ? { ...one, value: legal(rounded(value, digits / 10)) } : one,
+    );
   const between = (which: number): number => ((keys[which]?.time ?? 0) + (keys[which + 1]?.time ?? end)) / 2;
   return (
     <div ref={root} className="curve-editor">
@@ -131,7 +147,20 @@ function frame_of(points: readonly Point[], end: number): Frame {
   return { x: { low: 0, high: end }, y: { low: low - room, high: high + room } };
 }
 
-function KeyFields({ label, keys, index, length, now, legal, choose, add, remove, drag, commit, cancel }: KeysProps & { now: number }): ReactElement | null {
+function KeyFields({
+  label,
+  keys,
+  index,
+  length,
+  now,
+  legal,
+  choose,
+  add,
+  remove,
+  drag,
+  commit,
+  cancel,
+}: KeysProps & { now: number }): ReactElement | null {
   const key = keys[index];
   if (!key) return null;
   const end = Math.max(length, keys.at(-1)?.time ?? 0);
@@ -141,14 +170,56 @@ function KeyFields({ label, keys, index, length, now, legal, choose, add, remove
   const can_bend = has_values_between(keys);
   return (
     <div className="key-fields">
-      <IconButton is_small icon="left" label={`Key before, of ${label}`} is_off={index === 0} press={() => choose(index - 1)} />
-      <IconButton is_small icon="right" label={`Key behind, of ${label}`} is_off={index + 1 >= keys.length} press={() => choose(index + 1)} />
-      <NumberField label={`Time of ${name}`} value={key.time} step={0.04} unit="s" limit={(one) => Math.max(0, one)} drag={(one) => drag(at(one))} commit={(one) => commit(at(one), 'Move a key')} cancel={cancel} />
-      <KeyValue label={`Value of ${name}`} value={key.value} legal={legal} drag={(one) => drag(having(legal(one)))} commit={(one) => commit(having(legal(one)), 'Set a key')} cancel={cancel} />
+      <IconButton
+        is_small
+        icon="left"
+        label={`Key before, of ${label}`}
+        is_off={index === 0}
+        press={() => choose(index - 1)}
+      />
+      <IconButton
+        is_small
+        icon="right"
+        label={`Key behind, of ${label}`}
+        is_off={index + 1 >= keys.length}
+        press={() => choose(index + 1)}
+      />
+      <NumberField
+        label={`Time of ${name}`}
+        value={key.time}
+        step={0.04}
+        unit="s"
+        limit={(one) => Math.max(0, one)}
+        drag={(one) => drag(at(one))}
+        commit={(one) => commit(at(one), 'Move a key')}
+        cancel={cancel}
+      />
+      <KeyValue
+        label={`Value of ${name}`}
+        value={key.value}
+        legal={legal}
+        drag={(one) => drag(having(legal(one)))}
+        commit={(one) => commit(having(legal(one)), 'Set a key')}
+        cancel={cancel}
+      />
       {can_bend && index > 0 && (
-        <Segments label={`Way to ${name}`} value={key.way ?? 'linear'} choices={[['linear', 'Even'], ['smooth', 'Smooth'], ['step', 'Jump']]} choose={(way) => commit(with_way(keys, index, way), 'Join the keys')} />
+        <Segments
+          label={`Way to ${name}`}
+          value={key.way ?? 'linear'}
+          choices={[
+            ['linear', 'Even'],
+            ['smooth', 'Smooth'],
+            ['step', 'Jump'],
+          ]}
+          choose={(way) => commit(with_way(keys, index, way), 'Join the keys')}
+        />
       )}
-      <IconButton is_small icon="plus" label={`Add a key to ${label} where the time stands`} press={() => add(now, value_at_time(keys, now))} />
+      <IconButton
+        is_small
+        icon="plus"
+        label={`Add a key to ${label} where the time stands`}
+        press={() => add(now, value_at_time(keys, now))}
+      />
       <IconButton is_small icon="close" label={`Remove the key of ${label}`} press={() => remove(index)} />
     </div>
   );

@@ -5,21 +5,21 @@ import { useEffect, useRef } from 'react';
 
 import { without } from '../base/lists.ts';
 import { use_store } from '../base/store.ts';
+import { Board } from '../board/board.ts';
 import { component_of } from '../board/board_edits.ts';
 import { standing_on } from '../board/plant_graph.ts';
 import { Icon } from '../controls/icon.tsx';
 import { shown_number } from '../controls/number_field.tsx';
-import { write_json } from '../values/json.ts';
-import { use_document, use_page } from '../page/use_page.ts';
 import { use_held } from '../controls/use_held.ts';
-import { percent, time_under, to_frame } from './lane.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { Track } from '../time/keys.ts';
 import { with_time } from '../time/keys.ts';
+import { TimeModel } from '../time/time_model.ts';
 import type { Key } from '../time/track.ts';
 import { curve_of, has_values_between, value_at_time } from '../time/track.ts';
 import { commit_keys, drag_keys, with_dragged } from '../time/use_keyed.ts';
-import { TimeModel } from '../time/time_model.ts';
-import { Board } from '../board/board.ts';
+import { write_json } from '../values/json.ts';
+import { percent, time_under, to_frame } from './lane.ts';
 
 const kStill = 3; // pixels within which a press is a click
 
@@ -69,7 +69,12 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
   const move = (event: PointerEvent): void => {
     const hand = held.get();
     if (!hand || (!hand.moved && Math.abs(event.clientX - hand.x) < kStill)) return;
-    const now = with_time(hand.keys, hand.index, to_frame(time_under(event, lane.current, length), fps, event.altKey), length);
+    const now = with_time(
+      hand.keys,
+      hand.index,
+      to_frame(time_under(event, lane.current, length), fps, event.altKey),
+      length,
+    );
     held.set({ ...hand, now, moved: true });
     drag_keys(page, name, now);
   };
@@ -85,8 +90,15 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
     const frames = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     const at = track.keys[index];
     if (event.key === 'Escape' && held.get()?.moved) let_go(false);
-    else if (frames !== undefined && at) commit_keys(page, name, with_time(track.keys, index, at.time + (frames * (event.shiftKey ? 10 : 1)) / fps, length), `Move a key of ${label}`);
-    else if (event.key === 'Delete' || event.key === 'Backspace') commit_keys(page, name, without(track.keys, index), `Remove a key of ${label}`);
+    else if (frames !== undefined && at)
+      commit_keys(
+        page,
+        name,
+        with_time(track.keys, index, at.time + (frames * (event.shiftKey ? 10 : 1)) / fps, length),
+        `Move a key of ${label}`,
+      );
+    else if (event.key === 'Delete' || event.key === 'Backspace')
+      commit_keys(page, name, without(track.keys, index), `Remove a key of ${label}`);
     else if (event.key === 'Enter' || event.key === ' ') go_to(index);
     else return;
     event.preventDefault();
@@ -98,11 +110,25 @@ export function TrackRow({ track: written }: { track: Track }): ReactElement {
   };
   return (
     <div ref={row} className={`lane-row${is_chosen ? ' chosen' : ''}`} data-track={name}>
-      <button type="button" className="lane-name" aria-pressed={is_chosen} data-tip={has_own_clock ? `${path}\nby the seconds of the clock that each instance lives by` : path} onClick={open}>
+      <button
+        type="button"
+        className="lane-name"
+        aria-pressed={is_chosen}
+        data-tip={has_own_clock ? `${path}\nby the seconds of the clock that each instance lives by` : path}
+        onClick={open}
+      >
         {label}
         {has_own_clock && <Icon name="clock" />}
       </button>
-      <div ref={lane} className="lane" role="group" aria-label={`Keys of ${label}`} onPointerMove={move} onPointerUp={() => let_go(true)} onPointerCancel={() => let_go(false)}>
+      <div
+        ref={lane}
+        className="lane"
+        role="group"
+        aria-label={`Keys of ${label}`}
+        onPointerMove={move}
+        onPointerUp={() => let_go(true)}
+        onPointerCancel={() => let_go(false)}
+      >
         <TrackPicture keys={track.keys} length={length} />
         {track.keys.map((one, index) => (
           <button
@@ -126,7 +152,10 @@ function use_own_clock(path: string): boolean {
   const page = use_page();
   const clocks = use_store(page.tool(TimeModel).clocks);
   const component = component_of(path);
-  return component !== null && clocks.some((clock) => clock !== component && standing_on(page.tool(Board).actions.graph, clock).has(component));
+  return (
+    component !== null &&
+    clocks.some((clock) => clock !== component && standing_on(page.tool(Board).actions.graph, clock).has(component))
+  );
 }
 
 /// The values of the keys over time, drawn behind them: a curve, or a band of colours.
@@ -138,11 +167,24 @@ function TrackPicture({ keys, length }: { keys: readonly Key[]; length: number }
     const height = (value: number): number => (high > low ? 18 - (15 * (value - low)) / (high - low) : 10);
     return (
       <svg className="lane-curve" viewBox="0 0 100 20" preserveAspectRatio="none" aria-hidden="true">
-        <polyline points={curve.map(([time, value]) => `${((100 * time) / length).toFixed(2)},${height(value).toFixed(2)}`).join(' ')} />
+        <polyline
+          points={curve
+            .map(([time, value]) => `${((100 * time) / length).toFixed(2)},${height(value).toFixed(2)}`)
+            .join(' ')}
+        />
       </svg>
     );
   }
   if (!keys.every((one) => typeof one.value === 'string') || !has_values_between(keys)) return null;
-  const stops = Array.from({ length: 13 }, (_, k) => `${String(value_at_time(keys, (length * k) / 12))} ${((100 * k) / 12).toFixed(1)}%`);
-  return <span className="lane-colours" aria-hidden="true" style={{ background: `linear-gradient(to right, ${stops.join(', ')})` }} />;
+  const stops = Array.from(
+    { length: 13 },
+    (_, k) => `${String(value_at_time(keys, (length * k) / 12))} ${((100 * k) / 12).toFixed(1)}%`,
+  );
+  return (
+    <span
+      className="lane-colours"
+      aria-hidden="true"
+      style={{ background: `linear-gradient(to right, ${stops.join(', ')})` }}
+    />
+  );
 }

@@ -15,7 +15,11 @@ const kShort = /^#([0-9a-f])([0-9a-f])([0-9a-f])$/i;
 /// Returns a colour as "#rrggbb"; the short form is accepted. Returns null for other texts.
 export function full_colour(text: string): string | null {
   const short = kShort.exec(text);
-  if (short) return `#${short.slice(1).map((one) => one + one).join('')}`.toLowerCase();
+  if (short)
+    return `#${short
+      .slice(1)
+      .map((one) => one + one)
+      .join('')}`.toLowerCase();
   return kLong.test(text) ? text.toLowerCase() : null;
 }
 
@@ -25,7 +29,8 @@ export function hsv_of(colour: string): Hsv {
   const value = Math.max(red, green, blue);
   const range = value - Math.min(red, green, blue);
   if (range === 0) return { hue: 0, saturation: 0, value };
-  const sixth = value === red ? (green - blue) / range : value === green ? 2 + (blue - red) / range : 4 + (red - green) / range;
+  const sixth =
+    value === red ? (green - blue) / range : value === green ? 2 + (blue - red) / range : 4 + (red - green) / range;
   return { hue: (60 * sixth + 360) % 360, saturation: range / value, value };
 }
 
@@ -33,7 +38,9 @@ export function colour_of({ hue, saturation, value }: Hsv): string {
   const channel = (shift: number): string => {
     const k = (shift + hue / 60) % 6;
     const light = value - value * saturation * Math.max(0, Math.min(k, 4 - k, 1));
-    return Math.round(255 * light).toString(16).padStart(2, '0');
+    return Math.round(255 * light)
+      .toString(16)
+      .padStart(2, '0');
   };
   return `#${channel(5)}${channel(3)}${channel(1)}`;
 }

@@ -96,7 +96,11 @@ class Parser {
     if (sign === '{') return this.object(start);
     if (sign === '[') return this.list(start);
     if (sign === '"') return { start, value: this.text(), end: this.at_ };
-    for (const [word, value] of [['true', true], ['false', false], ['null', null]] as const) {
+    for (const [word, value] of [
+      ['true', true],
+      ['false', false],
+      ['null', null],
+    ] as const) {
       if (!this.text_.startsWith(word, start)) continue;
       this.at_ += word.length;
       return { start, value, end: this.at_ };
@@ -186,7 +190,12 @@ export function keep_values(node: JsonNode, before: Json | undefined): void {
       keep_values(member, known?.[name]);
       value[name] = member.value;
     }
-    if (known && names.length === members.length && members.every(({ name }, k) => names[k] === name && known[name] === value[name])) node.value = known;
+    if (
+      known &&
+      names.length === members.length &&
+      members.every(({ name }, k) => names[k] === name && known[name] === value[name])
+    )
+      node.value = known;
   } else if (elements && Array.isArray(value)) {
     const known = Array.isArray(before) ? before : null;
     for (const [k, element] of elements.entries()) {

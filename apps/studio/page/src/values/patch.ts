@@ -25,7 +25,11 @@ export function apply_patch(text: string, patch: Patch): string {
 export function inverse_patch(text: string, patch: Patch): Patch {
   let shift = 0;
   return patch.map(({ offset, length, replacement }) => {
-    const inverse = { offset: offset + shift, length: replacement.length, replacement: text.slice(offset, offset + length) };
+    const inverse = {
+      offset: offset + shift,
+      length: replacement.length,
+      replacement: text.slice(offset, offset + length),
+    };
     shift += replacement.length - length;
     return inverse;
   });
@@ -41,7 +45,12 @@ export function patch_between(before: string, after: string): Patch {
   while (tail < shorter - head && before[before.length - 1 - tail] === after[after.length - 1 - tail]) tail += 1;
   // A pair of surrogates is one character, which a splice must not split.
   if (head > 0 && is_high(before.charCodeAt(head - 1))) head -= 1;
-  if (tail > 0 && is_high(before.charCodeAt(before.length - tail - 1)) && is_low(before.charCodeAt(before.length - tail))) tail -= 1;
+  if (
+    tail > 0 &&
+    is_high(before.charCodeAt(before.length - tail - 1)) &&
+    is_low(before.charCodeAt(before.length - tail))
+  )
+    tail -= 1;
   return [{ offset: head, length: before.length - head - tail, replacement: after.slice(head, after.length - tail) }];
 }
 

@@ -6,11 +6,16 @@ import type { PathStep } from './path.ts';
 import { member_of, steps_of } from './path.ts';
 
 /// Returns a value of the document in which other values are replaced by their paths.
-export function with_values(value: Json | undefined, at: readonly PathStep[], values: Readonly<Record<string, Json>>): Json | undefined {
+export function with_values(
+  value: Json | undefined,
+  at: readonly PathStep[],
+  values: Readonly<Record<string, Json>>,
+): Json | undefined {
   let made = value;
   for (const [path, one] of Object.entries(values)) {
     const steps = steps_of(path);
-    if (steps.length >= at.length && at.every((step, k) => steps[k] === step)) made = with_value(made, steps.slice(at.length), one);
+    if (steps.length >= at.length && at.every((step, k) => steps[k] === step))
+      made = with_value(made, steps.slice(at.length), one);
   }
   return made;
 }
@@ -28,5 +33,8 @@ export function with_value(value: Json | undefined, [step, ...rest]: PathStep[],
 
 /// Returns the value within another one, or undefined if it does not exist.
 export function value_within(value: Json | undefined, steps: readonly PathStep[]): Json | undefined {
-  return steps.reduce<Json | undefined>((held, step) => (typeof step === 'number' ? (Array.isArray(held) ? held[step] : undefined) : member_of(held, step)), value);
+  return steps.reduce<Json | undefined>(
+    (held, step) => (typeof step === 'number' ? (Array.isArray(held) ? held[step] : undefined) : member_of(held, step)),
+    value,
+  );
 }

@@ -3,6 +3,7 @@
 // y, then pitch about x, then yaw about z, in degrees.
 
 import type { Vec } from '../base/vec.ts';
+
 export type { Vec };
 
 /// A frame: its axes x, y and z, which may be scaled, and its origin.
@@ -16,13 +17,24 @@ export interface Ray {
   way: Vec; // unit vector
 }
 
-export const kWorld: Frame3 = { axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], origin: [0, 0, 0] };
+export const kWorld: Frame3 = {
+  axes: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  origin: [0, 0, 0],
+};
 
 export const add = (a: Vec, b: Vec): Vec => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const minus = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const times = (a: Vec, by: number): Vec => [a[0] * by, a[1] * by, a[2] * by];
 export const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const cross = (a: Vec, b: Vec): Vec => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const cross = (a: Vec, b: Vec): Vec => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
 export const length = (a: Vec): number => Math.hypot(...a);
 
 export function unit(a: Vec, otherwise: Vec = [0, 1, 0]): Vec {
@@ -51,7 +63,10 @@ export function vector_out({ axes }: Frame3, v: Vec): Vec {
 }
 
 export function framed(outer: Frame3, inner: Frame3): Frame3 {
-  return { axes: [vector_in(outer, inner.axes[0]), vector_in(outer, inner.axes[1]), vector_in(outer, inner.axes[2])], origin: point_in(outer, inner.origin) };
+  return {
+    axes: [vector_in(outer, inner.axes[0]), vector_in(outer, inner.axes[1]), vector_in(outer, inner.axes[2])],
+    origin: point_in(outer, inner.origin),
+  };
 }
 
 /// Returns the frame of twelve numbers, three rows of [axes, origin].

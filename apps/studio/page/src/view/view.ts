@@ -11,9 +11,9 @@ import { Ground } from './ground.ts';
 import type { CameraState } from './orbit.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
 import { Overlays } from './overlays.ts';
+import { PictureQueue } from './picture_queue.ts';
 import type { Drawing } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
-import { PictureQueue } from './picture_queue.ts';
 import { listen } from './pointer.ts';
 import type { PointedInstance } from './pointing.ts';
 import { Pointing } from './pointing.ts';
@@ -54,7 +54,12 @@ export class View {
   ) {
     this.eye = new Eye(this.orbit, canvas_);
     this.is_software = draws_by_software();
-    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: !this.is_software, alpha: true, powerPreference: 'high-performance' });
+    this.renderer_ = new three.WebGLRenderer({
+      canvas: canvas_,
+      antialias: !this.is_software,
+      alpha: true,
+      powerPreference: 'high-performance',
+    });
     this.renderer_.setClearColor(0, 0);
     this.pixels_ = new CanvasPixels(this.renderer_, this.is_software);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
@@ -81,7 +86,15 @@ export class View {
   /// Objects of three on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts, overlays: this.overlays.counts };
+    return {
+      geometries,
+      textures,
+      triangles: this.plant.triangles,
+      frames: this.frames_drawn,
+      ...this.plant.buffers.counts,
+      ...this.plant.materials.counts,
+      overlays: this.overlays.counts,
+    };
   }
 
   apply(packet: Packet): void {

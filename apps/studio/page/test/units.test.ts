@@ -5,7 +5,8 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { text_hash } from '../src/document/hash.ts';
 import { line_difference } from '../src/document/line_difference.ts';
-import { kNothingDone, step_back, step_forward, with_step } from '../src/document/undo_list.ts';
+import { kNothingDone, step_back, step_forward, with_step, with_typing } from '../src/document/undo_list.ts';
+import { Tools } from '../src/page/tools.ts';
 import { in_form } from '../src/rows/number_form.ts';
 import { floats, read_packet } from '../src/server/packet.ts';
 import { cursor_position } from '../src/text/cursor_path.ts';
@@ -99,6 +100,32 @@ test('undo: goes back and forward, and a new step forgets what was undone', () =
   assert.equal(step_forward(state)?.step.label, 'b');
   assert.equal(step_forward(with_step(state, step('c'))), null);
   assert.equal(step_back(kNothingDone), null);
+});
+
+test('undo: typing that goes on is one step, and joins no other step', () => {
+  const typed = (text: string, next: string) => {
+    const patch = patch_between(text, next);
+    return { label: 'Type', patch, inverse: inverse_patch(text, patch), chosen: '' };
+  };
+  const edited = with_step(kNothingDone, { ...typed('', 'a'), label: 'Set' });
+  const once = with_typing(edited, typed('a', 'ab'), 'a');
+  const twice = with_typing(once, typed('ab', 'abc'), 'ab');
+  assert.deepEqual(
+    twice.done.map((one) => one.label),
+    ['Set', 'Type'],
+  );
+  assert.equal(apply_patch('abc', twice.done[1]?.inverse ?? []), 'a');
+});
+
+test('tools: found by their class, and a missing one is named', () => {
+  class Ruler {
+    readonly length = 1;
+  }
+  class Compass {}
+  const tools = new Tools();
+  const ruler = tools.add(new Ruler());
+  assert.equal(tools.find(Ruler), ruler);
+  assert.throws(() => tools.find(Compass), /the page has no Compass/);
 });
 
 test('arithmetic: numbers, not expressions of the document', () => {

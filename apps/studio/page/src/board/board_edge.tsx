@@ -2,6 +2,7 @@
 // The lines of the board, drawn as in the published source: child links thin, branch links thick, leaf links dashed.
 // Crown links are dotted, and links that a grammar makes are pale. Lines of a recursion are doubled.
 import type { ReactElement } from 'react';
+import { class_names } from '../base/class_names.ts';
 import { use_page } from '../page/use_page.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { link_path } from './board_edits.ts';
@@ -24,11 +25,19 @@ export function BoardEdgeView({ edge, from, to, direction, is_chosen }: BoardEdg
   const { index, kind } = edge.link;
   const faults = use_faults(index === null ? '-' : link_path(index), true);
   const curve = curve_between(from, to, direction);
-  const classes = `board-line ${kind}${edge.is_doubled ? ' doubled' : ''}${is_chosen ? ' chosen' : ''}${faults.length > 0 ? ' faulty' : ''}`;
+  const { is_doubled } = edge;
+  const is_faulty = faults.length > 0;
+  const classes = class_names(
+    'board-line',
+    kind,
+    is_doubled && 'doubled',
+    is_chosen && 'chosen',
+    is_faulty && 'faulty',
+  );
   return (
     <g data-line={index ?? undefined} onClick={() => index !== null && page.choose(link_path(index))}>
       <path className={classes} d={curve} />
-      {edge.is_doubled && <path className={`board-between ${kind}`} d={curve} />}
+      {is_doubled && <path className={`board-between ${kind}`} d={curve} />}
       {index !== null && <path className="board-hit" d={curve} />}
     </g>
   );

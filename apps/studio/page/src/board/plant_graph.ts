@@ -169,7 +169,8 @@ export function refusal_of_link(
     return `${from} links to ${to} already.`;
   const way = way_between(graph, to, from);
   if (!way || recursion_of(to) >= 2) return null;
-  return `The links ${[...way, to].join(' > ')} would form an endless circle. A recursion of at least 2 in ${to} allows it.`;
+  const links = [...way, to].join(' > ');
+  return `The links ${links} would form an endless circle. A recursion of at least 2 in ${to} allows it.`;
 }
 
 /// Returns the components on a path from one component down to another, both included. Returns null if no links lead

@@ -3,6 +3,8 @@
 import type { KeyboardEvent, ReactElement } from 'react';
 import { useState } from 'react';
 
+import { class_names } from '../base/class_names.ts';
+
 interface TextFieldProps {
   label: string;
   value: string;
@@ -32,7 +34,7 @@ export function TextField(props: TextFieldProps): ReactElement {
     }
   };
   const common = {
-    className: `text-field${props.is_code ? ' code' : ''}${props.is_faulty ? ' faulty' : ''}${props.is_dim ? ' dim' : ''}`,
+    className: class_names('text-field', props.is_code && 'code', props.is_faulty && 'faulty', props.is_dim && 'dim'),
     'aria-label': label,
     'aria-invalid': props.is_faulty || undefined,
     'aria-description': props.description,

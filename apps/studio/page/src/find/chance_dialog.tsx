@@ -46,12 +46,13 @@ export function ChanceDialog({ close }: { close: () => void }): ReactElement {
       </Button>
     </>
   );
+  const names = free.map((one) => one.name.replaceAll('_', ' ')).join(', ');
   return (
     <Dialog title="Nine by chance" width="wide" close={close} footer={footer}>
       <p className="quiet">
         {free.length === 0
           ? 'All handles are locked, so the seed alone differs.'
-          : `${free.map((one) => one.name.replaceAll('_', ' ')).join(', ')} within their ranges. Locked handles stay.`}{' '}
+          : `${names} within their ranges. Locked handles stay.`}{' '}
         A click takes one, as one step.
       </p>
       <div className="nine" aria-busy={is_working}>

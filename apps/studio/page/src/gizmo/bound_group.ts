@@ -70,5 +70,6 @@ function probes_of({ motion, way }: Grip): Amount[] {
 /// Returns the label of a step in the undo list: the moved part, or the variables if only they are changed.
 export function step_label(group: { label: string }, values: Values, { moves }: Binding): string {
   const names = Object.keys(values);
-  return `Set ${names.length > 0 && names.every((name) => moves.includes(name)) ? names.join(', ').replaceAll('_', ' ') : group.label}`;
+  const are_variables = names.length > 0 && names.every((name) => moves.includes(name));
+  return `Set ${are_variables ? names.join(', ').replaceAll('_', ' ') : group.label}`;
 }

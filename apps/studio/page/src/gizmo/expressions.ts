@@ -115,9 +115,9 @@ function move(one: Expressed, number: number, meant: MeantValues): void {
 
 /// Returns the expressions that block a grip, as text.
 export function said_of_held(held: readonly Expressed[]): string {
-  const said = held.map(
-    ({ path, written }) =>
-      `${path.slice(path.indexOf('.') + 1)} is ${typeof written === 'string' ? `the expression “${written}”` : JSON.stringify(written)}`,
-  );
+  const said = held.map(({ path, written }) => {
+    const value = typeof written === 'string' ? `the expression “${written}”` : JSON.stringify(written);
+    return `${path.slice(path.indexOf('.') + 1)} is ${value}`;
+  });
   return `${said.slice(0, 2).join(', ')}${said.length > 2 ? `, and ${said.length - 2} more` : ''}`;
 }

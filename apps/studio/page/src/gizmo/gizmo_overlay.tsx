@@ -3,6 +3,7 @@
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
 
+import { class_names } from '../base/class_names.ts';
 import { use_store } from '../base/store.ts';
 import { use_held } from '../controls/use_held.ts';
 import { use_snapping } from '../editors/snapping.ts';
@@ -183,7 +184,12 @@ function ActiveGroup({ view, group, sight }: ActiveGroupProps): ReactElement {
       {in_order(group.grips).map((grip) => (
         <g
           key={grip.key}
-          className={`gizmo-grip of-${grip.look}${holding === grip.key ? ' held' : ''}${grip.held.length > 0 ? ' refuses' : ''}${grip.held.length + grip.moves.length > 0 ? ' expressed' : ''}`}
+          className={class_names(
+            `gizmo-grip of-${grip.look}`,
+            holding === grip.key && 'held',
+            grip.held.length > 0 && 'refuses',
+            grip.held.length + grip.moves.length > 0 && 'expressed',
+          )}
           data-grip={grip.key}
           data-axis={/[xyz]+$/.exec(grip.key)?.[0]}
           tabIndex={grip.key === first ? 0 : -1}

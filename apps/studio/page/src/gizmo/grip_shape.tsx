@@ -48,8 +48,10 @@ function Arrow({ from, to }: { from: [number, number]; to: [number, number] | nu
   const long = Math.hypot(x, y);
   if (long < kShortest) return null;
   const [along, aside] = [[x / long, y / long] as const, [-y / long, x / long] as const];
-  const tip = (back: number, side: number): string =>
-    `${(to[0] - along[0] * back + aside[0] * side).toFixed(1)} ${(to[1] - along[1] * back + aside[1] * side).toFixed(1)}`;
+  const tip = (back: number, side: number): string => {
+    const place = (axis: 0 | 1): string => (to[axis] - along[axis] * back + aside[axis] * side).toFixed(1);
+    return `${place(0)} ${place(1)}`;
+  };
   // It begins beside the dot in the middle.
   const start = `${(from[0] + along[0] * 9).toFixed(1)} ${(from[1] + along[1] * 9).toFixed(1)}`;
   return (

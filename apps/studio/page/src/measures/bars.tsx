@@ -32,6 +32,7 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
     const value = member_of(layer, name);
     return typeof value === 'number' ? value : 0;
   };
+  const shown = (layer: Json, name: string): string => shown_measure(number(layer, name));
   const most = Math.max(...all.map((one) => number(one, 'leaf_area')), 1e-12);
   if (all.length === 0) return null;
   return (
@@ -39,13 +40,10 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
       <h3>Leaf area by height</h3>
       <ol className="layers" aria-label="Leaf area by height, from above">
         {[...all].reverse().map((one, k) => (
-          <li
-            key={k}
-            data-tip={`${shown_measure(number(one, 'low'))} to ${shown_measure(number(one, 'high'))} m: ${shown_measure(number(one, 'leaf_area'))} m²`}
-          >
-            <span className="quiet">{shown_measure(number(one, 'low'))} m</span>
+          <li key={k} data-tip={`${shown(one, 'low')} to ${shown(one, 'high')} m: ${shown(one, 'leaf_area')} m²`}>
+            <span className="quiet">{shown(one, 'low')} m</span>
             <span className="layer" style={{ width: `${(100 * number(one, 'leaf_area')) / most}%` }} />
-            <span>{shown_measure(number(one, 'leaf_area'))} m²</span>
+            <span>{shown(one, 'leaf_area')} m²</span>
           </li>
         ))}
       </ol>

@@ -150,7 +150,10 @@ function Plots({ sweep, rows, drawn, draw }: PlotsProps): ReactElement {
         </Button>
       )}
       {faulty.length > 0 && (
-        <p className="fault-line">{`${faulty.length} of ${sweep.points.length} values have faults: ${faulty[0]?.faults?.[0]?.message ?? ''}`}</p>
+        <p className="fault-line">
+          {`${faulty.length} of ${sweep.points.length} values have faults: `}
+          {faulty[0]?.faults?.[0]?.message}
+        </p>
       )}
     </>
   );

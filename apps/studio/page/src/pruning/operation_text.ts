@@ -49,10 +49,10 @@ export function when_of(operation: Json): string {
   if (at !== undefined) parts.push(`year ${plain(at)}`);
   else if (from === undefined && to === undefined)
     parts.push(every === undefined ? 'every year' : `every ${plain(every)} years`);
-  else
-    parts.push(
-      `${to === undefined ? `from year ${plain(from ?? 1)}` : `years ${plain(from ?? 1)} to ${plain(to)}`}${every === undefined ? '' : `, every ${plain(every)}`}`,
-    );
+  else {
+    const years = to === undefined ? `from year ${plain(from ?? 1)}` : `years ${plain(from ?? 1)} to ${plain(to)}`;
+    parts.push(every === undefined ? years : `${years}, every ${plain(every)}`);
+  }
   if (when !== undefined) parts.push(`when ${plain(when)}`);
   if (once === true) parts.push('once');
   if (season === 'summer') parts.push('summer');

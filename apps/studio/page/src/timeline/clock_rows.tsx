@@ -104,6 +104,7 @@ function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): 
   };
   const shift = held.shown?.by ?? 0;
   const rows = Math.min(kMostRows, blocks.length);
+  const begin = shown_number(tidy_time(blocks[0]?.[0] ?? 0));
   return (
     <div className={`lane-row${chosen === component_path(component) ? ' chosen' : ''}`} data-clock={component}>
       <button
@@ -118,7 +119,7 @@ function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): 
         ref={lane}
         className={`lane clocks${can_move ? ' movable' : ''}`}
         role="img"
-        aria-label={`${count === 1 ? '1 clock' : `${count} clocks`} of ${component}, from ${shown_number(tidy_time(blocks[0]?.[0] ?? 0))} s on`}
+        aria-label={`${count === 1 ? '1 clock' : `${count} clocks`} of ${component}, from ${begin} s on`}
         onPointerDown={down}
         onPointerMove={move}
         onPointerUp={() => let_go(true)}

@@ -13,7 +13,7 @@ export class Tools {
     return tool;
   }
 
-  /// Returns the tool of a class. Throws if there is none.
+  /// Returns the tool of a class. Throws if no tool has this class.
   find<T>(kind: ToolKind<T>): T {
     const tool = this.all_.get(kind);
     if (!tool) throw new Error(`the page has no ${kind.name}`);

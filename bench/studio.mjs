@@ -261,16 +261,16 @@ async function strip_time(page, count) {
       await page.evaluate(async () => {
         const { studio } = window;
         const { name } = studio.document.state.get().variables.find((one) => !one.private);
-        studio.bench.strip.set(null);
+        studio.strip.set(null);
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50)));
         const begin = performance.now();
-        studio.bench.strip.set(name);
+        studio.strip.set(name);
         while (document.querySelectorAll('.strip img.still:not(.old)').length < 5) {
           if (performance.now() - begin > 60_000) throw new Error('the strip does not come');
           await new Promise((done) => setTimeout(done, 5));
         }
         const took = performance.now() - begin;
-        studio.bench.strip.set(null);
+        studio.strip.set(null);
         return took;
       }),
     );

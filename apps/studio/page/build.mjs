@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds the page into a folder that the program embeds: node build.mjs OUT [--check]. Prints its compressed size, and
 // fails if this exceeds the limit of the page. node build.mjs --tests OUT builds the unit tests.
-import { build } from 'esbuild';
+
 import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { build } from 'esbuild';
 
 import { notices_of } from './notices.mjs';
 
@@ -42,12 +43,17 @@ async function build_page(out) {
     define: { 'process.env.NODE_ENV': '"production"' },
   });
   await build({ ...common, entryPoints: { page: 'src/style/page.css' }, outdir: out, minify: true });
-  for (const file of ['index.html', 'icon.svg']) await writeFile(path.join(out, file), await readFile(path.join(here, 'src', file)));
+  for (const file of ['index.html', 'icon.svg'])
+    await writeFile(path.join(out, file), await readFile(path.join(here, 'src', file)));
   await writeFile(path.join(out, 'starters.json'), JSON.stringify(await starters()));
   const notices = await notices_of(made.metafile.inputs);
-  await writeFile(path.join(out, 'notices.txt'), `The studio's page contains these packages.\n\n${notices.join(`\n${'-'.repeat(80)}\n\n`)}`);
+  await writeFile(
+    path.join(out, 'notices.txt'),
+    `The studio's page contains these packages.\n\n${notices.join(`\n${'-'.repeat(80)}\n\n`)}`,
+  );
   let sum = 0;
-  for (const file of (await readdir(out)).sort()) sum += gzipSync(await readFile(path.join(out, file)), { level: 9 }).length;
+  for (const file of (await readdir(out)).sort())
+    sum += gzipSync(await readFile(path.join(out, file)), { level: 9 }).length;
   console.log(`the page weighs ${(sum / 1000).toFixed(0)} kB compressed, of ${kMostBytes / 1000}`);
   if (sum > kMostBytes) throw new Error('the page is too heavy');
 }
@@ -55,7 +61,15 @@ async function build_page(out) {
 async function build_tests(out) {
   const files = (await readdir(path.join(here, 'test'))).filter((one) => one.endsWith('.test.ts'));
   await rm(out, { recursive: true, force: true });
-  await build({ ...common, entryPoints: files.map((one) => `test/${one}`), outdir: out, outExtension: { '.js': '.mjs' }, format: 'esm', platform: 'node', sourcemap: 'inline' });
+  await build({
+    ...common,
+    entryPoints: files.map((one) => `test/${one}`),
+    outdir: out,
+    outExtension: { '.js': '.mjs' },
+    format: 'esm',
+    platform: 'node',
+    sourcemap: 'inline',
+  });
 }
 
 const [first, second] = process.argv.slice(2);

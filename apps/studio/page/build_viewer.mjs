@@ -2,18 +2,27 @@
 // Builds the page of the view alone. `node build_viewer.mjs FILE` writes a template with {{title}}, {{look}} and
 // {{packet}}. Programs that write pages replace these: by a text, by "AZIMUTH ALTITUDE" in degrees or nothing, and by a
 // scene packet (gzip, base64).
-import { build } from 'esbuild';
+
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { build } from 'esbuild';
 
 import { notices_of } from './notices.mjs';
 
 const kMostBytes = 220_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
-const common = { bundle: true, minify: true, write: false, target: 'es2022', logLevel: 'warning', absWorkingDir: here, legalComments: 'none' };
+const common = {
+  bundle: true,
+  minify: true,
+  write: false,
+  target: 'es2022',
+  logLevel: 'warning',
+  absWorkingDir: here,
+  legalComments: 'none',
+};
 
 const out = process.argv[2];
 if (out === undefined) throw new Error('usage: node build_viewer.mjs FILE');

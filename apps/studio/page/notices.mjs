@@ -17,7 +17,8 @@ async function notice_of(name) {
   const { version, license } = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
   const file = (await readdir(folder)).find((one) => /^licen[cs]e/i.test(one));
   const text = file ? await readFile(path.join(folder, file), 'utf8') : '';
-  if (!/^(MIT|BSD-[23]-Clause|Apache-2\.0|ISC|0BSD)$/.test(license ?? '')) throw new Error(`${name} has the licence ${license}`);
+  if (!/^(MIT|BSD-[23]-Clause|Apache-2\.0|ISC|0BSD)$/.test(license ?? ''))
+    throw new Error(`${name} has the licence ${license}`);
   return `${name} ${version} (${license})\n\n${text.trim()}\n`;
 }
 

@@ -4,12 +4,14 @@ import { createRoot } from 'react-dom/client';
 
 import { claim_tab } from './base/tab.ts';
 import { start_tooltips } from './controls/tooltip.ts';
+import { kRowKinds } from './editors/all_row_kinds.ts';
+import { PageContext } from './page/use_page.ts';
 import { App } from './panels/app.tsx';
-import { listen_to_keys } from './shortcuts.ts';
-import type { Json } from './document/json.ts';
+import { listen_to_keys } from './panels/shortcuts.ts';
+import { RowKindsContext } from './rows/row_kinds.ts';
 import { Studio } from './studio.ts';
-import { StudioContext } from './studio_context.ts';
 import type { Tables } from './tables/tables.ts';
+import type { Json } from './values/json.ts';
 
 declare global {
   interface Window {
@@ -36,7 +38,9 @@ async function start(): Promise<void> {
   const socket = new URL('socket', document.baseURI);
   socket.protocol = socket.protocol === 'https:' ? 'wss:' : 'ws:';
   const studio = new Studio(tables, socket.href, await claim_tab());
-  studio.board.starters = await fetch('starters.json').then((answer) => (answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {}));
+  studio.board.starters = await fetch('starters.json').then((answer) =>
+    answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {},
+  );
   window.studio = studio;
   follow_theme(studio);
   listen_to_keys(studio);
@@ -45,9 +49,11 @@ async function start(): Promise<void> {
   start_tooltips(document.body);
   createRoot(root).render(
     <StrictMode>
-      <StudioContext.Provider value={studio}>
-        <App />
-      </StudioContext.Provider>
+      <PageContext.Provider value={studio}>
+        <RowKindsContext.Provider value={kRowKinds}>
+          <App />
+        </RowKindsContext.Provider>
+      </PageContext.Provider>
     </StrictMode>,
   );
   studio.connection.connect();

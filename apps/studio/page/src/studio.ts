@@ -1,43 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's central model: the connection, the open document, growth and view, and the actions of panels on them.
-import { prefer } from './base/preferences.ts';
+// The page's central model: the connection, the open document, growth and view. It composes the tools of all panels.
+// Panels know it as a `Page` only.
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
-import type { EditWish } from './document/edit_queue.ts';
 import { DocumentModel } from './document/document_model.ts';
-import type { Json } from './document/json.ts';
-import { InstanceChoice } from './instance_choice.ts';
-import { Keeper } from './keeper.ts';
-import { save_document } from './saving.ts';
+import { values_of_variables } from './document/document_state.ts';
+import type { EditWish } from './document/edit_queue.ts';
+import { InstanceChoice } from './page/instance_choice.ts';
+import type { Page } from './page/page.ts';
+import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
+import { first_shell, kFirstView, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
+import type { ToolKind } from './page/tools.ts';
+import { Tools } from './page/tools.ts';
+import { Keeper } from './saving/keeper.ts';
+import { save_document } from './saving/saving.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
-import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
-import { first_shell, kNoGrowth, with_growth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
+import type { Json } from './values/json.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
 import { Workbench } from './workbench.ts';
 
-export class Studio {
+export class Studio implements Page {
+  private readonly tools_ = new Tools();
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, shows_grips: true, is_sunlit: false, solo: null });
-  readonly view_facts = new Store<ViewFacts | null>(null); // facts about the last picture
-  // The part under the resting pointer
-  readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null);
-  readonly instance = new InstanceChoice(this);
-  readonly board = new Board(this);
+  readonly view_state = new Store(kFirstView);
+  readonly view_facts = new Store<ViewFacts | null>(null);
+  readonly pointed = new Store<PointedPart | null>(null);
+  readonly instance = this.tools_.add(new InstanceChoice(this));
+  readonly board = this.tools_.add(new Board(this));
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
   readonly locks = new Store<ReadonlySet<string>>(new Set());
-  /// Values of the variables when the document was opened, to which handles are reset.
+  readonly enlarged = new Store<string | null>(null);
+  readonly strip = new Store<string | null>(null);
   readonly first_values = new Store<Record<string, Json>>({});
-  readonly bench = new Workbench(this);
+  readonly bench = new Workbench(this, this.tools_);
   readonly document: DocumentModel;
   readonly connection: Connection;
   readonly keeper: Keeper;
@@ -56,11 +61,19 @@ export class Studio {
       on_packet: (bytes) => this.show_packet(bytes),
       on_lost: () => this.keeper.note_lost(),
     });
-    this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.tell(message, true));
-    this.keeper = new Keeper(this, tab);
+    this.document = new DocumentModel(
+      () => this.connection,
+      this.chosen.get,
+      (message) => this.notify(message, true),
+    );
+    this.keeper = this.tools_.add(new Keeper(this, tab));
   }
 
-  tell(text: string, is_fault = false, kind = ''): void {
+  tool<T>(kind: ToolKind<T>): T {
+    return this.tools_.find(kind);
+  }
+
+  notify(text: string, is_fault = false, kind = ''): void {
     this.toasts.add(text, is_fault, kind);
   }
 
@@ -96,7 +109,6 @@ export class Studio {
     this.view?.shine(is_sunlit);
   }
 
-  /// Changes the document as one step of the undo list.
   async edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
     // Fields show the new values until the text has them.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
@@ -112,13 +124,12 @@ export class Studio {
     void this.edit([{ set: path, value }], label);
   }
 
-  /// Grows with other values temporarily. The text stays. While an answer is open, only the newest values are kept.
+  /// While an answer is open, only the newest values are kept.
   drag(values: Record<string, Json>): void {
     this.dragged.set(values);
     this.drags_.ask();
   }
 
-  /// Restores the document's values.
   stop_drag(): void {
     if (Object.keys(this.dragged.get()).length > 0) this.drag({});
   }
@@ -131,14 +142,12 @@ export class Studio {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  /// Opens a document. Returns false and reports the reason if this fails.
   async open(wish: OpenWish): Promise<boolean> {
     const fault = await this.try_open(wish);
-    if (fault !== null) this.tell(fault, true);
+    if (fault !== null) this.notify(fault, true);
     return fault === null;
   }
 
-  /// Opens a document. Returns the reason if this fails, else null.
   async try_open(wish: OpenWish): Promise<string | null> {
     await this.document.idle();
     await this.keeper.flush();
@@ -150,7 +159,8 @@ export class Studio {
       void this.keeper.flush(); // keeps text that was typed meanwhile; not awaited, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
-      if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
+      if (is_changed && is_another)
+        this.notify(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
       await this.keeper.offer(opened);
       return null;
     } catch (fault) {
@@ -166,27 +176,17 @@ export class Studio {
     return save_document(this, path, over);
   }
 
-  set_theme(theme: Theme): void {
-    prefer('theme', theme);
-    this.shell.merge({ theme });
-  }
-
-  /// Continues the growth that reached its time limit.
-  continue_growth(): void {
-    this.growth.merge({ failed: null });
-    this.connection.tell('continue');
-  }
-
   private take_opened(opened: Opened): void {
     this.view?.clear();
     this.growth.set({ ...kNoGrowth, is_paused: this.growth.get().is_paused });
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    // The server computes no variables of a text with faults. Their values are then read from the text.
-    this.first_values.set(Object.fromEntries(this.document.state.get().variables.map((one) => [one.name, one.expression ?? one.value])));
+    this.first_values.set(values_of_variables(this.document.state.get()));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();
+    this.enlarged.set(null);
+    this.strip.set(null);
     this.bench.clear();
     this.choose('');
   }
@@ -194,7 +194,7 @@ export class Studio {
   private take_back(step: { label: string; chosen: string } | null, what: string): void {
     this.dragged.set({});
     if (step && step.chosen !== this.chosen.get()) this.choose(step.chosen);
-    if (step) this.tell(`${what}: ${step.label}`, false, 'undo');
+    if (step) this.notify(`${what}: ${step.label}`, false, 'undo');
   }
 
   private hear(news: News): void {
@@ -202,8 +202,10 @@ export class Studio {
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
     if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
     if (news.is === 'elsewhere' && news.count > 0) this.shell.merge({ elsewhere: news });
-    else if (news.is === 'elsewhere' && this.shell.get().elsewhere?.path === news.path) this.shell.merge({ elsewhere: null });
-    if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
+    else if (news.is === 'elsewhere' && this.shell.get().elsewhere?.path === news.path)
+      this.shell.merge({ elsewhere: null });
+    if (news.is === 'failed' && news.job === 'grow')
+      this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
   }
 
   /// Called when the server is connected, first or again. Sends the page's state to the server.
@@ -215,7 +217,9 @@ export class Studio {
     if (!is_first) {
       const { text, path, model } = this.document.state.get();
       this.keeps_camera_ = true;
-      const opened = await this.connection.request<Opened>('open', model !== null ? { text, model } : { text, path }).catch(() => null);
+      const opened = await this.connection
+        .request<Opened>('open', model !== null ? { text, model } : { text, path })
+        .catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();
       this.keeper.note_link();

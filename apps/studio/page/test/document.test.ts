@@ -10,13 +10,33 @@ import type { Connection } from '../src/server/connection.ts';
 import type { Opened } from '../src/server/protocol.ts';
 
 function opened(text: string): Opened {
-  return { path: 'a.json', model: null, name: 'a', text, hash: text_hash(text), saved: null, good: true, faults: [], tree: {}, variables: [], implied: [], notes: {} };
+  return {
+    path: 'a.json',
+    model: null,
+    name: 'a',
+    text,
+    hash: text_hash(text),
+    saved: null,
+    good: true,
+    faults: [],
+    tree: {},
+    variables: [],
+    implied: [],
+    notes: {},
+  };
 }
 
 test('an edit that another document overtakes is dropped, whether it is on its way or waits', async () => {
   const answers: ((answer: object) => void)[] = [];
-  const connection = { is_open: true, request: () => new Promise((done) => answers.push(done)) } as unknown as Connection;
-  const document = new DocumentModel(() => connection, () => '', () => undefined);
+  const connection = {
+    is_open: true,
+    request: () => new Promise((done) => answers.push(done)),
+  } as unknown as Connection;
+  const document = new DocumentModel(
+    () => connection,
+    () => '',
+    () => undefined,
+  );
   document.take_opened(opened('{"a": 1}'));
   const edits = ['a', 'b'].map((path) => document.edit([{ set: path, value: 2 }], 'Set'));
   document.take_opened(opened('{"c": 1}'));

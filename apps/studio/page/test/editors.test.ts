@@ -3,17 +3,17 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { azimuths_of, turned_points } from '../src/crown/crown_cloud.ts';
-import { colour_of, colours_in, full_colour, hsv_of } from '../src/editors/colour.ts';
+import { azimuths_of, turned_points } from '../src/editors/crown_cloud.ts';
 import { grid_lines, levels_of, Scale, snapped } from '../src/editors/plane.ts';
 import { count_named, entries_of, named_numbers } from '../src/editors/selection_set.ts';
-import { frame_from, kSides, moved_in, names_of, places_of, seen_from } from '../src/editors/space.ts';
 import type { Shape } from '../src/editors/shape.ts';
 import { frame_of, line_of, with_point, with_point_after, with_point_at } from '../src/editors/shape.ts';
-import { values_by_chance, values_over, strip_states } from '../src/find/strip_states.ts';
+import { frame_from, kSides, moved_in, names_of, places_of, seen_from } from '../src/editors/space.ts';
 import { PinList } from '../src/find/pins.ts';
+import { strip_states, values_by_chance, values_over } from '../src/find/strip_states.ts';
 import { excluded_by } from '../src/rows/exclusion.ts';
 import type { Row } from '../src/tables/tables.ts';
+import { colour_of, colours_in, full_colour, hsv_of } from '../src/values/colour.ts';
 
 const kFrame = { x: { low: 0, high: 1 }, y: { low: 0, high: 1 } };
 const kSize = { wide: 256, high: 120, margin: 8 };
@@ -21,7 +21,11 @@ const kSize = { wide: 256, high: 120, margin: 8 };
 test('planes: a point stands where it is read from', () => {
   for (const is_even of [true, false]) {
     const scale = new Scale(kFrame, kSize, is_even);
-    for (const point of [[0, 0], [0.3, 0.9], [1, -2]] as const) {
+    for (const point of [
+      [0, 0],
+      [0.3, 0.9],
+      [1, -2],
+    ] as const) {
       const [x, y] = scale.value(scale.place(point));
       assert.ok(Math.abs(x - point[0]) < 1e-12 && Math.abs(y - point[1]) < 1e-12);
     }
@@ -50,7 +54,15 @@ test('planes: points are drawn to the grid and to each other, and else keep few 
 });
 
 test('profiles: a spline of radius over height, whose points stay in order', () => {
-  const profile: Shape = { points: [[0.2, 1], [1, 2], [0, 3]], joining: 'linear', form: 'profile' };
+  const profile: Shape = {
+    points: [
+      [0.2, 1],
+      [1, 2],
+      [0, 3],
+    ],
+    joining: 'linear',
+    form: 'profile',
+  };
   const line = line_of(profile);
   assert.equal(line.length, 25);
   assert.deepEqual([line[0], line[12], line[24]], profile.points);
@@ -65,21 +77,52 @@ test('profiles: a spline of radius over height, whose points stay in order', () 
   const between = with_point_after(profile, 0, 0.01)?.shape.points[1] ?? [0, 0];
   assert.ok(between[0] > 0.6 && between[1] === 1.5, 'on the spline, which swings out');
   // A wrong shape is drawn as it is.
-  assert.deepEqual(line_of({ ...profile, points: [[0, 2], [1, 2]] }), [[0, 2], [1, 2]]);
+  assert.deepEqual(
+    line_of({
+      ...profile,
+      points: [
+        [0, 2],
+        [1, 2],
+      ],
+    }),
+    [
+      [0, 2],
+      [1, 2],
+    ],
+  );
 });
 
 test('curves: a point between two is in their middle', () => {
-  const made = with_point_after({ points: [[0, 1], [1, 0]], joining: 'spline', form: 'function' }, 0, 0.01);
+  const made = with_point_after(
+    {
+      points: [
+        [0, 1],
+        [1, 0],
+      ],
+      joining: 'spline',
+      form: 'function',
+    },
+    0,
+    0.01,
+  );
   assert.deepEqual(made?.shape.points[1], [0.5, 0.5]);
 });
 
 test('clouds: points are turned into the plane of their outline', () => {
   const around = [0, 1, -2, 3, 2, 0, 0, 3, 4, -5, 4, 0]; // north, east, south, west
-  assert.deepEqual(turned_points(around, null, []), [[2, 1], [3, 2], [4, 3], [5, 4]]);
+  assert.deepEqual(turned_points(around, null, []), [
+    [2, 1],
+    [3, 2],
+    [4, 3],
+    [5, 4],
+  ]);
   const azimuths = azimuths_of({ 0: [], 90: [], 225: [] });
   assert.deepEqual(azimuths, [0, 90, 225]);
   assert.deepEqual(turned_points(around, 0, azimuths), [[2, 1]]);
-  assert.deepEqual(turned_points(around, 225, azimuths), [[4, 3], [5, 4]]);
+  assert.deepEqual(turned_points(around, 225, azimuths), [
+    [4, 3],
+    [5, 4],
+  ]);
   assert.deepEqual(turned_points([-0.1, 1, -2], 355, [10, 355]).length, 1);
 });
 
@@ -100,10 +143,14 @@ test('space: what one picture moves stays where the other shows it', () => {
 });
 
 test('colours: hue, saturation and value give the colour back', () => {
-  for (const colour of ['#000000', '#ffffff', '#6b8e23', '#ff0000', '#00ff01', '#123456', '#fedcba']) assert.equal(colour_of(hsv_of(colour)), colour);
+  for (const colour of ['#000000', '#ffffff', '#6b8e23', '#ff0000', '#00ff01', '#123456', '#fedcba'])
+    assert.equal(colour_of(hsv_of(colour)), colour);
   assert.equal(full_colour('#AbC'), '#aabbcc');
   assert.equal(full_colour('olive'), null);
-  assert.deepEqual(colours_in({ a: { colour: '#ABC', b: ['#112233', '#aabbcc'] }, name: 'oak' }), ['#aabbcc', '#112233']);
+  assert.deepEqual(colours_in({ a: { colour: '#ABC', b: ['#112233', '#aabbcc'] }, name: 'oak' }), [
+    '#aabbcc',
+    '#112233',
+  ]);
 });
 
 test('selections: cells become the shortest entries, and conditions stay', () => {
@@ -124,16 +171,26 @@ test('strips: five values over the usual range, ends included', () => {
   assert.deepEqual(values_over(0, 1, false), [0, 0.25, 0.5, 0.75, 1]);
   assert.deepEqual(values_over(1, 3, true), [1, 2, 3]);
   assert.deepEqual(values_over(1, 1, false), []);
-  assert.deepEqual(strip_states(row({ usual: [0, 2], min: 0.5 }), 1).map((one) => one.value), [0.5, 1, 1.5, 2]);
+  assert.deepEqual(
+    strip_states(row({ usual: [0, 2], min: 0.5 }), 1).map((one) => one.value),
+    [0.5, 1, 1.5, 2],
+  );
   assert.equal(strip_states(row({ usual: [0, 2] }), 'age/2').length, 5);
-  assert.deepEqual(strip_states(row({ kind: 'choice', choices: ['a', 'b_c'] }), 'a').map((one) => one.text), ['a', 'b c']);
+  assert.deepEqual(
+    strip_states(row({ kind: 'choice', choices: ['a', 'b_c'] }), 'a').map((one) => one.text),
+    ['a', 'b c'],
+  );
   assert.equal(strip_states(row({ kind: 'boolean' }), undefined).length, 2);
 });
 
 test('chance: values lie within their ranges', () => {
   const variable = { name: 'age', value: 3, min: 2, max: 10, unit: '', doc: '', expression: null, private: false };
   for (const chance of [0, 0.37, 1]) {
-    const { age } = values_by_chance([variable], () => 1, () => chance);
+    const { age } = values_by_chance(
+      [variable],
+      () => 1,
+      () => chance,
+    );
     assert.ok(age !== undefined && age >= 2 && age <= 10 && Number.isInteger(age));
   }
 });
@@ -141,14 +198,28 @@ test('chance: values lie within their ranges', () => {
 test('pins: two at most, each with a name of its own', () => {
   const pins = new PinList();
   for (const text of ['1', '2', '3']) pins.add({ text, path: null, model: 'oak' });
-  assert.deepEqual(pins.shown.get().map((one) => one.name), ['A', 'B']);
+  assert.deepEqual(
+    pins.shown.get().map((one) => one.name),
+    ['A', 'B'],
+  );
   pins.remove(pins.shown.get()[0]?.id ?? 0);
   pins.add({ text: '4', path: null, model: null });
-  assert.deepEqual(pins.shown.get().map((one) => [one.name, one.text]), [['A', '4'], ['B', '2']]);
+  assert.deepEqual(
+    pins.shown.get().map((one) => [one.name, one.text]),
+    [
+      ['A', '4'],
+      ['B', '2'],
+    ],
+  );
 });
 
 test('exclusive rows: those that never stand beside a row are known by both names', () => {
-  const table = { doc: '', rows: [], one_of: [['above', 'above_lateral', 'outside']], never_with: [['at', 'from'] as [string, string]] };
+  const table = {
+    doc: '',
+    rows: [],
+    one_of: [['above', 'above_lateral', 'outside']],
+    never_with: [['at', 'from'] as [string, string]],
+  };
   assert.deepEqual(excluded_by(table, 'above_lateral', { above: 3, at: 1 }), ['above']);
   assert.deepEqual(excluded_by(table, 'from', { at: 1 }), ['at']);
   assert.deepEqual(excluded_by(table, 'at', { from: 1, above: 2 }), ['from']);

@@ -2,11 +2,10 @@
 // Values of strips and sweeps, lists that are put in order, cameras that are written.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-
+import { moved, with_behind, without } from '../src/base/lists.ts';
 import { component_order_edits } from '../src/board/board_edits.ts';
 import { graph_of } from '../src/board/plant_graph.ts';
 import { camera_edits, camera_of_document, state_between } from '../src/camera/camera_document.ts';
-import { moved, with_behind, without } from '../src/base/lists.ts';
 import { strip_states, variable_states } from '../src/find/strip_states.ts';
 import { groups_of, shown_measure } from '../src/measures/measure_groups.ts';
 import { values_of } from '../src/measures/sweep_part.tsx';
@@ -14,11 +13,20 @@ import type { Row } from '../src/tables/tables.ts';
 import { kFieldOfView, Orbit } from '../src/view/orbit.ts';
 
 const kRow: Row = { name: 'curl', kind: 'number', doc: '', min: 0, max: 90, usual: [0, 40], varies: 'instance' };
-const kTypes = { camera: { doc: '', table: 'camera', is_camera: true }, tree: { doc: '', table: 'tree', makes_stems: true } };
+const kTypes = {
+  camera: { doc: '', table: 'camera', is_camera: true },
+  tree: { doc: '', table: 'tree', makes_stems: true },
+};
 
 test('of a range the middle moves and the width stays, within what the row allows', () => {
   const values = strip_states(kRow, [10, 16]).map((one) => one.value);
-  assert.deepEqual(values, [[0, 6], [7, 13], [17, 23], [27, 33], [37, 43]]);
+  assert.deepEqual(values, [
+    [0, 6],
+    [7, 13],
+    [17, 23],
+    [27, 33],
+    [37, 43],
+  ]);
   assert.deepEqual(strip_states(kRow, [16, 10])[2]?.value, [23, 17]);
   assert.deepEqual(strip_states(kRow, { range: [10, 16], apply: 'v*2' })[1]?.value, { range: [7, 13], apply: 'v*2' });
   assert.match(strip_states(kRow, [10, 16])[1]?.tip ?? '', /the width stays/);
@@ -26,7 +34,10 @@ test('of a range the middle moves and the width stays, within what the row allow
 
 test('an expression gives way to numbers, which the tooltip says', () => {
   const states = strip_states(kRow, 'bend/2');
-  assert.deepEqual(states.map((one) => one.value), [0, 10, 20, 30, 40]);
+  assert.deepEqual(
+    states.map((one) => one.value),
+    [0, 10, 20, 30, 40],
+  );
   assert.match(states[1]?.tip ?? '', /a number in place of the expression bend\/2/);
   assert.equal(strip_states(kRow, 12)[1]?.tip, undefined);
   assert.match(strip_states(kRow, ['a', 3])[0]?.tip ?? '', /the range with expressions/);
@@ -54,24 +65,42 @@ test('elements of a list are moved, put in and taken out', () => {
 
 test('the camera is written over what it said, or added above all that it links to', () => {
   const camera = { position: [1.23456, 2, 3], target: [0, 1, 0], field_of_view: 32 };
-  const said = { components: { view: { type: 'camera', azimuth: 30 }, stem: { type: 'tree' } }, links: [['view', 'stem']] };
+  const said = {
+    components: { view: { type: 'camera', azimuth: 30 }, stem: { type: 'tree' } },
+    links: [['view', 'stem']],
+  };
   assert.deepEqual(camera_edits(said, graph_of(said, kTypes), camera), [
     { unset: 'components.view.azimuth' },
     { set: 'components.view.position', value: [1.235, 2, 3] },
     { set: 'components.view.target', value: [0, 1, 0] },
     { set: 'components.view.field_of_view', value: 32 },
   ]);
-  assert.deepEqual(camera_of_document(said, graph_of(said, kTypes), 35), { azimuth: 30, altitude: 6, field_of_view: 35 });
+  assert.deepEqual(camera_of_document(said, graph_of(said, kTypes), 35), {
+    azimuth: 30,
+    altitude: 6,
+    field_of_view: 35,
+  });
   const without_one = { components: { a: { type: 'tree' }, b: { type: 'tree' } } };
   const edits = camera_edits(without_one, graph_of(without_one, kTypes), camera);
-  assert.deepEqual(edits.slice(1), [{ set: 'links', value: [] }, { insert: 'links[0]', value: ['camera', 'a'] }, { insert: 'links[1]', value: ['camera', 'b'] }]);
+  assert.deepEqual(edits.slice(1), [
+    { set: 'links', value: [] },
+    { insert: 'links[0]', value: ['camera', 'a'] },
+    { insert: 'links[1]', value: ['camera', 'b'] },
+  ]);
   const { azimuth, altitude, distance } = state_between([1, 1, 0], [0, 1, 0]);
   assert.deepEqual([azimuth, altitude, distance], [90, 0, 1]);
 });
 
 test('measures stand under headings and are read at a look', () => {
   const rows = ['trees', 'nodes', 'length', 'height', 'pipe_exponent'].map((name) => ({ name, unit: '', doc: '' }));
-  assert.deepEqual(groups_of(rows).map((one) => [one.title, one.rows.length]), [['Counts', 2], ['Size and crown', 2], ['Thickness at forks', 1]]);
+  assert.deepEqual(
+    groups_of(rows).map((one) => [one.title, one.rows.length]),
+    [
+      ['Counts', 2],
+      ['Size and crown', 2],
+      ['Thickness at forks', 1],
+    ],
+  );
   assert.equal(shown_measure(0.123456), '0.1235');
   assert.equal(shown_measure(12345.6), '12,346');
   assert.equal(shown_measure([1, 2.5]), '1, 2.5');
@@ -79,7 +108,13 @@ test('measures stand under headings and are read at a look', () => {
 });
 
 test('the view looks with the field of view of the document’s camera', () => {
-  const said = { components: { eye: { type: 'camera', position: [0, 1, 4], target: [0, 1, 0], field_of_view: 60 }, tree: { type: 'tree' } }, links: [['eye', 'tree']] };
+  const said = {
+    components: {
+      eye: { type: 'camera', position: [0, 1, 4], target: [0, 1, 0], field_of_view: 60 },
+      tree: { type: 'tree' },
+    },
+    links: [['eye', 'tree']],
+  };
   const found = camera_of_document(said, graph_of(said, kTypes), 35);
   assert.ok(found && 'state' in found);
   assert.equal(found.state.field_of_view, 60);

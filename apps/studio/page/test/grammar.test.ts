@@ -2,16 +2,16 @@
 // Grammars in documents: typed into their lines, faults found there, words by their modules.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-
-import { parse_json } from '../src/document/json.ts';
-import { node_at } from '../src/document/path.ts';
+import { grammars_of } from '../src/grammar/derivation.ts';
 import { nearest_place, place_of } from '../src/grammar/drawn_places.ts';
 import { offset_in_text, text_in, with_text } from '../src/grammar/grammar_source.ts';
-import { grammars_of } from '../src/grammar/derivation.ts';
 import { module_at, module_starts, short_module } from '../src/grammar/word_view.ts';
 import type { Tables } from '../src/tables/tables.ts';
+import { parse_json } from '../src/values/json.ts';
+import { node_at } from '../src/values/path.ts';
 
-const kDocument = '{"grammar": [\n    "#axiom", // where it begins\n    "A",\n    "#rules",\n    "A -> \\\\F"\n  ], "steps": 3}';
+const kDocument =
+  '{"grammar": [\n    "#axiom", // where it begins\n    "A",\n    "#rules",\n    "A -> \\\\F"\n  ], "steps": 3}';
 
 const node_in = (document: string): NonNullable<ReturnType<typeof node_at>> => {
   const node = node_at(parse_json(document), 'grammar');
@@ -44,7 +44,13 @@ test('grammars: whatever is typed is what is read', () => {
     seed = (seed * 1103515245 + 12345) % 2147483648;
     return seed % most;
   };
-  for (const first of [kDocument, '{"grammar": []}', '{"grammar": "A"}', '{"grammar": ["a\\nb", "c"]}', '{"grammar":["x"]}']) {
+  for (const first of [
+    kDocument,
+    '{"grammar": []}',
+    '{"grammar": "A"}',
+    '{"grammar": ["a\\nb", "c"]}',
+    '{"grammar":["x"]}',
+  ]) {
     let document = first;
     for (let k = 0; k < 400; k += 1) {
       const text = said(document) ?? '';
@@ -61,14 +67,26 @@ test('grammars: whatever is typed is what is read', () => {
 test('grammars: a place in the document is one in the text', () => {
   const node = node_in(kDocument);
   const text = text_in(node) ?? '';
-  for (const word of ['A -> ', '#rules']) assert.equal(offset_in_text(kDocument, node, kDocument.indexOf(word)), text.indexOf(word));
+  for (const word of ['A -> ', '#rules'])
+    assert.equal(offset_in_text(kDocument, node, kDocument.indexOf(word)), text.indexOf(word));
   assert.equal(offset_in_text(kDocument, node, kDocument.indexOf('F"')), text.indexOf('F'));
   assert.equal(offset_in_text(kDocument, node, 0), null);
 });
 
 test('grammars: components with lines are found, in documents and files', () => {
-  const tables = { components: { lsystem: { doc: '', table: 'an_lsystem' }, leaf: { doc: '', table: 'leaf' } }, tables: { an_lsystem: { doc: '', rows: [{ name: 'grammar', kind: 'lines', doc: '' }] }, leaf: { doc: '', rows: [] } } } as unknown as Tables;
-  const found = grammars_of({ components: { a: { type: 'lsystem', grammar: ['F'] }, b: { type: 'leaf' }, c: { type: 'lsystem', file: 'x.l' } } }, tables);
+  const tables = {
+    components: { lsystem: { doc: '', table: 'an_lsystem' }, leaf: { doc: '', table: 'leaf' } },
+    tables: {
+      an_lsystem: { doc: '', rows: [{ name: 'grammar', kind: 'lines', doc: '' }] },
+      leaf: { doc: '', rows: [] },
+    },
+  } as unknown as Tables;
+  const found = grammars_of(
+    {
+      components: { a: { type: 'lsystem', grammar: ['F'] }, b: { type: 'leaf' }, c: { type: 'lsystem', file: 'x.l' } },
+    },
+    tables,
+  );
   assert.deepEqual(found, [
     { component: 'a', path: 'components.a.grammar', is_file: false },
     { component: 'c', path: 'components.c.grammar', is_file: true },
@@ -78,7 +96,10 @@ test('grammars: components with lines are found, in documents and files', () => 
 test('words: modules are found by where they stand', () => {
   const { text, starts } = module_starts(['F', '[', '+(30)', 'F', ']']);
   assert.equal(text, 'F[+(30)F]');
-  assert.deepEqual([0, 1, 2, 6, 7, 8, 9, -1].map((at) => module_at(starts, at)), [0, 1, 2, 2, 3, 4, null, null]);
+  assert.deepEqual(
+    [0, 1, 2, 6, 7, 8, 9, -1].map((at) => module_at(starts, at)),
+    [0, 1, 2, 2, 3, 4, null, null],
+  );
   assert.equal(module_starts(['Leaf', 'F']).text, 'Leaf F');
   assert.equal(module_at(module_starts([]).starts, 0), null);
 });
@@ -95,7 +116,10 @@ test('words: the module that is drawn nearest to the pointer', () => {
   assert.equal(nearest_place(places, flat, [1, 5]), 2);
   assert.equal(nearest_place(places, flat, [6, 11]), 5);
   assert.equal(nearest_place(places, flat, [50, 50]), null);
-  assert.equal(nearest_place(places, () => null, [1, 5]), null);
+  assert.equal(
+    nearest_place(places, () => null, [1, 5]),
+    null,
+  );
   assert.deepEqual(place_of(places, 5), { from: [0, 10, 0], to: [8, 10, 0] });
   assert.equal(place_of(places, 3), null);
 });

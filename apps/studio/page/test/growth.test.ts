@@ -17,7 +17,8 @@ function packed(...numbers: (Float32Array | Uint8Array)[]): { arrays: PacketArra
   }
   const first = 12;
   const buffer = new ArrayBuffer(first + size);
-  numbers.forEach((one, k) => new Uint8Array(buffer).set(new Uint8Array(one.buffer), first + (places[k]?.[0] ?? 0)));
+  for (const [k, one] of numbers.entries())
+    new Uint8Array(buffer).set(new Uint8Array(one.buffer), first + (places[k]?.[0] ?? 0));
   return { arrays: { buffer, first }, places };
 }
 
@@ -51,7 +52,10 @@ test('places come from the arrays as they were', () => {
 test('arrows have an end each and the colour of their beginning', () => {
   const { arrays, places } = packed(new Float32Array([0, 0, 0, 0, 1, 0]), new Uint8Array([1, 2, 3, 255, 4, 5, 6, 255]));
   const arrow = { positions: places[0] ?? kNone, colours: places[1] ?? kNone };
-  const layer = view_layer({ part: 'ways', points: nothing, lines: nothing, arrows: arrow, labels: [], legend: [] }, arrays);
+  const layer = view_layer(
+    { part: 'ways', points: nothing, lines: nothing, arrows: arrow, labels: [], legend: [] },
+    arrays,
+  );
   assert.deepEqual(layer.arrows, [{ from: [0, 0, 0], to: [0, 1, 0], colour: [1, 2, 3] }]);
   assert.equal(layer.points?.positions.length, 0);
 });
@@ -59,7 +63,10 @@ test('arrows have an end each and the colour of their beginning', () => {
 test('an arrow is a shaft and four strokes that end at its tip', () => {
   const lines = arrow_lines([0, 0, 0], [2, 0, 0]);
   assert.equal(lines.length, 5);
-  assert.deepEqual(lines[0], [[0, 0, 0], [2, 0, 0]]);
+  assert.deepEqual(lines[0], [
+    [0, 0, 0],
+    [2, 0, 0],
+  ]);
   for (const [begin, end] of lines.slice(1)) {
     assert.deepEqual(begin, [2, 0, 0]);
     assert.ok(end[0] < 2 && end[0] > 1.5);

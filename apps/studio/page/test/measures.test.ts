@@ -5,8 +5,8 @@ import { test } from 'node:test';
 
 import { Store } from '../src/base/store.ts';
 import { MeasureModel } from '../src/measures/measure_model.ts';
+import type { Page } from '../src/page/page.ts';
 import { Refusal } from '../src/server/protocol.ts';
-import type { Studio } from '../src/studio.ts';
 
 interface Asked {
   what: string;
@@ -14,20 +14,33 @@ interface Asked {
   refuse: (fault: Error) => void;
 }
 
-/// Returns a model with a studio that answers only when the test tells it to.
+/// Returns a model with a page that answers only when the test tells it to.
 function asking(): { model: MeasureModel; asked: Asked[]; grow: (hash: string) => void; wait: () => void } {
   let due: (() => void) | null = null;
-  Object.assign(globalThis, { window: { setTimeout: (act: () => void) => ((due = act), 1) } });
+  const setTimeout = (act: () => void): number => {
+    due = act;
+    return 1;
+  };
+  Object.assign(globalThis, { window: { setTimeout } });
   const asked: Asked[] = [];
-  const request = (what: string, members: Record<string, unknown> = {}): Promise<never> => new Promise((_, refuse) => asked.push({ what, members, refuse }));
-  const begin = (what: string, members: Record<string, unknown>): object => ({ answer: request(what, members), cancel: () => void request('cancel', { of: what }).catch(() => undefined) });
+  const request = (what: string, members: Record<string, unknown> = {}): Promise<never> =>
+    new Promise((_, refuse) => asked.push({ what, members, refuse }));
+  const begin = (what: string, members: Record<string, unknown>): object => ({
+    answer: request(what, members),
+    cancel: () => void request('cancel', { of: what }).catch(() => undefined),
+  });
   const growth = new Store<object>({ grown: null });
   const wait = (): void => {
     due?.();
     due = null;
   };
-  const studio = { growth, connection: { request, begin }, bench: { time: { time: 0 } } } as unknown as Studio;
-  return { model: new MeasureModel(studio), asked, grow: (hash) => growth.set({ grown: { hash, dragged: false } }), wait };
+  const page = { growth, connection: { request, begin }, tool: () => ({ time: 0 }) } as unknown as Page;
+  return {
+    model: new MeasureModel(page),
+    asked,
+    grow: (hash) => growth.set({ grown: { hash, dragged: false } }),
+    wait,
+  };
 }
 
 const cancelled = (): Refusal => new Refusal('cancelled', { cancelled: true });

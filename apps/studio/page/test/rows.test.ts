@@ -12,8 +12,10 @@ import { completions } from '../src/text/completion.ts';
 
 test('selections: numbers, ranges and conditions, typed as people write them', () => {
   assert.equal(entry_of(' 7 '), 7);
-  for (const range of ['3 to 5', '3-5', '3–5', '3..5', '3 ... 5', '5 to 3']) assert.deepEqual(entry_of(range), [3, 5], range);
-  for (const condition of ['i % 10 == 9', 'u > 0.5', '7 == i', 'i - 3 < 5']) assert.equal(entry_of(condition), condition);
+  for (const range of ['3 to 5', '3-5', '3–5', '3..5', '3 ... 5', '5 to 3'])
+    assert.deepEqual(entry_of(range), [3, 5], range);
+  for (const condition of ['i % 10 == 9', 'u > 0.5', '7 == i', 'i - 3 < 5'])
+    assert.equal(entry_of(condition), condition);
   assert.equal(entry_of('  '), null);
 });
 
@@ -24,9 +26,27 @@ test('selections: what is shown is read back as what it is', () => {
 test('positions: the next goes on as the last ones do', () => {
   assert.deepEqual(next_position([]), [0, 1, 0]);
   assert.deepEqual(next_position([[0, 0, 0]]), [1, 0, 0]);
-  assert.deepEqual(next_position([[0, 0, 0], [3, 0.1, -1]]), [6, 0.2, -2]);
-  assert.deepEqual(next_position([[1, 0, 0], [1, 0, 0]]), [2, 0, 0]);
-  assert.deepEqual(next_position([[0, 0, 0], ['size', 0, 0]]), [0, 1, 0]);
+  assert.deepEqual(
+    next_position([
+      [0, 0, 0],
+      [3, 0.1, -1],
+    ]),
+    [6, 0.2, -2],
+  );
+  assert.deepEqual(
+    next_position([
+      [1, 0, 0],
+      [1, 0, 0],
+    ]),
+    [2, 0, 0],
+  );
+  assert.deepEqual(
+    next_position([
+      [0, 0, 0],
+      ['size', 0, 0],
+    ]),
+    [0, 1, 0],
+  );
 });
 
 test('drags: while one is answered, only the newest of those that came is sent', async () => {
@@ -50,17 +70,44 @@ test('drags: while one is answered, only the newest of those that came is sent',
 });
 
 test('names at the top of documents: each is offered, and what is one part is chosen as one', () => {
-  const row = (name: string, table?: string): object => ({ name, kind: table ? 'object' : 'text', doc: '', ...(table ? { table } : {}) });
+  const row = (name: string, table?: string): object => ({
+    name,
+    kind: table ? 'object' : 'text',
+    doc: '',
+    ...(table ? { table } : {}),
+  });
   const tables = {
     document: 'document',
     animation: 'animation',
     limits: 'limits',
     components: {},
-    tables: { document: { rows: [row('seed'), row('scene', 'scene'), row('output', 'output')] }, scene: { rows: [] }, animation: { rows: [row('length')] }, limits: { rows: [] } },
+    tables: {
+      document: { rows: [row('seed'), row('scene', 'scene'), row('output', 'output')] },
+      scene: { rows: [] },
+      animation: { rows: [row('length')] },
+      limits: { rows: [] },
+    },
   } as unknown as Tables;
   const offered = completions(tables, null, '{"limits": {}, "', 16).options.map((one) => one.label);
   assert.deepEqual(offered, ['"seed"', '"scene"', '"output"', '"variables"', '"components"', '"links"', '"animation"']);
-  const chosen = ['seed', 'scene.sun', 'output', 'animation.keys', 'limits', 'links[2].kind', 'links', 'components.leaf.length', 'components["a.b"]', 'variables.size'];
-  assert.deepEqual(chosen.map((path) => chosen_with(tables, path)), [null, 'scene', 'output', 'animation', 'limits', 'links[2]', null, 'components.leaf', 'components["a.b"]', null]);
-  assert.deepEqual(groups_at(tables, null, 'animation').map((one) => one.title), ['Animation']);
+  const chosen = [
+    'seed',
+    'scene.sun',
+    'output',
+    'animation.keys',
+    'limits',
+    'links[2].kind',
+    'links',
+    'components.leaf.length',
+    'components["a.b"]',
+    'variables.size',
+  ];
+  assert.deepEqual(
+    chosen.map((path) => chosen_with(tables, path)),
+    [null, 'scene', 'output', 'animation', 'limits', 'links[2]', null, 'components.leaf', 'components["a.b"]', null],
+  );
+  assert.deepEqual(
+    groups_at(tables, null, 'animation').map((one) => one.title),
+    ['Animation'],
+  );
 });

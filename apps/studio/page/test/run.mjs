@@ -8,4 +8,13 @@ import process from 'node:process';
 const folder = path.resolve(process.argv[2] ?? 'units');
 const run = (...words) => spawnSync(process.execPath, words, { stdio: 'inherit' }).status ?? 1;
 const built = run('build.mjs', '--tests', folder);
-process.exit(built !== 0 ? built : run('--test', ...readdirSync(folder).filter((one) => one.endsWith('.mjs')).map((one) => path.join(folder, one))));
+process.exit(
+  built !== 0
+    ? built
+    : run(
+        '--test',
+        ...readdirSync(folder)
+          .filter((one) => one.endsWith('.mjs'))
+          .map((one) => path.join(folder, one)),
+      ),
+);

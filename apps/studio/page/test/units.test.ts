@@ -3,18 +3,18 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-
-import { calculate, fitting_step, rounded } from '../src/document/arithmetic.ts';
 import { text_hash } from '../src/document/hash.ts';
-import { JsonFault, keep_values, parse_json, write_json } from '../src/document/json.ts';
 import { line_difference } from '../src/document/line_difference.ts';
-import { apply_patch, inverse_patch, patch_between, rebased } from '../src/document/patch.ts';
-import { node_at, path_at, path_below, steps_of, value_at } from '../src/document/path.ts';
-import { kNothingDone, step_back, step_forward, with_step } from '../src/document/undo_list.ts';
+import { kNothingDone, step_back, step_forward, with_step, with_typing } from '../src/document/undo_list.ts';
+import { Tools } from '../src/page/tools.ts';
 import { in_form } from '../src/rows/number_form.ts';
-import { read_packet, floats } from '../src/server/packet.ts';
+import { floats, read_packet } from '../src/server/packet.ts';
 import { cursor_position } from '../src/text/cursor_path.ts';
 import { with_line_ends } from '../src/text/line_ends.ts';
+import { calculate, fitting_step, rounded } from '../src/values/arithmetic.ts';
+import { JsonFault, keep_values, parse_json, write_json } from '../src/values/json.ts';
+import { apply_patch, inverse_patch, patch_between, rebased } from '../src/values/patch.ts';
+import { node_at, path_at, path_below, steps_of, value_at } from '../src/values/path.ts';
 import { scale_bar } from '../src/view/scale_bar.ts';
 
 const kText = '\ufeff// head\r\n{\r\n\t"a": {"b": [1, /* two */ 2.5e1, "x\\n"]},\r\n\t"l": [["p", "q"]]\r\n}\r\n';
@@ -28,7 +28,10 @@ test('json: reads comments, a byte order mark and CRLF, with the place of everyt
 });
 
 test('json: says where it is broken, and reads no names of prototypes', () => {
-  assert.throws(() => parse_json('{"a": 1 "b": 2}'), (fault) => fault instanceof JsonFault && fault.offset === 8);
+  assert.throws(
+    () => parse_json('{"a": 1 "b": 2}'),
+    (fault) => fault instanceof JsonFault && fault.offset === 8,
+  );
   assert.throws(() => parse_json('['.repeat(1000)), JsonFault);
   assert.equal(value_at(parse_json('{}'), 'constructor'), undefined);
   assert.deepEqual(Object.keys(parse_json('{"__proto__": 1}').value as object), ['__proto__']);
@@ -58,7 +61,13 @@ test('path: steps and back', () => {
 });
 
 test('patch: the inverse gives the first text back, pairs of surrogates stay whole', () => {
-  for (const [before, after] of [['abc', 'axc'], ['', 'x'], ['aa', 'aaa'], ['x🌳y', 'x🌴y'], [kText, kText.replace('25', '7')]] as const) {
+  for (const [before, after] of [
+    ['abc', 'axc'],
+    ['', 'x'],
+    ['aa', 'aaa'],
+    ['x🌳y', 'x🌴y'],
+    [kText, kText.replace('25', '7')],
+  ] as const) {
     const patch = patch_between(before, after);
     assert.equal(apply_patch(before, patch), after);
     assert.equal(apply_patch(after, inverse_patch(before, patch)), before);
@@ -70,7 +79,9 @@ test('patch: the inverse gives the first text back, pairs of surrogates stay who
 
 test('patch: what was typed beside an edit keeps its place', () => {
   const edit = [{ offset: 2, length: 1, replacement: 'long' }];
-  assert.deepEqual(rebased(edit, [{ offset: 5, length: 0, replacement: '!' }]), [{ offset: 8, length: 0, replacement: '!' }]);
+  assert.deepEqual(rebased(edit, [{ offset: 5, length: 0, replacement: '!' }]), [
+    { offset: 8, length: 0, replacement: '!' },
+  ]);
   assert.equal(rebased(edit, [{ offset: 2, length: 1, replacement: 'x' }]), null);
 });
 
@@ -91,8 +102,43 @@ test('undo: goes back and forward, and a new step forgets what was undone', () =
   assert.equal(step_back(kNothingDone), null);
 });
 
+test('undo: typing that goes on is one step, and joins no other step', () => {
+  const typed = (text: string, next: string) => {
+    const patch = patch_between(text, next);
+    return { label: 'Type', patch, inverse: inverse_patch(text, patch), chosen: '' };
+  };
+  const edited = with_step(kNothingDone, { ...typed('', 'a'), label: 'Set' });
+  const once = with_typing(edited, typed('a', 'ab'), 'a');
+  const twice = with_typing(once, typed('ab', 'abc'), 'ab');
+  assert.deepEqual(
+    twice.done.map((one) => one.label),
+    ['Set', 'Type'],
+  );
+  assert.equal(apply_patch('abc', twice.done[1]?.inverse ?? []), 'a');
+});
+
+test('tools: found by their class, and a missing one is named', () => {
+  class Ruler {
+    readonly length = 1;
+  }
+  class Compass {}
+  const tools = new Tools();
+  const ruler = tools.add(new Ruler());
+  assert.equal(tools.find(Ruler), ruler);
+  assert.throws(() => tools.find(Compass), /the page has no Compass/);
+});
+
 test('arithmetic: numbers, not expressions of the document', () => {
-  for (const [text, value] of [['1/4', 0.25], ['2*(4+0.5)', 9], ['-2^2', -4], ['.5', 0.5], ['1e-3', 0.001], ['0.1+0.2', 0.3], ['2^3^2', 512], ['1,5', 1.5]] as const) {
+  for (const [text, value] of [
+    ['1/4', 0.25],
+    ['2*(4+0.5)', 9],
+    ['-2^2', -4],
+    ['.5', 0.5],
+    ['1e-3', 0.001],
+    ['0.1+0.2', 0.3],
+    ['2^3^2', 512],
+    ['1,5', 1.5],
+  ] as const) {
     assert.equal(calculate(text), value, text);
   }
   for (const text of ['age', '', '2*', '(1', '1/0', 'rand()', '2 3']) assert.equal(calculate(text), null, text);
@@ -130,7 +176,10 @@ test('line ends: typed lines end as those of the document', () => {
 
 test('difference: only what differs, with a line around', () => {
   const lines = line_difference('a\nb\nc\nd', 'a\nb\nx\nd');
-  assert.deepEqual(lines.map((one) => one.sign + one.text), [' b', '-c', '+x', ' d']);
+  assert.deepEqual(
+    lines.map((one) => one.sign + one.text),
+    [' b', '-c', '+x', ' d'],
+  );
   assert.deepEqual(line_difference('a', 'a'), []);
 });
 
@@ -159,7 +208,11 @@ test('no source writes texts as markup, and every file begins with its licence',
   for (const entry of readdirSync('src', { recursive: true, encoding: 'utf8' })) {
     if (!/\.(tsx?|css)$/.test(entry)) continue;
     const text = readFileSync(`src/${entry}`, 'utf8');
-    assert.doesNotMatch(text, /innerHTML|outerHTML|dangerouslySet|insertAdjacentHTML|document\.write|\beval\(|new Function/, entry);
+    assert.doesNotMatch(
+      text,
+      /innerHTML|outerHTML|dangerouslySet|insertAdjacentHTML|document\.write|\beval\(|new Function/,
+      entry,
+    );
     assert.match(text, /SPDX-License-Identifier: Apache-2\.0/, entry);
     assert.ok(text.split('\n').length <= 252, `${entry} is too long`);
   }

@@ -36,7 +36,11 @@ export function use_store<T>(store: Store<T>): T {
 
 /// Returns the part of a store's value that `select` picks. The panel is rendered again only if that part has changed,
 /// as `same` decides, so rows that an edit does not touch cost nothing.
-export function use_part<T, Part>(store: Store<T>, select: (value: T) => Part, same: (one: Part, other: Part) => boolean = Object.is): Part {
+export function use_part<T, Part>(
+  store: Store<T>,
+  select: (value: T) => Part,
+  same: (one: Part, other: Part) => boolean = Object.is,
+): Part {
   const last = useRef<{ part: Part } | null>(null);
   return useSyncExternalStore(store.subscribe, () => {
     const part = select(store.get());

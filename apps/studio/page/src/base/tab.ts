@@ -10,7 +10,9 @@ const kPatience = 400; // ms that the page before a reload may take to close
 export async function claim_tab(): Promise<string> {
   const before = stored_name();
   if (before !== null && (await hold(before))) return before;
-  const name = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  const name = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join(
+    '',
+  );
   store_name(name);
   await hold(name);
   return name;
@@ -18,7 +20,9 @@ export async function claim_tab(): Promise<string> {
 
 /// Returns the names of all open tabs, including this one.
 export async function living_tabs(): Promise<ReadonlySet<string>> {
-  const held = await locks()?.query().catch(() => null);
+  const held = await locks()
+    ?.query()
+    .catch(() => null);
   const names = held?.held?.map((lock) => lock.name ?? '') ?? [];
   return new Set(names.filter((name) => name.startsWith(kLock)).map((name) => name.slice(kLock.length)));
 }

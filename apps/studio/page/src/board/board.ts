@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the board, and the actions on it.
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
+import type { Json } from '../values/json.ts';
 import { BoardActions } from './board_actions.ts';
 import type { BoardState } from './board_state.ts';
 import { kEmptyBoard } from './board_state.ts';
@@ -19,10 +19,10 @@ export class Board {
   /// Values with which new components begin, by type. Only for types that would otherwise have faults.
   starters: Record<string, Json> = {};
 
-  constructor(private readonly studio_: Studio) {
-    this.actions = new BoardActions(studio_);
-    this.parts = new PartActions(studio_, this.actions);
-    this.gardens = new Gardens(studio_);
+  constructor(private readonly page_: Page) {
+    this.actions = new BoardActions(page_, this.state, () => this.starters);
+    this.parts = new PartActions(page_, this.actions);
+    this.gardens = new Gardens(page_);
   }
 
   /// Resets the board for another document.
@@ -37,7 +37,7 @@ export class Board {
 
   /// Returns the ids of drawn components that the view must hide.
   hidden_components(drawn: string[]): ReadonlySet<string> {
-    const { hidden, solo } = this.studio_.view_state.get();
+    const { hidden, solo } = this.page_.view_state.get();
     if (solo === null) return hidden;
     const shown = this.solo_components();
     return new Set([...hidden, ...drawn.filter((one) => !shown.has(one))]);
@@ -45,7 +45,7 @@ export class Board {
 
   /// Returns the component that is drawn alone and its descendants. Returns nothing if all are drawn.
   solo_components(): ReadonlySet<string> {
-    const { solo } = this.studio_.view_state.get();
+    const { solo } = this.page_.view_state.get();
     return solo === null ? new Set() : standing_on(this.actions.graph, solo);
   }
 }

@@ -5,7 +5,8 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
 import { BoardEdgeView, DraggedLine } from './board_edge.tsx';
 import { component_of, link_of } from './board_edits.ts';
 import type { BoardGesture } from './board_gesture.ts';
@@ -26,15 +27,15 @@ interface Sight {
 const kScales = { low: 0.25, high: 1.5, first: 0.62 };
 
 export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: BoardLayout }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const frame = useRef<HTMLDivElement>(null);
-  const board = use_store(studio.board.state);
-  const chosen = use_store(studio.chosen);
+  const board = use_store(page.tool(Board).state);
+  const chosen = use_store(page.chosen);
   const [area, set_area] = useState<[number, number]>([440, 320]);
   const [sight, set_sight] = useState<Sight>({ x: 0, y: 0, scale: 1 });
   const direction = board.direction ?? fitting_direction(layout, ...area);
   const size = size_of(layout, direction);
-  const { name } = studio.document.state.get();
+  const { name } = page.document.state.get();
 
   useLayoutEffect(() => {
     const element = frame.current;
@@ -48,10 +49,11 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
     // A document is fitted once, and again if the panel or the direction changes.
   }, [name, direction, area[0], area[1]]);
   useEffect(() => {
-    if (studio.board.fits.get() > 0) set_sight(fitted(size, area));
-  }, [use_store(studio.board.fits)]);
+    if (page.tool(Board).fits.get() > 0) set_sight(fitted(size, area));
+  }, [use_store(page.tool(Board).fits)]);
   // A node that is chosen elsewhere is scrolled into view.
-  const chosen_id = component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
+  const chosen_id =
+    component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
   useEffect(() => {
     const node = layout.nodes.find((one) => one.key === chosen_id);
     if (node) set_sight((now) => seen(now, place_of(node, direction), area));
@@ -67,26 +69,52 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
       return;
     }
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
-    set_sight((now) => zoomed(now, Math.exp(-Math.sign(event.deltaY) * Math.min(0.25, Math.abs(event.deltaY) / 500)), x, y));
+    set_sight((now) =>
+      zoomed(now, Math.exp(-Math.sign(event.deltaY) * Math.min(0.25, Math.abs(event.deltaY) / 500)), x, y),
+    );
   };
   useEffect(() => {
     const element = frame.current;
     element?.addEventListener('wheel', wheel, { passive: false });
     return () => element?.removeEventListener('wheel', wheel);
   });
-  const key = (event: KeyboardEvent): void => press_key(event, studio, layout, direction, (by) => set_sight((now) => zoomed(now, by, area[0] / 2, area[1] / 2)));
+  const key = (event: KeyboardEvent): void =>
+    press_key(event, page, layout, direction, (by) => set_sight((now) => zoomed(now, by, area[0] / 2, area[1] / 2)));
   const pan = use_pan(set_sight);
   return (
-    <div ref={frame} className={`board-canvas${board.connecting === null ? '' : ' connecting'}`} data-direction={direction} onKeyDown={key} {...pan(gesture)}>
-      <div className="board-sheet" style={{ width: size[0], height: size[1], transform: `translate(${sight.x}px, ${sight.y}px) scale(${sight.scale})` }}>
+    <div
+      ref={frame}
+      className={`board-canvas${board.connecting === null ? '' : ' connecting'}`}
+      data-direction={direction}
+      onKeyDown={key}
+      {...pan(gesture)}
+    >
+      <div
+        className="board-sheet"
+        style={{
+          width: size[0],
+          height: size[1],
+          transform: `translate(${sight.x}px, ${sight.y}px) scale(${sight.scale})`,
+        }}
+      >
         <Lines layout={layout} direction={direction} size={size} chosen={chosen} gesture={gesture} />
         <div role="tree" aria-label="Components" className="board-nodes">
           {layout.nodes.map((node) => (
-            <BoardNodeView key={node.key} node={node} graph={graph} layout={layout} place={place_of(node, direction)} gesture={gesture} is_first={node === layout.nodes[0]} />
+            <BoardNodeView
+              key={node.key}
+              node={node}
+              graph={graph}
+              layout={layout}
+              place={place_of(node, direction)}
+              gesture={gesture}
+              is_first={node === layout.nodes[0]}
+            />
           ))}
         </div>
       </div>
-      {graph.components.size === 0 && <p className="empty board-empty">Nothing is here yet. Add the first component with A.</p>}
+      {graph.components.size === 0 && (
+        <p className="empty board-empty">Nothing is here yet. Add the first component with A.</p>
+      )}
     </div>
   );
 }
@@ -100,8 +128,8 @@ interface LinesProps {
 }
 
 function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactElement {
-  const studio = use_studio();
-  const { refused } = use_store(studio.board.state);
+  const page = use_page();
+  const { refused } = use_store(page.tool(Board).state);
   const places = new Map(layout.nodes.map((node) => [node.key, place_of(node, direction)]));
   const chosen_link = link_of(chosen);
   const ends = refused ? [places.get(refused.from), places.get(refused.to)] : [];
@@ -111,9 +139,13 @@ function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactE
         const [from, to] = [places.get(edge.from), places.get(edge.to)];
         if (!from || !to) return null;
         const is_chosen = edge.link.index !== null && edge.link.index === chosen_link;
-        return <BoardEdgeView key={edge.key} edge={edge} from={from} to={to} direction={direction} is_chosen={is_chosen} />;
+        return (
+          <BoardEdgeView key={edge.key} edge={edge} from={from} to={to} direction={direction} is_chosen={is_chosen} />
+        );
       })}
-      {ends[0] && ends[1] && <path className="board-line refused" d={`M${ends[0].x} ${ends[0].y}L${ends[1].x} ${ends[1].y}`} />}
+      {ends[0] && ends[1] && (
+        <path className="board-line refused" d={`M${ends[0].x} ${ends[0].y}L${ends[1].x} ${ends[1].y}`} />
+      )}
       <DraggedLine gesture={gesture} places={places} direction={direction} />
     </svg>
   );
@@ -121,7 +153,7 @@ function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactE
 
 /// Dragging beside all nodes moves the board. A click there chooses the document.
 function use_pan(set_sight: (change: (now: Sight) => Sight) => void) {
-  const studio = use_studio();
+  const page = use_page();
   const hand = useRef<{ x: number; y: number; moved: boolean } | null>(null);
   return (gesture: BoardGesture) => ({
     onPointerDown: (event: PointerEvent<HTMLDivElement>) => {
@@ -141,7 +173,7 @@ function use_pan(set_sight: (change: (now: Sight) => Sight) => void) {
       const held = hand.current;
       hand.current = null;
       if (!held) return gesture.drop(event);
-      if (!held.moved) studio.choose('');
+      if (!held.moved) page.choose('');
     },
     onPointerCancel: () => {
       hand.current = null;
@@ -165,8 +197,8 @@ function zoomed(now: Sight, by: number, x: number, y: number): Sight {
 function seen(now: Sight, place: { x: number; y: number }, [w, h]: [number, number]): Sight {
   const [x, y] = [now.x + place.x * now.scale, now.y + place.y * now.scale];
   const [dx, dy] = [(kNode.width / 2 + 8) * now.scale, (kNode.height / 2 + 8) * now.scale];
-  const shift = (at: number, margin: number, size: number): number => (at < margin ? margin - at : at > size - margin ? size - margin - at : 0);
+  const shift = (at: number, margin: number, size: number): number =>
+    at < margin ? margin - at : at > size - margin ? size - margin - at : 0;
   const [sx, sy] = [shift(x, dx, w), shift(y, dy, h)];
   return sx === 0 && sy === 0 ? now : { ...now, x: now.x + sx, y: now.y + sy };
 }
-

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Actions on the board as edits of the document. New parts are written where a reader would look for them: a component
 // after its siblings, a link after the other links of its parent.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+
 import type { Edit } from '../server/protocol.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 import type { GraphLink, LinkKind, PlantGraph } from './plant_graph.ts';
 import { ends_of, held_by, standing_on } from './plant_graph.ts';
 
@@ -54,7 +55,13 @@ export function place_of_link(document: Json | undefined, from: string): number 
 }
 
 /// Returns the edit that inserts a link at this index.
-export function link_edit(document: Json | undefined, from: string, to: string, kind: LinkKind, place = place_of_link(document, from)): Edit {
+export function link_edit(
+  document: Json | undefined,
+  from: string,
+  to: string,
+  kind: LinkKind,
+  place = place_of_link(document, from),
+): Edit {
   return { insert: link_path(place), value: written_link(from, to, kind) };
 }
 
@@ -69,10 +76,19 @@ export function place_behind(document: Json | undefined, graph: PlantGraph, id: 
 }
 
 /// Returns the edits that add a component. Its link is added if the document contains the parent.
-export function add_edits(document: Json | undefined, graph: PlantGraph, id: string, value: Json, below: string | null, kind: LinkKind): Edit[] {
+export function add_edits(
+  document: Json | undefined,
+  graph: PlantGraph,
+  id: string,
+  value: Json,
+  below: string | null,
+  kind: LinkKind,
+): Edit[] {
   const parent = below === null ? undefined : graph.components.get(below);
   const is_first = !is_object(member_of(document, 'components'));
-  const add: Edit = is_first ? { set: 'components', value: { [id]: value } } : { insert: component_path(id), value, index: place_behind(document, graph, below) };
+  const add: Edit = is_first
+    ? { set: 'components', value: { [id]: value } }
+    : { insert: component_path(id), value, index: place_behind(document, graph, below) };
   return parent?.is_written ? [add, link_edit(document, parent.id, id, kind)] : [add];
 }
 
@@ -91,14 +107,22 @@ export function remove_edits(graph: PlantGraph, ids: Iterable<string>, notes: Re
 }
 
 /// Returns the edits that remove one component. Its children move to its parents.
-export function remove_alone_edits(document: Json | undefined, graph: PlantGraph, id: string, notes: Record<string, string>): Edit[] {
+export function remove_alone_edits(
+  document: Json | undefined,
+  graph: PlantGraph,
+  id: string,
+  notes: Record<string, string>,
+): Edit[] {
   const held = held_by(graph, id);
-  const orphans = graph.links.filter((link) => link.from === id && link.to !== id && held.has(link.to) && link.index !== null);
+  const orphans = graph.links.filter(
+    (link) => link.from === id && link.to !== id && held.has(link.to) && link.index !== null,
+  );
   const parents = graph.links.filter((link) => link.to === id && link.from !== id && link.index !== null);
   // The last link is edited first, so that other indices stay valid.
   const edits: Edit[] = [];
   for (const parent of [...parents].reverse()) {
-    for (const orphan of [...orphans].reverse()) edits.push(link_edit(document, parent.from, orphan.to, orphan.kind, (parent.index ?? 0) + 1));
+    for (const orphan of [...orphans].reverse())
+      edits.push(link_edit(document, parent.from, orphan.to, orphan.kind, (parent.index ?? 0) + 1));
   }
   return [...edits, ...remove_edits(graph, [id], notes)];
 }
@@ -110,14 +134,19 @@ export function kind_edits(document: Json | undefined, link: GraphLink, kind: Li
   if (is_object(said) && kind !== 'child') {
     const foreign = Object.keys(said).filter((name) => !['from', 'to', 'kind'].includes(name) && said['kind'] !== kind);
     const path = link_path(link.index);
-    return [...foreign.map((name): Edit => ({ unset: path_below(path, name) })), { set: path_below(path, 'kind'), value: kind }];
+    return [
+      ...foreign.map((name): Edit => ({ unset: path_below(path, name) })),
+      { set: path_below(path, 'kind'), value: kind },
+    ];
   }
   return [{ set: link_path(link.index), value: written_link(link.from, link.to, kind) }];
 }
 
 /// Returns the links of one component in the order of the document.
 export function links_from(graph: PlantGraph, from: string): GraphLink[] {
-  return graph.links.filter((link) => link.from === from && link.index !== null).sort((a, b) => (a.index ?? 0) - (b.index ?? 0));
+  return graph.links
+    .filter((link) => link.from === from && link.index !== null)
+    .sort((a, b) => (a.index ?? 0) - (b.index ?? 0));
 }
 
 /// Moves a link to this place among the links of its parent.
@@ -130,7 +159,12 @@ export function order_edits(graph: PlantGraph, link: GraphLink, place: number): 
 }
 
 /// Moves a component to this place among some of the document's components. The order of all others stays.
-export function component_order_edits(document: Json | undefined, among: readonly string[], id: string, place: number): Edit[] {
+export function component_order_edits(
+  document: Json | undefined,
+  among: readonly string[],
+  id: string,
+  place: number,
+): Edit[] {
   const said = member_of(document, 'components');
   const ids = is_object(said) ? Object.keys(said) : [];
   const others = among.filter((one) => one !== id && ids.includes(one));
@@ -147,7 +181,12 @@ export function component_order_edits(document: Json | undefined, among: readonl
 export function hang_edits(document: Json | undefined, link: GraphLink, from: string): Edit[] {
   if (link.index === null) return [];
   const said = listed_links(document)[link.index];
-  return [{ set: Array.isArray(said) ? path_below(link_path(link.index), 0) : path_below(link_path(link.index), 'from'), value: from }];
+  return [
+    {
+      set: Array.isArray(said) ? path_below(link_path(link.index), 0) : path_below(link_path(link.index), 'from'),
+      value: from,
+    },
+  ];
 }
 
 /// Copies a link with another end. The copy follows the link.

@@ -4,11 +4,12 @@
 import type { PointerEvent, RefObject } from 'react';
 import { useEffect, useState } from 'react';
 
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
+import { links_from } from './board_edits.ts';
 import type { BoardLayout, BoardNode } from './board_layout.ts';
 import { edge_above, place_of, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';
-import { links_from } from './board_edits.ts';
 import type { GraphLink, PlantGraph } from './plant_graph.ts';
 import { refusal_of_link } from './plant_graph.ts';
 
@@ -34,8 +35,14 @@ export interface BoardGesture {
 
 const kStill = 5; // pixels within which a press is a click
 
-export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: Direction, sight: () => { x: number; y: number; scale: number }, frame: RefObject<HTMLDivElement | null>): BoardGesture {
-  const studio = use_studio();
+export function use_gesture(
+  graph: PlantGraph,
+  layout: BoardLayout,
+  direction: Direction,
+  sight: () => { x: number; y: number; scale: number },
+  frame: RefObject<HTMLDivElement | null>,
+): BoardGesture {
+  const page = use_page();
   const [held, set_held] = useState<Held | null>(null);
   const on_sheet = (event: PointerEvent): { x: number; y: number } => {
     const box = frame.current?.getBoundingClientRect();
@@ -48,7 +55,8 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
       .map((one) => one.closest<HTMLElement>('[data-node]')?.dataset['node'])
       .find((key) => key !== undefined) ?? null;
   const id_of = (key: string): string => layout.nodes.find((one) => one.key === key)?.id ?? key;
-  const refusal = (from: string, to: string): string | null => refusal_of_link(graph, id_of(from), id_of(to), (id) => studio.board.actions.recursion_of(id));
+  const refusal = (from: string, to: string): string | null =>
+    refusal_of_link(graph, id_of(from), id_of(to), (id) => page.tool(Board).actions.recursion_of(id));
 
   const hold = (event: PointerEvent, kind: Held['kind'], key: string): void => {
     if (event.button !== 0) return;
@@ -64,7 +72,13 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
     if (!held.moved) frame.current?.setPointerCapture(event.pointerId);
     const below = node_below(event);
     const over = below === held.key ? null : below;
-    set_held({ ...held, ...at, moved, over, refused: held.kind === 'link' && over !== null ? refusal(held.key, over) : null });
+    set_held({
+      ...held,
+      ...at,
+      moved,
+      over,
+      refused: held.kind === 'link' && over !== null ? refusal(held.key, over) : null,
+    });
   };
   const drop = (event: PointerEvent): void => {
     if (!held) return;
@@ -72,10 +86,17 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
     if (!held.moved) return;
     const below = node_below(event);
     if (held.kind === 'link') {
-      if (below !== null && below !== held.key) void studio.board.actions.connect(id_of(held.key), id_of(below), studio.board.actions.usual_kind(id_of(held.key), id_of(below)));
+      if (below !== null && below !== held.key)
+        void page
+          .tool(Board)
+          .actions.connect(
+            id_of(held.key),
+            id_of(below),
+            page.tool(Board).actions.usual_kind(id_of(held.key), id_of(below)),
+          );
       return;
     }
-    const { actions } = studio.board;
+    const { actions } = page.tool(Board);
     const link = edge_above(layout, held.key)?.link;
     if (below !== null && below !== held.key) {
       if (link?.index !== undefined && link.index !== null) {
@@ -93,21 +114,26 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
     };
     if (link?.index !== undefined && link.index !== null) {
       const others = links_from(graph, link.from).filter((one) => one.index !== link.index);
-      const node_of = (one: GraphLink): BoardNode | undefined => layout.nodes.find((node) => node.key === layout.edges.find((edge) => edge.link.index === one.index)?.to);
+      const node_of = (one: GraphLink): BoardNode | undefined =>
+        layout.nodes.find((node) => node.key === layout.edges.find((edge) => edge.link.index === one.index)?.to);
       void actions.put(link, others.filter((one) => is_passed(node_of(one))).length);
     } else if (stands_free(graph, layout, held.key)) {
       const siblings = siblings_of(layout, held.key);
-      void actions.put_component(id_of(held.key), siblings.map((one) => one.id), siblings.filter((one) => one.key !== held.key && is_passed(one)).length);
+      void actions.put_component(
+        id_of(held.key),
+        siblings.map((one) => one.id),
+        siblings.filter((one) => one.key !== held.key && is_passed(one)).length,
+      );
     }
   };
   const cancel = (): void => set_held(null);
   useEffect(() => {
     if (!held) return undefined;
-    const escape = (event: globalThis.KeyboardEvent): void => {
+    const cancel_on_escape = (event: globalThis.KeyboardEvent): void => {
       if (event.key === 'Escape') set_held(null);
     };
-    document.addEventListener('keydown', escape);
-    return () => document.removeEventListener('keydown', escape);
+    document.addEventListener('keydown', cancel_on_escape);
+    return () => document.removeEventListener('keydown', cancel_on_escape);
   }, [held]);
   return { held, hold, move, drop, cancel };
 }

@@ -2,30 +2,35 @@
 // The effects of keys while the board has the keyboard focus.
 import type { KeyboardEvent } from 'react';
 
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
+import { Board } from './board.ts';
 import type { BoardLayout } from './board_layout.ts';
 import { edge_above, neighbour, siblings_of, stands_free } from './board_places.ts';
 import type { Direction } from './board_state.ts';
 
-type Act = (studio: Studio, id: string, layout: BoardLayout) => void;
+type Act = (page: Page, id: string, layout: BoardLayout) => void;
 
 const kActs: Record<string, Act> = {
-  a: (studio) => studio.shell.merge({ dialog: 'palette' }),
-  l: (studio, id) => studio.board.state.merge({ connecting: id, refused: null }),
-  n: (studio, id) => studio.board.state.merge({ noting: id, renaming: null }),
-  F2: (studio, id) => studio.board.state.merge({ renaming: id, noting: null }),
-  Delete: (studio, id) => void studio.board.actions.remove(id),
-  Backspace: (studio, id) => void studio.board.actions.remove(id),
-  ' ': (studio, id) => studio.board.actions.fold(id),
-  h: (studio, id) => studio.board.actions.hide(id),
-  s: (studio, id) => studio.board.actions.solo(id),
+  a: (page) => page.shell.merge({ dialog: 'palette' }),
+  l: (page, id) => page.tool(Board).state.merge({ connecting: id, refused: null }),
+  n: (page, id) => page.tool(Board).state.merge({ noting: id, renaming: null }),
+  F2: (page, id) => page.tool(Board).state.merge({ renaming: id, noting: null }),
+  Delete: (page, id) => void page.tool(Board).actions.remove(id),
+  Backspace: (page, id) => void page.tool(Board).actions.remove(id),
+  ' ': (page, id) => page.tool(Board).actions.fold(id),
+  h: (page, id) => page.tool(Board).actions.hide(id),
+  s: (page, id) => page.tool(Board).actions.solo(id),
 };
 
 const kWithControl: Record<string, Act> = {
-  c: (studio, id) => void studio.board.parts.copy(id),
-  x: (studio, id) => void studio.board.parts.copy(id).then(() => studio.board.actions.remove(id)),
-  v: (studio, id) => void studio.board.parts.paste_clip(id),
-  d: (studio, id) => void studio.board.parts.duplicate(id),
+  c: (page, id) => void page.tool(Board).parts.copy(id),
+  x: (page, id) =>
+    void page
+      .tool(Board)
+      .parts.copy(id)
+      .then(() => page.tool(Board).actions.remove(id)),
+  v: (page, id) => void page.tool(Board).parts.paste_clip(id),
+  d: (page, id) => void page.tool(Board).parts.duplicate(id),
 };
 
 type Way = 'up' | 'down' | 'before' | 'behind';
@@ -34,21 +39,27 @@ const kWays: Record<Direction, Record<string, Way>> = {
   right: { ArrowLeft: 'up', ArrowRight: 'down', ArrowUp: 'before', ArrowDown: 'behind' },
 };
 
-export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLayout, direction: Direction, zoom: (by: number) => void): void {
+export function press_key(
+  event: KeyboardEvent,
+  page: Page,
+  layout: BoardLayout,
+  direction: Direction,
+  zoom: (by: number) => void,
+): void {
   const key = (event.target as Element).closest<HTMLElement>('[data-node]')?.dataset['node'];
   if (key === undefined) return;
   const node = layout.nodes.find((one) => one.key === key);
   const way = kWays[direction][event.key];
   const has_control = event.ctrlKey || event.metaKey;
   const act = has_control ? kWithControl[event.key] : kActs[event.key];
-  const { connecting } = studio.board.state.get();
-  if (event.key === 'Escape' && connecting !== null) studio.board.state.merge({ connecting: null });
+  const { connecting } = page.tool(Board).state.get();
+  if (event.key === 'Escape' && connecting !== null) page.tool(Board).state.merge({ connecting: null });
   else if (event.key === '+' || event.key === '=') zoom(1.2);
   else if (event.key === '-') zoom(1 / 1.2);
-  else if (way !== undefined && event.altKey) shift(studio, layout, key, way, event.shiftKey);
-  else if (way !== undefined) go(event, studio, layout, key, way, connecting !== null);
+  else if (way !== undefined && event.altKey) shift(page, layout, key, way, event.shiftKey);
+  else if (way !== undefined) go(event, page, layout, key, way, connecting !== null);
   else if (event.key === 'Enter' && node) (event.target as HTMLElement).click();
-  else if (act && node && !event.altKey) act(studio, node.id, layout);
+  else if (act && node && !event.altKey) act(page, node.id, layout);
   else return;
   event.preventDefault();
   event.stopPropagation();
@@ -56,22 +67,36 @@ export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLay
 
 /// Moves a component among its siblings: its link, or the component itself if it has no link. With `in_text`, moves the
 /// component among all components of the document.
-function shift(studio: Studio, layout: BoardLayout, key: string, way: Way, in_text: boolean): void {
-  const { actions } = studio.board;
+function shift(page: Page, layout: BoardLayout, key: string, way: Way, in_text: boolean): void {
+  const { actions } = page.tool(Board);
   const node = layout.nodes.find((one) => one.key === key);
   if (!node || way === 'up' || way === 'down') return;
   const by = way === 'before' ? -1 : 1;
   const edge = edge_above(layout, key);
   if (in_text) void actions.shift_component(node.id, by);
   else if (edge && edge.link.index !== null) void actions.shift(edge.link, by);
-  else if (stands_free(actions.graph, layout, key)) void actions.shift_component(node.id, by, siblings_of(layout, key).map((one) => one.id));
+  else if (stands_free(actions.graph, layout, key))
+    void actions.shift_component(
+      node.id,
+      by,
+      siblings_of(layout, key).map((one) => one.id),
+    );
 }
 
 /// Moves to a neighbouring node. While a link waits for its other end, only the focus moves; otherwise the choice moves
 /// too.
-function go(event: KeyboardEvent, studio: Studio, layout: BoardLayout, key: string, way: Way, only_keyboard: boolean): void {
+function go(
+  event: KeyboardEvent,
+  page: Page,
+  layout: BoardLayout,
+  key: string,
+  way: Way,
+  only_keyboard: boolean,
+): void {
   const next = neighbour(layout, key, way);
   if (!next) return;
-  event.currentTarget.querySelector<HTMLElement>(`[data-node="${CSS.escape(next.key)}"]`)?.focus({ preventScroll: true });
-  if (!only_keyboard && !next.is_end) studio.board.actions.choose(next.id);
+  event.currentTarget
+    .querySelector<HTMLElement>(`[data-node="${CSS.escape(next.key)}"]`)
+    ?.focus({ preventScroll: true });
+  if (!only_keyboard && !next.is_end) page.tool(Board).actions.choose(next.id);
 }

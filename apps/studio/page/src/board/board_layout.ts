@@ -107,7 +107,8 @@ function children_of(graph: PlantGraph, level: Map<string, number>): Map<string,
   const children = new Map<string, string[]>();
   const taken = new Set<string>(graph.roots);
   for (const link of graph.links) {
-    if (link.recursion !== null || taken.has(link.to) || (level.get(link.from) ?? 0) + 1 !== level.get(link.to)) continue;
+    if (link.recursion !== null || taken.has(link.to) || (level.get(link.from) ?? 0) + 1 !== level.get(link.to))
+      continue;
     taken.add(link.to);
     children.set(link.from, [...(children.get(link.from) ?? []), link.to]);
   }
@@ -161,7 +162,14 @@ function shape_of(tree: Tree): Shape {
   const so_far: Shape = { left: [], right: [] };
   for (const [k, shape] of shapes.entries()) {
     const gap = k > 0 && (shape.left.length > 1 || (shapes[k - 1]?.left.length ?? 0) > 1) ? kBetweenTrees : 0;
-    const start = k === 0 ? 0 : Math.max(...shape.left.map((left, depth) => (so_far.right[depth] ?? -Infinity) - left + 1 + gap).filter(Number.isFinite));
+    const start =
+      k === 0
+        ? 0
+        : Math.max(
+            ...shape.left
+              .map((left, depth) => (so_far.right[depth] ?? -Infinity) - left + 1 + gap)
+              .filter(Number.isFinite),
+          );
     starts.push(start);
     for (const [depth, right] of shape.right.entries()) {
       so_far.left[depth] ??= start + (shape.left[depth] ?? 0);
@@ -170,7 +178,10 @@ function shape_of(tree: Tree): Shape {
   }
   const middle = ((starts[0] ?? 0) + (starts.at(-1) ?? 0)) / 2;
   for (const [k, child] of tree.children.entries()) child.node.across = (starts[k] ?? 0) - middle;
-  return { left: [0, ...so_far.left.map((one) => one - middle)], right: [0, ...so_far.right.map((one) => one - middle)] };
+  return {
+    left: [0, ...so_far.left.map((one) => one - middle)],
+    right: [0, ...so_far.right.map((one) => one - middle)],
+  };
 }
 
 /// Converts positions relative to parents into positions on the board.

@@ -3,17 +3,18 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
+import { Board } from './board.ts';
 import { BoardCanvas } from './board_canvas.tsx';
-import { BoardTools } from './board_tools.tsx';
 import { NoteField, RenameField } from './board_fields.tsx';
+import { BoardTools } from './board_tools.tsx';
 import { use_graph, use_layout } from './use_board.ts';
 
 export function BoardPanel(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const graph = use_graph();
   const layout = use_layout(graph);
-  const { refused, renaming, noting, connecting } = use_store(studio.board.state);
+  const { refused, renaming, noting, connecting } = use_store(page.tool(Board).state);
   return (
     <section className="board" aria-label="Board">
       <Trail />
@@ -38,7 +39,7 @@ export function BoardPanel(): ReactElement {
 
 /// The documents through which the open one was entered.
 function Trail(): ReactElement | null {
-  const { gardens } = use_studio().board;
+  const { gardens } = use_page().tool(Board);
   const trail = use_store(gardens.trail);
   if (trail.length === 0) return null;
   return (

@@ -26,7 +26,9 @@ export function place_of(node: BoardNode, direction: Direction): Place {
 export function size_of(layout: BoardLayout, direction: Direction): [number, number] {
   const step = kSteps[direction];
   const [along, across] = [(layout.levels - 1) * step.level, layout.breadth * step.across];
-  return direction === 'down' ? [across + 2 * kMargin, along + kNode.height + 2 * kMargin] : [along + kNode.width + 2 * kMargin, across + 2 * kMargin];
+  return direction === 'down'
+    ? [across + 2 * kMargin, along + kNode.height + 2 * kMargin]
+    : [along + kNode.width + 2 * kMargin, across + 2 * kMargin];
 }
 
 /// Returns the direction in which the whole board is drawn larger.
@@ -44,11 +46,17 @@ export function curve_between(from: Place, to: Place, direction: Direction): str
   const [x1, y1] = down ? [from.x, from.y + kNode.height / 2] : [from.x + kNode.width / 2, from.y];
   const [x2, y2] = down ? [to.x, to.y - kNode.height / 2] : [to.x - kNode.width / 2, to.y];
   const half = down ? Math.max(16, (y2 - y1) / 2) : Math.max(16, (x2 - x1) / 2);
-  return down ? `M${x1} ${y1}C${x1} ${y1 + half} ${x2} ${y2 - half} ${x2} ${y2}` : `M${x1} ${y1}C${x1 + half} ${y1} ${x2 - half} ${y2} ${x2} ${y2}`;
+  return down
+    ? `M${x1} ${y1}C${x1} ${y1 + half} ${x2} ${y2 - half} ${x2} ${y2}`
+    : `M${x1} ${y1}C${x1 + half} ${y1} ${x2 - half} ${y2} ${x2} ${y2}`;
 }
 
 /// Returns the neighbour of a node in the direction of an arrow key.
-export function neighbour(layout: BoardLayout, key: string, way: 'up' | 'down' | 'before' | 'behind'): BoardNode | undefined {
+export function neighbour(
+  layout: BoardLayout,
+  key: string,
+  way: 'up' | 'down' | 'before' | 'behind',
+): BoardNode | undefined {
   const node = layout.nodes.find((one) => one.key === key);
   if (!node) return layout.nodes[0];
   if (way === 'up') return layout.nodes.find((one) => one.key === node.parent);
@@ -62,13 +70,18 @@ export function neighbour(layout: BoardLayout, key: string, way: 'up' | 'down' |
 }
 
 function nearest(nodes: BoardNode[], across: number): BoardNode | undefined {
-  return nodes.reduce<BoardNode | undefined>((best, one) => (best && Math.abs(best.across - across) <= Math.abs(one.across - across) ? best : one), undefined);
+  return nodes.reduce<BoardNode | undefined>(
+    (best, one) => (best && Math.abs(best.across - across) <= Math.abs(one.across - across) ? best : one),
+    undefined,
+  );
 }
 
 /// Returns a node's siblings including itself, in their order.
 export function siblings_of(layout: BoardLayout, key: string): BoardNode[] {
   const node = layout.nodes.find((one) => one.key === key);
-  return node ? layout.nodes.filter((one) => one.parent === node.parent && !one.is_end).sort((a, b) => a.across - b.across) : [];
+  return node
+    ? layout.nodes.filter((one) => one.parent === node.parent && !one.is_end).sort((a, b) => a.across - b.across)
+    : [];
 }
 
 /// Returns true if the order of the document's components determines a component's place on the board. Then no link
@@ -82,5 +95,8 @@ export function stands_free(graph: PlantGraph, layout: BoardLayout, key: string)
 /// Returns the edge from a node's parent to the node.
 export function edge_above(layout: BoardLayout, key: string): BoardEdge | undefined {
   const node = layout.nodes.find((one) => one.key === key);
-  return layout.edges.find((edge) => edge.to === key && edge.from === node?.parent) ?? layout.edges.find((edge) => edge.to === key);
+  return (
+    layout.edges.find((edge) => edge.to === key && edge.from === node?.parent) ??
+    layout.edges.find((edge) => edge.to === key)
+  );
 }

@@ -11,4 +11,11 @@ export interface BoardState {
   noting: string | null; // component whose note is being written
 }
 
-export const kEmptyBoard: BoardState = { folded: new Set(), direction: null, connecting: null, refused: null, renaming: null, noting: null };
+export const kEmptyBoard: BoardState = {
+  folded: new Set(),
+  direction: null,
+  connecting: null,
+  refused: null,
+  renaming: null,
+  noting: null,
+};

@@ -2,10 +2,11 @@
 // Documents that are components of other documents. The user enters, changes and leaves them. Unsaved changes are kept
 // by the browser, as whenever another document is opened.
 import { Store } from '../base/store.ts';
-import { member_of } from '../document/path.ts';
-import { folder_of } from '../rows/file_path.ts';
+import { folder_of } from '../files/file_path.ts';
+import type { Page } from '../page/page.ts';
+import { Keeper } from '../saving/keeper.ts';
 import type { OpenWish } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import { member_of } from '../values/path.ts';
 
 export interface Entered {
   title: string;
@@ -16,15 +17,15 @@ export class Gardens {
   /// The documents above the open one, from the outermost inwards.
   readonly trail = new Store<Entered[]>([]);
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly page_: Page) {}
 
   /// Returns a request to open the document of a component. Returns null if the component has no document.
   document_of(id: string): OpenWish | null {
-    const { tree, path } = this.studio_.document.state.get();
+    const { tree, path } = this.page_.document.state.get();
     const component = member_of(member_of(tree?.value, 'components'), id);
     const type = String(member_of(component, 'type') ?? '');
     const file = member_of(component, 'file');
-    if (this.studio_.tables.components[type]?.is_whole_plant !== true || typeof file !== 'string') return null;
+    if (this.page_.tables.components[type]?.is_whole_plant !== true || typeof file !== 'string') return null;
     if (!/\.json$/i.test(file)) return { model: file };
     if (path === null) return { model: file.replace(/\.json$/i, '') };
     const home = folder_of(path);
@@ -34,11 +35,11 @@ export class Gardens {
   async enter(id: string): Promise<void> {
     const wish = this.document_of(id);
     if (!wish) return;
-    const { path, model, name, text, tree } = this.studio_.document.state.get();
+    const { path, model, name, text, tree } = this.page_.document.state.get();
     const title = member_of(tree?.value, 'name');
     const own: OpenWish = path !== null ? { path } : model !== null ? { model } : { text, path: null };
     const trail = [...this.trail.get(), { title: typeof title === 'string' ? title : name, wish: own }];
-    if (await this.studio_.open(wish)) {
+    if (await this.page_.open(wish)) {
       this.trail.set(trail);
       this.restore();
     }
@@ -48,15 +49,15 @@ export class Gardens {
   async leave(number: number): Promise<void> {
     const trail = this.trail.get();
     const entered = trail[number];
-    if (!entered || !(await this.studio_.open(entered.wish))) return;
+    if (!entered || !(await this.page_.open(entered.wish))) return;
     this.trail.set(trail.slice(0, number));
     this.restore();
   }
 
   /// Restores changes that were unsaved when the document was left.
   private restore(): void {
-    const { kept } = this.studio_.shell.get();
-    if (kept !== null && kept.before !== null) void this.studio_.keeper.restore(kept.work);
+    const { kept } = this.page_.shell.get();
+    if (kept !== null && kept.before !== null) void this.page_.tool(Keeper).restore(kept.work);
   }
 }
 

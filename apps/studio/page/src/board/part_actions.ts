@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copies, pastes and duplicates parts of plants, and adds parts of shipped plants.
+
+import type { Page } from '../page/page.ts';
 import type { Edit } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
 import type { BoardActions } from './board_actions.ts';
 import { component_path, copied_link, free_name, link_edit, place_behind, place_of_link } from './board_edits.ts';
 import type { LinkKind, PlantGraph } from './plant_graph.ts';
@@ -18,7 +19,7 @@ export class PartActions {
   private clip_: Part | null = null; // the part that was copied last
 
   constructor(
-    private readonly studio_: Studio,
+    private readonly page_: Page,
     private readonly actions_: BoardActions,
   ) {}
 
@@ -30,11 +31,16 @@ export class PartActions {
   /// Like `part`, for a shipped model with this graph.
   async part_of(graph: PlantGraph, id: string, alone = false, model?: string): Promise<Part | null> {
     const all = alone ? new Set([id]) : standing_on(graph, id);
-    const components = [...graph.components.values()].filter((one) => all.has(one.id) && one.is_written && !one.is_camera).map((one) => one.id);
+    const components = [...graph.components.values()]
+      .filter((one) => all.has(one.id) && one.is_written && !one.is_camera)
+      .map((one) => one.id);
     try {
-      return await this.studio_.connection.request<Part>('part', { components, ...(model === undefined ? {} : { model }) });
+      return await this.page_.connection.request<Part>('part', {
+        components,
+        ...(model === undefined ? {} : { model }),
+      });
     } catch (fault) {
-      if (fault instanceof Error) this.studio_.tell(fault.message, true);
+      if (fault instanceof Error) this.page_.notify(fault.message, true);
       return null;
     }
   }
@@ -51,7 +57,9 @@ export class PartActions {
     const parent = below === null ? undefined : graph.components.get(below);
     const place = place_of_link(document, below ?? '');
     const edits: Edit[] = [{ paste: part.text, names, index: place_behind(document, graph, below), link_index: place }];
-    if (parent?.is_written) for (const root of [...part.roots].reverse()) edits.push(link_edit(document, parent.id, names[root] ?? root, kinds[root] ?? 'child', place));
+    if (parent?.is_written)
+      for (const root of [...part.roots].reverse())
+        edits.push(link_edit(document, parent.id, names[root] ?? root, kinds[root] ?? 'child', place));
     const first = part.roots[0];
     await this.actions_.make(edits, label, first === undefined ? undefined : component_path(names[first] ?? first));
   }
@@ -75,20 +83,23 @@ export class PartActions {
     if (!part) return;
     this.clip_ = part;
     await navigator.clipboard.writeText(part.text).catch(() => undefined);
-    this.studio_.tell(part.components.length > 1 ? `Copied ${id} and ${part.components.length - 1} that stand on it` : `Copied ${id}`);
+    this.page_.notify(
+      part.components.length > 1 ? `Copied ${id} and ${part.components.length - 1} that stand on it` : `Copied ${id}`,
+    );
   }
 
   /// Pastes the part that was copied here or in another tab, below a component.
   async paste_clip(below: string | null): Promise<void> {
     const text = await navigator.clipboard.readText().catch(() => '');
     const own = this.clip_;
-    if (own && (text === '' || text.replaceAll('\r\n', '\n') === own.text.replaceAll('\r\n', '\n'))) return this.paste(own, below, `Paste ${own.roots.join(', ')}`);
-    if (text === '') return this.studio_.tell('Nothing was copied yet', true);
+    if (own && (text === '' || text.replaceAll('\r\n', '\n') === own.text.replaceAll('\r\n', '\n')))
+      return this.paste(own, below, `Paste ${own.roots.join(', ')}`);
+    if (text === '') return this.page_.notify('Nothing was copied yet', true);
     try {
-      const part = await this.studio_.connection.request<Part>('part', { text });
+      const part = await this.page_.connection.request<Part>('part', { text });
       await this.paste(part, below, `Paste ${part.roots.join(', ')}`);
     } catch {
-      this.studio_.tell('What was copied is no part of a plant', true);
+      this.page_.notify('What was copied is no part of a plant', true);
     }
   }
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The p-graph of a document, read from its text: components, links, and links back to an ancestor. It exists even while
 // the text has faults. Facts that only the library knows, such as components that a grammar places, are passed in.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+
 import type { Tables } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 
 export type LinkKind = 'child' | 'branch' | 'leaf' | 'crown' | 'placed';
 
@@ -49,12 +50,21 @@ export function ends_of(link: Json | undefined): [string, string] {
   return [String(ends[0] ?? ''), String(ends[1] ?? '')];
 }
 
+/// Returns the usual kind of a new link between components of these types. Leaves and multipliers stand along stems.
+export function usual_kind(types: Tables['components'], from: string, to: string): LinkKind {
+  return types[from]?.makes_stems === true && types[to]?.makes_stems !== true ? 'branch' : 'child';
+}
+
 function kind_of(link: Json | undefined): LinkKind {
   const kind = member_of(link, 'kind');
   return typeof kind === 'string' && kKinds.has(kind) ? (kind as LinkKind) : 'child';
 }
 
-export function graph_of(document: Json | undefined, types: Tables['components'], implied: readonly ImpliedLink[] = []): PlantGraph {
+export function graph_of(
+  document: Json | undefined,
+  types: Tables['components'],
+  implied: readonly ImpliedLink[] = [],
+): PlantGraph {
   const components = new Map<string, GraphComponent>();
   const said = member_of(document, 'components');
   for (const id of is_object(said) ? Object.keys(said) : []) {
@@ -65,10 +75,12 @@ export function graph_of(document: Json | undefined, types: Tables['components']
   const links: GraphLink[] = [];
   for (const [index, link] of (Array.isArray(written) ? written : []).entries()) {
     const [from, to] = ends_of(link);
-    if (components.has(from) && components.has(to)) links.push({ from, to, kind: kind_of(link), index, recursion: null });
+    if (components.has(from) && components.has(to))
+      links.push({ from, to, kind: kind_of(link), index, recursion: null });
   }
   for (const { from, to } of implied) {
-    if (components.has(from) && components.has(to)) links.push({ from, to, kind: 'placed', index: null, recursion: null });
+    if (components.has(from) && components.has(to))
+      links.push({ from, to, kind: 'placed', index: null, recursion: null });
   }
   add_camera(components, links);
   return with_recursions(components, links);
@@ -144,14 +156,21 @@ function with_recursions(components: Map<string, GraphComponent>, all: GraphLink
 
 /// Returns the reason why the document cannot have a link, or null. `recursion_of` returns the recursion of a
 /// component.
-export function refusal_of_link(graph: PlantGraph, from: string, to: string, recursion_of: (id: string) => number): string | null {
+export function refusal_of_link(
+  graph: PlantGraph,
+  from: string,
+  to: string,
+  recursion_of: (id: string) => number,
+): string | null {
   const target = graph.components.get(to);
   if (!target || !graph.components.has(from)) return 'A link joins two components.';
   if (target.is_camera) return `${to} is the camera, the root of all links: nothing leads to it.`;
-  if (graph.links.some((link) => link.from === from && link.to === to && link.index !== null)) return `${from} links to ${to} already.`;
+  if (graph.links.some((link) => link.from === from && link.to === to && link.index !== null))
+    return `${from} links to ${to} already.`;
   const way = way_between(graph, to, from);
   if (!way || recursion_of(to) >= 2) return null;
-  return `The links ${[...way, to].join(' > ')} would form an endless circle. A recursion of at least 2 in ${to} allows it.`;
+  const links = [...way, to].join(' > ');
+  return `The links ${links} would form an endless circle. A recursion of at least 2 in ${to} allows it.`;
 }
 
 /// Returns the components on a path from one component down to another, both included. Returns null if no links lead

@@ -34,6 +34,8 @@ export function next_name(all: readonly Bookmark[]): string {
 
 function is_bookmark(one: unknown): one is Bookmark {
   const { name, camera } = (one ?? {}) as Partial<Bookmark>;
-  const numbers = camera ? [camera.azimuth, camera.altitude, camera.distance, ...(Array.isArray(camera.target) ? camera.target : [])] : [];
+  const numbers = camera
+    ? [camera.azimuth, camera.altitude, camera.distance, ...(Array.isArray(camera.target) ? camera.target : [])]
+    : [];
   return typeof name === 'string' && numbers.length === 6 && numbers.every((number) => Number.isFinite(number));
 }

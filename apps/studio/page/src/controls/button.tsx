@@ -43,7 +43,14 @@ interface ButtonProps {
 
 export function Button({ kind = 'plain', icon, tip, is_off, is_open, press, children }: ButtonProps): ReactElement {
   return (
-    <button type="button" className={`button ${kind}`} data-tip={tip} disabled={is_off} aria-expanded={is_open} onClick={press}>
+    <button
+      type="button"
+      className={`button ${kind}`}
+      data-tip={tip}
+      disabled={is_off}
+      aria-expanded={is_open}
+      onClick={press}
+    >
       {icon && <Icon name={icon} />}
       {children}
     </button>

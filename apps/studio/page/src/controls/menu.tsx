@@ -57,7 +57,8 @@ function MenuList({ label, items, anchor, close }: MenuListProps): ReactElement 
     if (!menu || !at) return;
     const { width, height } = menu.getBoundingClientRect();
     menu.style.left = `${Math.max(8, Math.min(at.right - width, window.innerWidth - width - 8))}px`;
-    menu.style.top = `${at.bottom + height + 8 > window.innerHeight ? Math.max(8, at.top - height - 4) : at.bottom + 4}px`;
+    const has_room_below = at.bottom + height + 8 <= window.innerHeight;
+    menu.style.top = `${has_room_below ? at.bottom + 4 : Math.max(8, at.top - height - 4)}px`;
     menu.querySelector<HTMLElement>('[role=menuitem]')?.focus();
   }, [anchor]);
   useEffect(() => {

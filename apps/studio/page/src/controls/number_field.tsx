@@ -3,7 +3,7 @@
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
-import { calculate, rounded, tidy } from '../document/arithmetic.ts';
+import { calculate, rounded, tidy } from '../values/arithmetic.ts';
 
 export interface NumberActions {
   drag: (value: number) => void; // temporary value
@@ -29,7 +29,11 @@ const kPixelsPerStep = 2;
 
 /// Returns a number with a readable number of digits.
 export function shown_number(value: number | null): string {
-  return value === null ? '' : String(Math.abs(value) >= 1e-4 || value === 0 ? tidy(Number(value.toPrecision(6))) : Number(value.toPrecision(4)));
+  return value === null
+    ? ''
+    : String(
+        Math.abs(value) >= 1e-4 || value === 0 ? tidy(Number(value.toPrecision(6))) : Number(value.toPrecision(4)),
+      );
 }
 
 function pace(event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): number {

@@ -15,11 +15,29 @@ interface NumberLineProps {
   set: (value: number) => void;
 }
 
-export function NumberLine({ label, unit, value, step, low, high, look = 'field-line', set }: NumberLineProps): ReactElement {
+export function NumberLine({
+  label,
+  unit,
+  value,
+  step,
+  low,
+  high,
+  look = 'field-line',
+  set,
+}: NumberLineProps): ReactElement {
   return (
     <label className={look}>
       <span>{label}</span>
-      <NumberField label={label} unit={unit} value={value} step={step} limit={(one) => Math.min(high, Math.max(low, one))} drag={set} commit={set} cancel={() => undefined} />
+      <NumberField
+        label={label}
+        unit={unit}
+        value={value}
+        step={step}
+        limit={(one) => Math.min(high, Math.max(low, one))}
+        drag={set}
+        commit={set}
+        cancel={() => undefined}
+      />
     </label>
   );
 }

@@ -40,5 +40,6 @@ export function start_tooltips(root: HTMLElement): void {
   root.addEventListener('focusin', (event) => {
     if (event.target instanceof Element && event.target.matches(':focus-visible')) come(event.target);
   });
-  for (const end of ['pointerdown', 'keydown', 'focusout', 'pointerleave', 'wheel'] as const) root.addEventListener(end, hide, { passive: true });
+  for (const end of ['pointerdown', 'keydown', 'focusout', 'pointerleave', 'wheel'] as const)
+    root.addEventListener(end, hide, { passive: true });
 }

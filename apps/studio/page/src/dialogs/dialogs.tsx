@@ -2,22 +2,22 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { StillDialog } from '../camera/still_dialog.tsx';
-import { Dialog } from '../controls/dialog.tsx';
-import { kShortcuts } from '../shortcuts.ts';
-import { ChanceDialog } from '../find/chance_dialog.tsx';
-import { use_studio } from '../studio_context.ts';
-import { ExportDialog } from './export_dialog.tsx';
 import { PaletteDialog } from '../board/palette_dialog.tsx';
+import { Dialog } from '../controls/dialog.tsx';
+import { ChanceDialog } from '../find/chance_dialog.tsx';
+import { use_page } from '../page/use_page.ts';
+import { ExportDialog } from './export_dialog.tsx';
 import { OpenDialog, SaveDialog } from './file_dialogs.tsx';
 import { ModelsDialog } from './models_dialog.tsx';
 import { RecordDialog } from './record_dialog.tsx';
+import { kShortcuts } from './shortcut_list.ts';
+import { StillDialog } from './still_dialog.tsx';
 
 /// The open window, if there is one.
 export function Dialogs(): ReactElement | null {
-  const studio = use_studio();
-  const { dialog } = use_store(studio.shell);
-  const close = (): void => studio.shell.merge({ dialog: null });
+  const page = use_page();
+  const { dialog } = use_store(page.shell);
+  const close = (): void => page.shell.merge({ dialog: null });
   if (dialog === 'open') return <OpenDialog close={close} />;
   if (dialog === 'save') return <SaveDialog close={close} />;
   if (dialog === 'models') return <ModelsDialog close={close} />;

@@ -8,11 +8,12 @@ import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
+import { size_text } from '../files/file_list.tsx';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
-import { take_file } from '../time/recording.ts';
+import { TimeModel } from '../time/time_model.ts';
 import { ExportFooter } from './export_footer.tsx';
-import { size_text } from './file_dialogs.tsx';
+import { take_file } from './recording.ts';
 
 const kInstances = [
   ['automatic', 'As the size asks'],
@@ -49,30 +50,32 @@ function options_of(format: Format | undefined): NumberOption[] {
 }
 
 export function ExportDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
-  const { hello } = use_store(studio.server);
-  const { working } = use_store(studio.growth);
+  const page = use_page();
+  const { hello } = use_store(page.server);
+  const { working } = use_store(page.growth);
   const { good } = use_document();
   // Films are exported from the timeline.
   const formats = hello?.formats.filter((one) => !/\.(mp4|webm)$/.test(one.ending)) ?? [];
   const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
-  const [options, set_options] = useState<ExportOptions>(studio.bench.time.time > 0 ? { time: studio.bench.time.time } : {});
+  const [options, set_options] = useState<ExportOptions>(
+    page.tool(TimeModel).time > 0 ? { time: page.tool(TimeModel).time } : {},
+  );
   const [made, set_made] = useState<MadeFile | null>(null);
   const [is_busy, set_busy] = useState(false);
   const format = formats.find((one) => one.ending === ending);
   const [as_seen, set_as_seen] = useState(true);
-  const camera = is_picture(ending) && as_seen ? studio.view?.orbit.as_document : undefined;
+  const camera = is_picture(ending) && as_seen ? page.view?.orbit.as_document : undefined;
   const wish = { format: ending, name: null, options: camera ? { ...options, camera } : options };
   const make = (): void => {
     set_busy(true);
     set_made(null);
-    studio.connection
+    page.connection
       .request<{ file: MadeFile }>('export', wish)
       .then((answer) => {
         set_made(answer.file);
         take_file(answer.file);
       })
-      .catch((fault: Error) => studio.tell(fault.message, true))
+      .catch((fault: Error) => page.notify(fault.message, true))
       .finally(() => set_busy(false));
   };
   const footer = (
@@ -94,12 +97,22 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
         ))}
       </div>
       {options_of(format).map(({ name, fallback, ...form }) => (
-        <NumberLine key={name} {...form} value={options[name] ?? fallback} set={(value) => set_options({ ...options, [name]: value })} />
+        <NumberLine
+          key={name}
+          {...form}
+          value={options[name] ?? fallback}
+          set={(value) => set_options({ ...options, [name]: value })}
+        />
       ))}
       {format?.instances && (
         <div className="field-line">
           <label htmlFor="instances">Leaves and organs</label>
-          <select id="instances" className="select" value={options.instances ?? 'automatic'} onChange={(event) => set_options({ ...options, instances: event.target.value })}>
+          <select
+            id="instances"
+            className="select"
+            value={options.instances ?? 'automatic'}
+            onChange={(event) => set_options({ ...options, instances: event.target.value })}
+          >
             {kInstances.map(([name, text]) => (
               <option key={name} value={name}>
                 {text}
@@ -116,11 +129,21 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
       )}
       {ending.endsWith('png') && (
         <label className="check-line">
-          <input type="checkbox" checked={options.transparent ?? false} onChange={(event) => set_options({ ...options, transparent: event.target.checked })} />
+          <input
+            type="checkbox"
+            checked={options.transparent ?? false}
+            onChange={(event) => set_options({ ...options, transparent: event.target.checked })}
+          />
           Transparent background
         </label>
       )}
-      {is_busy && <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the export" />}
+      {is_busy && (
+        <progress
+          max={1}
+          value={working?.job === 'export' ? working.share : undefined}
+          aria-label="Progress of the export"
+        />
+      )}
       {made && <Made file={made} />}
     </Dialog>
   );

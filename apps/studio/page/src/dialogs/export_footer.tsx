@@ -3,15 +3,19 @@
 import type { ReactElement, ReactNode } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import type { ExportWish } from '../copy_command.ts';
-import { copy_command } from '../copy_command.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
+import type { ExportWish } from './copy_command.ts';
+import { copy_command } from './copy_command.ts';
 
 export function ExportFooter({ wish, children }: { wish: ExportWish; children: ReactNode }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   return (
     <>
-      <Button icon="command" tip="The line that does the same in a terminal" press={() => void copy_command(studio, wish)}>
+      <Button
+        icon="command"
+        tip="The line that does the same in a terminal"
+        press={() => void copy_command(page, wish)}
+      >
         Copy as command
       </Button>
       <span className="stretch" />

@@ -1,45 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ReactElement } from 'react';
-import { useEffect, useState } from 'react';
+import { useState } from 'react';
 
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import type { ShippedModel } from '../server/protocol.ts';
-import { use_studio } from '../studio_context.ts';
-
-/// Returns the shipped plants. The list is empty until the server has answered.
-export function use_models(): ShippedModel[] {
-  const studio = use_studio();
-  const [models, set_models] = useState<ShippedModel[]>([]);
-  useEffect(() => {
-    studio.connection
-      .request<{ models: ShippedModel[] }>('models')
-      .then((answer) => set_models(answer.models))
-      .catch((fault: Error) => studio.tell(fault.message, true));
-  }, [studio]);
-  return models;
-}
+import { use_models } from '../files/models.ts';
+import { use_page } from '../page/use_page.ts';
 
 /// A window with all shipped plants and their pictures.
 export function ModelsDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const models = use_models();
   const [words, set_words] = useState('');
   const open = (model: string) => (): void => {
     close();
-    void studio.open({ model });
+    void page.open({ model });
   };
-  const wanted = models.filter((one) => `${one.name} ${one.title} ${one.description}`.toLowerCase().includes(words.toLowerCase()));
+  const wanted = models.filter((one) =>
+    `${one.name} ${one.title} ${one.description}`.toLowerCase().includes(words.toLowerCase()),
+  );
   return (
     <Dialog title="Shipped plants" width="wide" close={close}>
       <label className="search">
         <Icon name="search" />
-        <input type="search" autoFocus aria-label="Find a plant" placeholder="Find a plant" value={words} onChange={(event) => set_words(event.target.value)} />
+        <input
+          type="search"
+          autoFocus
+          aria-label="Find a plant"
+          placeholder="Find a plant"
+          value={words}
+          onChange={(event) => set_words(event.target.value)}
+        />
       </label>
       <div className="models">
         {wanted.map((one) => (
-          <button key={one.name} type="button" className="model" data-model={one.name} data-tip={one.description} onClick={open(one.name)}>
-            {one.picture ? <img src={`pictures/${one.name}.jpg`} alt="" loading="lazy" /> : <span className="no-picture"><Icon name="leaf" /></span>}
+          <button
+            key={one.name}
+            type="button"
+            className="model"
+            data-model={one.name}
+            data-tip={one.description}
+            onClick={open(one.name)}
+          >
+            {one.picture ? (
+              <img src={`pictures/${one.name}.jpg`} alt="" loading="lazy" />
+            ) : (
+              <span className="no-picture">
+                <Icon name="leaf" />
+              </span>
+            )}
             <span className="model-title">{one.title}</span>
             <span className="model-description">{one.description}</span>
           </button>

@@ -7,17 +7,17 @@ import { Lost } from '../server/connection.ts';
 import type { Saved } from '../server/file_protocol.ts';
 import type { Edit, Edited, Fault, Opened, Reading } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
+import type { Patch } from '../values/patch.ts';
+import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from '../values/patch.ts';
 import type { DocumentState, WaitingEdits } from './document_state.ts';
+import { kNoDocument, opened_state, reading_of, tree_of, whole_reading } from './document_state.ts';
 import type { EditWish, QueuedEdit } from './edit_queue.ts';
 import { EditQueue, kDropped } from './edit_queue.ts';
-import { kNoDocument, reading_of, tree_of, whole_reading } from './document_state.ts';
 import { text_hash } from './hash.ts';
 import { text_with_edits } from './text_edits.ts';
 import { variables_of_text } from './text_variables.ts';
-import type { Patch } from './patch.ts';
-import { apply_patch, inverse_patch, joined_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
 import type { UndoState, UndoStep } from './undo_list.ts';
-import { kTypingPause, step_back, step_forward, with_last, with_step } from './undo_list.ts';
+import { kTypingPause, step_back, step_forward, with_step, with_typing } from './undo_list.ts';
 
 export class DocumentModel {
   readonly state = new Store<DocumentState>(kNoDocument);
@@ -41,13 +41,12 @@ export class DocumentModel {
     return hash !== base;
   }
 
-  take_opened({ path, model, name, text, hash, saved, ...reading }: Opened): void {
+  take_opened(opened: Opened): void {
     this.opened_ += 1;
     this.is_unread_ = false;
     this.waiting_.drop_all();
     this.typed_ = null;
-    const read = tree_of(text, null);
-    this.state.set({ ...kNoDocument, ...reading_of(reading, read.tree, []), path, model, name, text, hash, saved, base: hash, ...read });
+    this.state.set(opened_state(opened));
   }
 
   /// Restores the work of an earlier session, and makes the edits that no server has made yet.
@@ -141,12 +140,10 @@ export class DocumentModel {
     if (patch.length === 0) return;
     const { text, undo } = this.state.get();
     const step = { label, patch, inverse: inverse_patch(text, patch), chosen: this.chosen_() };
-    const last = undo.done.at(-1);
     const now = performance.now();
-    const goes_on = label === 'Type' && last?.label === 'Type' && now - this.typed_at_ < kTypingPause;
+    const goes_on = label === 'Type' && now - this.typed_at_ < kTypingPause;
     if (label === 'Type') this.typed_at_ = now;
-    if (!goes_on || !last) return this.splice(patch, with_step(undo, step));
-    this.splice(patch, with_last(undo, { ...step, ...joined_patch(text, last.inverse, patch) }));
+    this.splice(patch, goes_on ? with_typing(undo, step, text) : with_step(undo, step));
   }
 
   /// Changes the text here and informs the server.
@@ -166,7 +163,8 @@ export class DocumentModel {
     const { tree, good, variables } = this.state.get();
     this.state.merge({ text, hash, undo, ...tree_of(text, tree) });
     // A text without faults is read by the server at once, which then sends the values of expressions.
-    if (!good || !this.connection_().is_open) this.state.merge({ variables: variables_of_text(variables, this.state.get().tree) });
+    if (!good || !this.connection_().is_open)
+      this.state.merge({ variables: variables_of_text(variables, this.state.get().tree) });
     return hash;
   }
 
@@ -208,10 +206,11 @@ export class DocumentModel {
 
   private async ask(wish: QueuedEdit): Promise<Fault[] | null | 'lost'> {
     const opened = this.opened_;
+    const condition = wish.wish.only_if_good ? { only_if_good: true } : {};
     for (let tries = 0; ; tries += 1) {
       const { text, hash: base, undo } = this.state.get();
       try {
-        const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...(wish.wish.only_if_good ? { only_if_good: true } : {}) });
+        const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...condition });
         if (opened !== this.opened_) return kDropped; // the edit was made in the previous document
         const patch = patch_of_plain(edited.patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the open document.
-import type { Edit, Fault, ImpliedLink, Reading, Variable } from '../server/protocol.ts';
-import type { JsonNode } from './json.ts';
-import { is_object, keep_values, parse_broken_json, parse_json } from './json.ts';
-import type { UndoState } from './undo_list.ts';
+import type { Edit, Fault, ImpliedLink, Opened, Reading, Variable } from '../server/protocol.ts';
+import type { Json, JsonNode } from '../values/json.ts';
+import { is_object, keep_values, parse_broken_json, parse_json } from '../values/json.ts';
 import { variables_of_text } from './text_variables.ts';
+import type { UndoState } from './undo_list.ts';
 import { kNothingDone } from './undo_list.ts';
 
 /// How the tree was read: from valid JSON, from JSON with a repaired fault, or from an earlier text.
@@ -56,10 +56,20 @@ export const kNoDocument: DocumentState = {
 
 /// Returns the changes of the state by a reading. The server computes no variables of a faulty text; they are then read
 /// from the text.
-export function reading_of({ good, faults, implied = [], notes = {}, variables }: Reading, tree: JsonNode | null, known: Variable[]): Partial<DocumentState> {
+export function reading_of(
+  { good, faults, implied = [], notes = {}, variables }: Reading,
+  tree: JsonNode | null,
+  known: Variable[],
+): Partial<DocumentState> {
   if (!good && variables.length === 0) return { good, faults, notes, variables: variables_of_text(known, tree) };
   // An empty expression means that there is no expression.
-  return { good, faults, implied, notes, variables: variables.map((one) => ({ ...one, expression: one.expression || null })) };
+  return {
+    good,
+    faults,
+    implied,
+    notes,
+    variables: variables.map((one) => ({ ...one, expression: one.expression || null })),
+  };
 }
 
 /// Returns the tree of a text. If the text is not JSON, reads around the fault. If top-level names of the last tree are
@@ -81,6 +91,29 @@ export function tree_of(text: string, last: JsonNode | null): { tree: JsonNode |
   const known = Object.keys(is_object(last?.value) ? last.value : {});
   const is_good = mended !== null && Object.keys(found).length > 0 && known.every((name) => name in found);
   return is_good ? { tree: mended, tree_is: 'mended' } : { tree: last, tree_is: 'old' };
+}
+
+/// Returns the values or the expressions of the variables, by name. The server computes no variables of a text with
+/// faults; they are then read from the text.
+export function values_of_variables({ variables }: DocumentState): Record<string, Json> {
+  return Object.fromEntries(variables.map((one) => [one.name, one.expression ?? one.value]));
+}
+
+/// Returns the state of a document that was just opened.
+export function opened_state({ path, model, name, text, hash, saved, ...reading }: Opened): DocumentState {
+  const read = tree_of(text, null);
+  return {
+    ...kNoDocument,
+    ...reading_of(reading, read.tree, []),
+    path,
+    model,
+    name,
+    text,
+    hash,
+    saved,
+    base: hash,
+    ...read,
+  };
 }
 
 /// Returns the reading in an answer, or null if the answer has none.

@@ -18,7 +18,8 @@ export interface QueuedEdit {
 }
 
 /// The answer to an edit that was dropped because another document was opened.
-export const kDropped = new Refusal('Another document was opened before the edit was made', { cancelled: true }).reasons;
+export const kDropped = new Refusal('Another document was opened before the edit was made', { cancelled: true })
+  .reasons;
 
 export class EditQueue {
   private readonly queue_: QueuedEdit[] = [];

@@ -15,7 +15,8 @@ export function line_difference(before: string, after: string): DifferentLine[] 
   let head = 0;
   while (head < a.length && head < b.length && a[head] === b[head]) head += 1;
   let tail = 0;
-  while (tail < a.length - head && tail < b.length - head && a[a.length - 1 - tail] === b[b.length - 1 - tail]) tail += 1;
+  while (tail < a.length - head && tail < b.length - head && a[a.length - 1 - tail] === b[b.length - 1 - tail])
+    tail += 1;
   const lines = middle(a.slice(head, a.length - tail), b.slice(head, b.length - tail));
   const context = (text: string | undefined): DifferentLine[] => (text === undefined ? [] : [{ sign: ' ', text }]);
   if (lines.length === 0) return [];

@@ -2,10 +2,10 @@
 // Edits that the page makes in the text itself. It does so without a server, or if the text is not JSON, which the
 // library cannot edit. Only setting and removing values is possible here.
 import type { Edit } from '../server/protocol.ts';
-import type { Json, JsonMember, JsonNode } from './json.ts';
-import { is_object, parse_broken_json, parse_json, write_json } from './json.ts';
-import type { PathStep } from './path.ts';
-import { node_at, path_of, steps_of } from './path.ts';
+import type { Json, JsonMember, JsonNode } from '../values/json.ts';
+import { is_object, parse_broken_json, parse_json, write_json } from '../values/json.ts';
+import type { PathStep } from '../values/path.ts';
+import { node_at, path_of, steps_of } from '../values/path.ts';
 
 /// Returns the text with the edits, or null if one of them cannot be made here.
 export function text_with_edits(text: string, edits: readonly Edit[]): string | null {
@@ -69,7 +69,11 @@ function without_member(text: string, tree: JsonNode, path: string): string | nu
   const around = node_at(tree, path_of(steps.slice(0, -1)));
   if (!around?.members) return around ? null : text;
   const k = around.members.findIndex((member) => member.name === steps.at(-1));
-  const [before, member, behind]: (JsonMember | undefined)[] = [around.members[k - 1], around.members[k], around.members[k + 1]];
+  const [before, member, behind]: (JsonMember | undefined)[] = [
+    around.members[k - 1],
+    around.members[k],
+    around.members[k + 1],
+  ];
   if (!member) return text;
   if (behind) return text.slice(0, member.name_start) + text.slice(behind.name_start);
   return text.slice(0, before ? before.node.end : member.name_start) + text.slice(member.node.end);

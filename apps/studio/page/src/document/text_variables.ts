@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The variables in the text, used while the server has not read it: because of a fault, or without a server.
 import type { Variable } from '../server/protocol.ts';
-import type { Json, JsonNode } from './json.ts';
-import { is_object } from './json.ts';
-import { member_of } from './path.ts';
+import type { Json, JsonNode } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 
 /// Returns the variables of the text. `known` are the variables that were read last. They supply missing members and
 /// the values of expressions.

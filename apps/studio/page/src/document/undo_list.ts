@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of changes of a text, for undo and redo. It is plain data, so that the browser can keep it.
-import type { Patch } from './patch.ts';
+import type { Patch } from '../values/patch.ts';
+import { joined_patch } from '../values/patch.ts';
 
 export interface UndoStep {
   label: string;
@@ -27,6 +28,14 @@ export function with_step(state: UndoState, step: UndoStep): UndoState {
 /// Returns the state with the last step replaced.
 export function with_last(state: UndoState, step: UndoStep): UndoState {
   return { done: [...state.done.slice(0, -1), step], undone: [] };
+}
+
+/// Returns the state with typing that goes on: it joins the last step if that was typing too. `text` is the text before
+/// the step.
+export function with_typing(state: UndoState, step: UndoStep, text: string): UndoState {
+  const last = state.done.at(-1);
+  if (last?.label !== step.label) return with_step(state, step);
+  return with_last(state, { ...step, ...joined_patch(text, last.inverse, step.patch) });
 }
 
 /// Returns the step to undo, and the state after it.

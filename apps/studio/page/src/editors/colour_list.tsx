@@ -6,11 +6,11 @@ import { useRef, useState } from 'react';
 
 import { moved, with_behind, without } from '../base/lists.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
-import { TextField } from '../rows/text_field.tsx';
-import { full_colour } from './colour.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { use_held } from '../controls/use_held.ts';
+import { full_colour } from '../values/colour.ts';
+import type { Json } from '../values/json.ts';
 import { ColourPicker } from './colour_picker.tsx';
-import { use_held } from './use_held.ts';
 
 interface ColourListProps {
   label: string;
@@ -68,21 +68,63 @@ export function ColourList(props: ColourListProps): ReactElement {
   };
   return (
     <div className="colour-list">
-      <Band label={label} colours={colours} index={index} band={band} choose={focus} drag={drag} put={put} cancel={cancel} press={key} />
+      <Band
+        label={label}
+        colours={colours}
+        index={index}
+        band={band}
+        choose={focus}
+        drag={drag}
+        put={put}
+        cancel={cancel}
+        press={key}
+      />
       <div className="curve-tools">
-        <IconButton is_small icon="left" label={`Move colour ${index + 1} of ${label} before`} is_off={index === 0} press={() => shift(-1)} />
-        <IconButton is_small icon="right" label={`Move colour ${index + 1} of ${label} behind`} is_off={index + 1 >= colours.length} press={() => shift(1)} />
+        <IconButton
+          is_small
+          icon="left"
+          label={`Move colour ${index + 1} of ${label} before`}
+          is_off={index === 0}
+          press={() => shift(-1)}
+        />
+        <IconButton
+          is_small
+          icon="right"
+          label={`Move colour ${index + 1} of ${label} behind`}
+          is_off={index + 1 >= colours.length}
+          press={() => shift(1)}
+        />
         <IconButton is_small icon="plus" label={`Add a colour to ${label}`} press={add} />
-        <IconButton is_small icon="close" label={`Remove colour ${index + 1} of ${label}`} is_off={colours.length < 2} press={remove} />
+        <IconButton
+          is_small
+          icon="close"
+          label={`Remove colour ${index + 1} of ${label}`}
+          is_off={colours.length < 2}
+          press={remove}
+        />
         <div className="band-text">
-          <TextField key={index} label={`${label} ${index + 1}`} value={chosen ?? ''} commit={(text) => commit(with_one(text))} is_code is_faulty={props.is_faulty} />
+          <TextField
+            key={index}
+            label={`${label} ${index + 1}`}
+            value={chosen ?? ''}
+            commit={(text) => commit(with_one(text))}
+            is_code
+            is_faulty={props.is_faulty}
+          />
         </div>
         <span className="quiet">
           {colours.length === 0 ? 'no colours' : `colour ${index + 1} of ${colours.length}`}
         </span>
       </div>
       {chosen !== undefined && (
-        <ColourPicker key={index} label={`${label} ${index + 1}`} value={full_colour(chosen) ?? '#808080'} drag={(one) => drag(with_one(one))} commit={(one) => commit(with_one(one))} cancel={cancel} />
+        <ColourPicker
+          key={index}
+          label={`${label} ${index + 1}`}
+          value={full_colour(chosen) ?? '#808080'}
+          drag={(one) => drag(with_one(one))}
+          commit={(one) => commit(with_one(one))}
+          cancel={cancel}
+        />
       )}
     </div>
   );
@@ -143,9 +185,29 @@ function Band({ label, colours, index, band, choose, drag, put, cancel, press }:
     } else press(event);
   };
   return (
-    <div ref={band} className="colour-band" role="listbox" aria-label={`Colours of ${label}`} aria-orientation="horizontal" onPointerDown={down} onPointerMove={move} onPointerUp={() => let_go(true)} onPointerCancel={() => let_go(false)} onKeyDown={key}>
+    <div
+      ref={band}
+      className="colour-band"
+      role="listbox"
+      aria-label={`Colours of ${label}`}
+      aria-orientation="horizontal"
+      onPointerDown={down}
+      onPointerMove={move}
+      onPointerUp={() => let_go(true)}
+      onPointerCancel={() => let_go(false)}
+      onKeyDown={key}
+    >
       {colours.map((colour, k) => (
-        <div key={k} role="option" className={`band-colour${k === chosen ? ' chosen' : ''}`} aria-selected={k === chosen} aria-label={`${label} ${k + 1}: ${colour}`} tabIndex={k === chosen ? 0 : -1} data-tip={colour} style={{ background: full_colour(colour) ?? undefined }} />
+        <div
+          key={k}
+          role="option"
+          className={`band-colour${k === chosen ? ' chosen' : ''}`}
+          aria-selected={k === chosen}
+          aria-label={`${label} ${k + 1}: ${colour}`}
+          tabIndex={k === chosen ? 0 : -1}
+          data-tip={colour}
+          style={{ background: full_colour(colour) ?? undefined }}
+        />
       ))}
     </div>
   );

@@ -5,9 +5,9 @@ import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef, useState } from 'react';
 
 import { Slider } from '../controls/slider.tsx';
-import { use_document } from '../studio_context.ts';
-import type { Hsv } from './colour.ts';
-import { colour_of, colours_in, hsv_of } from './colour.ts';
+import { use_document } from '../page/use_page.ts';
+import type { Hsv } from '../values/colour.ts';
+import { colour_of, colours_in, hsv_of } from '../values/colour.ts';
 
 interface ColourPickerProps {
   label: string;
@@ -32,13 +32,37 @@ export function ColourPicker({ label, value, drag, commit, cancel }: ColourPicke
   };
   return (
     <div className="colour-picker">
-      <Square label={label} hsv={hsv} drag={(part) => drag(pick(part))} commit={(part) => commit(pick(part))} cancel={cancel} />
+      <Square
+        label={label}
+        hsv={hsv}
+        drag={(part) => drag(pick(part))}
+        commit={(part) => commit(pick(part))}
+        cancel={cancel}
+      />
       <div className="hues">
-        <Slider label={`${label}, hue`} value={Math.round(hsv.hue)} low={0} high={359} step={1} drag={(hue) => drag(pick({ hue }))} commit={(hue) => commit(pick({ hue }))} cancel={cancel} />
+        <Slider
+          label={`${label}, hue`}
+          value={Math.round(hsv.hue)}
+          low={0}
+          high={359}
+          step={1}
+          drag={(hue) => drag(pick({ hue }))}
+          commit={(hue) => commit(pick({ hue }))}
+          cancel={cancel}
+        />
       </div>
       <div className="swatches" role="group" aria-label={`Colours of the document, for ${label}`}>
         {colours_in(tree?.value).map((colour) => (
-          <button key={colour} type="button" className="swatch" aria-label={`Take ${colour} for ${label}`} aria-pressed={colour === value.toLowerCase()} data-tip={colour} style={{ background: colour }} onClick={() => commit(colour)} />
+          <button
+            key={colour}
+            type="button"
+            className="swatch"
+            aria-label={`Take ${colour} for ${label}`}
+            aria-pressed={colour === value.toLowerCase()}
+            data-tip={colour}
+            style={{ background: colour }}
+            onClick={() => commit(colour)}
+          />
         ))}
       </div>
     </div>
@@ -57,7 +81,10 @@ function Square({ label, hsv, drag, commit, cancel }: SquareProps): ReactElement
   const held = useRef<Partial<Hsv> | null>(null);
   const at = (event: PointerEvent<HTMLDivElement>): Partial<Hsv> => {
     const box = event.currentTarget.getBoundingClientRect();
-    return { saturation: clamped((event.clientX - box.left) / box.width), value: clamped(1 - (event.clientY - box.top) / box.height) };
+    return {
+      saturation: clamped((event.clientX - box.left) / box.width),
+      value: clamped(1 - (event.clientY - box.top) / box.height),
+    };
   };
   const down = (event: PointerEvent<HTMLDivElement>): void => {
     if (event.button !== 0) return;
@@ -81,7 +108,11 @@ function Square({ label, hsv, drag, commit, cancel }: SquareProps): ReactElement
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     const step = kStep * (event.shiftKey ? 0.25 : event.ctrlKey || event.metaKey ? 5 : 1);
     if (event.key === 'Escape' && held.current) let_go(false);
-    else if (way) commit({ saturation: clamped(hsv.saturation + (way[0] ?? 0) * step), value: clamped(hsv.value + (way[1] ?? 0) * step) });
+    else if (way)
+      commit({
+        saturation: clamped(hsv.saturation + (way[0] ?? 0) * step),
+        value: clamped(hsv.value + (way[1] ?? 0) * step),
+      });
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -102,7 +133,9 @@ function Square({ label, hsv, drag, commit, cancel }: SquareProps): ReactElement
       onPointerCancel={() => let_go(false)}
       onKeyDown={key}
     >
-      <span style={{ left: `${100 * hsv.saturation}%`, top: `${100 * (1 - hsv.value)}%`, background: colour_of(hsv) }} />
+      <span
+        style={{ left: `${100 * hsv.saturation}%`, top: `${100 * (1 - hsv.value)}%`, background: colour_of(hsv) }}
+      />
     </div>
   );
 }

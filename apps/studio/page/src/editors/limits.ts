@@ -38,7 +38,8 @@ const kRoomBeyond = 0.06; // share of the frame beyond a limit that stays visibl
 export function with_limits({ x, y }: Frame, limits: Limits, form: Form): Frame {
   const wider = (range: Range, limit: Range): Range => {
     const room = kRoomBeyond * (range.high - range.low);
-    const is_near = (end: number): boolean => Number.isFinite(end) && end > range.low - 10 * room && end < range.high + 10 * room;
+    const is_near = (end: number): boolean =>
+      Number.isFinite(end) && end > range.low - 10 * room && end < range.high + 10 * room;
     return {
       low: is_near(limit.low) ? Math.min(range.low, limit.low - room) : range.low,
       high: is_near(limit.high) ? Math.max(range.high, limit.high + room) : range.high,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 
 /// Returns the position for a new element of a list. It continues the step between the last two positions. The second
 /// element stands a metre beside the first, and the first a metre up.

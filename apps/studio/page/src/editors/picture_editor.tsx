@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A large editor for a row that names a picture: the picture with its size, and the pictures below the server's folder.
 import type { ReactElement } from 'react';
-
-import { Icon } from '../controls/icon.tsx';
-import { FileChooser, ShippedFiles } from '../rows/file_chooser.tsx';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
-import { TextField } from '../rows/text_field.tsx';
 import { Button } from '../controls/button.tsx';
-import { use_document } from '../studio_context.ts';
+import { Icon } from '../controls/icon.tsx';
+import { TextField } from '../controls/text_field.tsx';
+import { use_document } from '../page/use_page.ts';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
+import { FileChooser, ShippedFiles } from './file_chooser.tsx';
 import { use_thumbnail } from './thumbnail.tsx';
 
 const kPixels = 512; // pixels along the longer side of the shown picture
@@ -20,14 +19,26 @@ export function PictureEditor({ label, value, row, actions, is_faulty }: RowEdit
       <Preview file={file} />
       <div className="picture-choice">
         <div className="picture-line">
-          <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={is_faulty} description={row.doc} placeholder="path of a picture" />
+          <TextField
+            label={label}
+            value={file}
+            commit={actions.commit}
+            is_code
+            is_faulty={is_faulty}
+            description={row.doc}
+            placeholder="path of a picture"
+          />
           {value !== undefined && !row.required && (
             <Button kind="quiet" press={actions.unset}>
               Remove
             </Button>
           )}
         </div>
-        {model === null ? <FileChooser row={row} file={file} take={actions.commit} /> : <ShippedFiles close={() => undefined} />}
+        {model === null ? (
+          <FileChooser row={row} file={file} take={actions.commit} />
+        ) : (
+          <ShippedFiles close={() => undefined} />
+        )}
       </div>
     </div>
   );

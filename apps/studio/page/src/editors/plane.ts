@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A piece of a plane in a picture: its scale, the lines of its grid, and snapping of points.
-import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
 import type { Frame, Point, Range } from './shape.ts';
 
 export interface PictureSize {
@@ -21,18 +21,27 @@ export class Scale {
     is_even: boolean,
   ) {
     const { x, y } = frame;
-    const [across, up] = [(size_.wide - 2 * size_.margin) / (x.high - x.low), (size_.high - 2 * size_.margin) / (y.high - y.low)];
+    const [across, up] = [
+      (size_.wide - 2 * size_.margin) / (x.high - x.low),
+      (size_.high - 2 * size_.margin) / (y.high - y.low),
+    ];
     this.across_ = is_even ? Math.min(across, up) : across;
     this.up_ = is_even ? this.across_ : up;
   }
 
   place([x, y]: Point): Point {
     const { x: a, y: b } = this.frame;
-    return [this.size_.wide / 2 + (x - (a.low + a.high) / 2) * this.across_, this.size_.high / 2 - (y - (b.low + b.high) / 2) * this.up_];
+    return [
+      this.size_.wide / 2 + (x - (a.low + a.high) / 2) * this.across_,
+      this.size_.high / 2 - (y - (b.low + b.high) / 2) * this.up_,
+    ];
   }
   value([left, top]: Point): Point {
     const { x: a, y: b } = this.frame;
-    return [(left - this.size_.wide / 2) / this.across_ + (a.low + a.high) / 2, (this.size_.high / 2 - top) / this.up_ + (b.low + b.high) / 2];
+    return [
+      (left - this.size_.wide / 2) / this.across_ + (a.low + a.high) / 2,
+      (this.size_.high / 2 - top) / this.up_ + (b.low + b.high) / 2,
+    ];
   }
   /// The size of a pixel in the plane, for both directions.
   get pixel(): Point {
@@ -51,7 +60,10 @@ export function grid_lines(range: Range, per_pixel: number, pixels: number): { l
   while (step < 0.999 * per_pixel * pixels) step = fitting_step(0, 2 * step, 1);
   const first = Math.ceil(range.low / step - 1e-9);
   const last = Math.floor(range.high / step + 1e-9);
-  return { lines: Array.from({ length: Math.max(0, last - first + 1) }, (_, k) => rounded((first + k) * step, step)), step };
+  return {
+    lines: Array.from({ length: Math.max(0, last - first + 1) }, (_, k) => rounded((first + k) * step, step)),
+    step,
+  };
 }
 
 export interface Snapped {
@@ -62,7 +74,12 @@ export interface Snapped {
 const kReach = 4; // distance in pixels within which a point snaps to a line
 
 /// Returns a dragged point, snapped to lines within a few pixels. Coordinates that do not snap are rounded to `digits`.
-export function snapped(point: Point, levels: { x: readonly number[]; y: readonly number[] }, scale: Scale, digits: number): Snapped {
+export function snapped(
+  point: Point,
+  levels: { x: readonly number[]; y: readonly number[] },
+  scale: Scale,
+  digits: number,
+): Snapped {
   const pixel = scale.pixel;
   const nearest = (value: number, lines: readonly number[], reach: number): number | null => {
     let [best, least] = [null as number | null, reach];

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Editable points of a plane. Points are dragged with snapping, added by a double click, moved by the arrow keys and
 // removed by Delete. This component knows no documents; its parent decides what a moved point means.
-import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
-import type { RefObject } from 'react';
+import type { KeyboardEvent, PointerEvent, ReactElement, RefObject } from 'react';
 import { useEffect, useRef, useState } from 'react';
-
+import { use_held } from '../controls/use_held.ts';
+import { LimitLines } from './limit_lines.tsx';
+import type { Limits } from './limits.ts';
 import type { PictureSize, Snapped } from './plane.ts';
 import { grid_lines, levels_of, Scale, snapped } from './plane.ts';
 import type { PlaneLine } from './plane_lines.tsx';
 import { DrawnLine } from './plane_lines.tsx';
-import { LimitLines } from './limit_lines.tsx';
-import type { Limits } from './limits.ts';
 import type { Frame, Point } from './shape.ts';
-import { use_held } from './use_held.ts';
 
 export interface PlaneCanvasProps {
   label: string;
@@ -62,7 +60,9 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
   const grid_pixels = props.is_numbered ? kGridPixels.numbered : kGridPixels.plain;
 
   const place_of = (event: { clientX: number; clientY: number }): Point => {
-    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.current?.getScreenCTM()?.inverse());
+    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(
+      picture.current?.getScreenCTM()?.inverse(),
+    );
     return [place.x, place.y];
   };
   const near = (event: { clientX: number; clientY: number }): number => {
@@ -110,7 +110,8 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
     if (event.key === 'Escape' && held.get()) let_go(false);
     else if (event.key === 'Delete' || event.key === 'Backspace') props.remove(chosen);
     else if (event.key === '+' || event.key === 'Insert') props.add_after(chosen);
-    else if (way && point) props.commit(chosen, [point[0] + (way[0] ?? 0) * fine, point[1] + (way[1] ?? 0) * fine], fine);
+    else if (way && point)
+      props.commit(chosen, [point[0] + (way[0] ?? 0) * fine, point[1] + (way[1] ?? 0) * fine], fine);
     else if (go_to !== undefined) focus_point(picture.current, Math.min(points.length - 1, Math.max(0, go_to)));
     else return;
     event.preventDefault();
@@ -205,11 +206,14 @@ function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElem
               {one}
             </text>
           ))}
-          {up.map((one) => [one, scale.place([0, one])[1] - 3] as const).filter(([, at]) => at > kBelowName).map(([one, at]) => (
-            <text key={`y${one}`} x={3} y={at}>
-              {one}
-            </text>
-          ))}
+          {up
+            .map((one) => [one, scale.place([0, one])[1] - 3] as const)
+            .filter(([, at]) => at > kBelowName)
+            .map(([one, at]) => (
+              <text key={`y${one}`} x={3} y={at}>
+                {one}
+              </text>
+            ))}
           <text className="way" x={size.wide - 6} y={size.high - 18} textAnchor="end">
             {names[0]}
           </text>

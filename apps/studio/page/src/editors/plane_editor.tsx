@@ -5,16 +5,27 @@ import { useRef, useState } from 'react';
 
 import { IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { fitting_step } from '../document/arithmetic.ts';
-import type { PlaneLine } from './plane_lines.tsx';
-import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
-import { use_snapping } from './snapping.ts';
+import type { EditorSize } from '../rows/row_kinds.ts';
+import { fitting_step } from '../values/arithmetic.ts';
 import type { Limits } from './limits.ts';
 import { drawn_limits, limits_of, with_legal_point, with_limits, within_range } from './limits.ts';
+import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
+import type { PlaneLine } from './plane_lines.tsx';
 import type { Frame, Point, Shape } from './shape.ts';
-import { frame_of, is_two_sided, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, with_room_for, without_point } from './shape.ts';
-import type { EditorSize } from './sizes.ts';
+import {
+  frame_of,
+  is_two_sided,
+  least_points,
+  line_of,
+  mirrored,
+  with_point,
+  with_point_after,
+  with_point_at,
+  with_room_for,
+  without_point,
+} from './shape.ts';
 import { kPlaneSizes } from './sizes.ts';
+import { use_snapping } from './snapping.ts';
 
 interface PlaneEditorProps {
   label: string;
@@ -35,7 +46,14 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
   const { snaps, set_snaps } = use_snapping();
   const behind = props.behind ?? [];
   const limits = props.limits ?? limits_of({}, shape.form);
-  const frame = with_limits(with_room_for(frame_of(shape), behind.flatMap((line) => line.points)), drawn_limits(limits, shape), shape.form);
+  const frame = with_limits(
+    with_room_for(
+      frame_of(shape),
+      behind.flatMap((line) => line.points),
+    ),
+    drawn_limits(limits, shape),
+    shape.form,
+  );
   const index = Math.min(chosen, shape.points.length - 1);
   const digits = Math.min(fitting_step(frame.x.low, frame.x.high, 200), fitting_step(frame.y.low, frame.y.high, 200));
   const least = least_points(shape);
@@ -53,8 +71,11 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
     commit(without_point(shape, which));
     focus(Math.max(0, which - 1));
   };
-  const moved = (which: number, point: Point, step: number): Shape => with_legal_point(with_point_at(shape, which, point, frame, step), which, limits);
-  const kind = { function: 'Curve', line: 'Line', polygon: 'Polygon', silhouette: 'Silhouette', profile: 'Profile' }[shape.form];
+  const moved = (which: number, point: Point, step: number): Shape =>
+    with_legal_point(with_point_at(shape, which, point, frame, step), which, limits);
+  const kind = { function: 'Curve', line: 'Line', polygon: 'Polygon', silhouette: 'Silhouette', profile: 'Profile' }[
+    shape.form
+  ];
   return (
     <div ref={root} className={`curve-editor of-${size}${props.is_dim ? ' dim' : ''}`}>
       <PlaneCanvas
@@ -81,14 +102,51 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
       />
       <PointFields {...props} index={index} frame={frame} digits={digits} limits={limits} />
       <div className="curve-tools">
-        <IconButton is_small icon="left" label={`Point before, of ${label}`} is_off={index === 0} press={() => focus(index - 1)} />
-        <IconButton is_small icon="right" label={`Point behind, of ${label}`} is_off={index + 1 >= shape.points.length} press={() => focus(index + 1)} />
-        <IconButton is_small icon="plus" label={`Add a point to ${label}`} press={() => put(with_point_after(shape, index, digits))} />
-        <IconButton is_small icon="close" label={`Remove the point of ${label}`} is_off={shape.points.length <= least} press={() => remove(index)} />
-        <IconButton is_small icon="magnet" label={`Draw points of ${label} to the grid and to each other; Alt holds it off`} is_on={snaps} press={() => set_snaps(!snaps)} />
+        <IconButton
+          is_small
+          icon="left"
+          label={`Point before, of ${label}`}
+          is_off={index === 0}
+          press={() => focus(index - 1)}
+        />
+        <IconButton
+          is_small
+          icon="right"
+          label={`Point behind, of ${label}`}
+          is_off={index + 1 >= shape.points.length}
+          press={() => focus(index + 1)}
+        />
+        <IconButton
+          is_small
+          icon="plus"
+          label={`Add a point to ${label}`}
+          press={() => put(with_point_after(shape, index, digits))}
+        />
+        <IconButton
+          is_small
+          icon="close"
+          label={`Remove the point of ${label}`}
+          is_off={shape.points.length <= least}
+          press={() => remove(index)}
+        />
+        <IconButton
+          is_small
+          icon="magnet"
+          label={`Draw points of ${label} to the grid and to each other; Alt holds it off`}
+          is_on={snaps}
+          press={() => set_snaps(!snaps)}
+        />
         <span className="stretch" />
         {shape.form === 'function' ? (
-          <Segments label={`How the points of ${label} are joined`} value={shape.joining} choices={[['spline', 'Smooth'], ['linear', 'Lines']]} choose={(joining) => commit({ ...shape, joining })} />
+          <Segments
+            label={`How the points of ${label} are joined`}
+            value={shape.joining}
+            choices={[
+              ['spline', 'Smooth'],
+              ['linear', 'Lines'],
+            ]}
+            choose={(joining) => commit({ ...shape, joining })}
+          />
         ) : (
           <span className="quiet">
             {kind}, {shape.points.length} points
@@ -107,7 +165,11 @@ function names_of({ form }: Shape): readonly [string, string] {
 function lines_of(shape: Shape): PlaneLine[] {
   const line = line_of(shape);
   if (!is_two_sided(shape)) return [{ points: line, kind: shape.form === 'polygon' ? 'filled' : 'line' }];
-  return [{ points: [...line, ...mirrored(line).reverse()], kind: 'filled' }, { points: mirrored(line), kind: 'mirror' }, { points: line, kind: 'line' }];
+  return [
+    { points: [...line, ...mirrored(line).reverse()], kind: 'filled' },
+    { points: mirrored(line), kind: 'mirror' },
+    { points: line, kind: 'line' },
+  ];
 }
 
 interface PointFieldsProps extends PlaneEditorProps {
@@ -118,17 +180,36 @@ interface PointFieldsProps extends PlaneEditorProps {
 }
 
 /// Fields for the numbers of the chosen point.
-function PointFields({ label, shape, index, frame, digits, limits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
+function PointFields({
+  label,
+  shape,
+  index,
+  frame,
+  digits,
+  limits,
+  drag,
+  commit,
+  cancel,
+}: PointFieldsProps): ReactElement | null {
   const point = shape.points[index];
   if (!point) return null;
   const names = shape.form === 'profile' ? names_of(shape) : ['x', 'y'];
   const field = (axis: 0 | 1): ReactElement => {
-    const at = (value: number): Shape => with_point_at(shape, index, axis === 0 ? [value, point[1]] : [point[0], value], frame, 1e-6);
+    const at = (value: number): Shape =>
+      with_point_at(shape, index, axis === 0 ? [value, point[1]] : [point[0], value], frame, 1e-6);
     const legal = (value: number): number => within_range(value, axis === 0 ? limits.x : limits.y);
     return (
       <label className="curve-field">
         <span className="quiet">{names[axis]}</span>
-        <NumberField label={`${label}, ${names[axis]} of point ${index + 1}`} value={point[axis]} step={digits} limit={legal} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
+        <NumberField
+          label={`${label}, ${names[axis]} of point ${index + 1}`}
+          value={point[axis]}
+          step={digits}
+          limit={legal}
+          drag={(one) => drag(at(one))}
+          commit={(one) => commit(at(one))}
+          cancel={cancel}
+        />
       </label>
     );
   };

@@ -15,14 +15,34 @@ export interface PlaneLine {
 export function DrawnLine({ scale, line: { points, kind } }: { scale: Scale; line: PlaneLine }): ReactElement {
   if (kind === 'dots') return <Dots scale={scale} points={points} />;
   if (kind === 'cloud') return <Cloud scale={scale} points={points} />;
-  return <polyline className={`curve-line ${kind}`} points={points.map((point) => scale.place(point).map((one) => one.toFixed(1)).join(',')).join(' ')} />;
+  return (
+    <polyline
+      className={`curve-line ${kind}`}
+      points={points
+        .map((point) =>
+          scale
+            .place(point)
+            .map((one) => one.toFixed(1))
+            .join(','),
+        )
+        .join(' ')}
+    />
+  );
 }
 
 /// Thousands of small points. Their path is made once and then moved and scaled with the picture.
 function Cloud({ scale, points }: { scale: Scale; points: readonly Point[] }): ReactElement {
   const path = useMemo(() => points.map(([x, y]) => `M${x.toFixed(4)} ${y.toFixed(4)}h0`).join(''), [points]);
   const [[left, top], [across, up]] = [scale.place([0, 0]), scale.pixel];
-  return <path className="curve-cloud" aria-hidden="true" data-points={points.length} d={path} transform={`matrix(${1 / across} 0 0 ${-1 / up} ${left} ${top})`} />;
+  return (
+    <path
+      className="curve-cloud"
+      aria-hidden="true"
+      data-points={points.length}
+      d={path}
+      transform={`matrix(${1 / across} 0 0 ${-1 / up} ${left} ${top})`}
+    />
+  );
 }
 
 /// Points that the user cannot move.

@@ -4,11 +4,11 @@
 import type { ReactElement } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
 import { NumberOrText } from '../rows/number_row.tsx';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
 import { legal_value } from '../tables/legal.ts';
 import { hard_range } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
 import { next_position } from './next_position.ts';
 import { places_of } from './space.ts';
 import { SpaceEditor } from './space_editor.tsx';
@@ -22,13 +22,30 @@ export function PositionsRow(props: RowEditorProps): ReactElement {
   const places = places_of(positions);
   return (
     <div className={`stacked positions of-${size}`}>
-      {places && places.length > 0 && <SpaceEditor label={label} places={places} is_joined={row.together === 'line'} is_dim={props.value === undefined} range={hard_range(row)} size={size} drag={actions.drag} commit={actions.commit} cancel={actions.cancel} />}
+      {places && places.length > 0 && (
+        <SpaceEditor
+          label={label}
+          places={places}
+          is_joined={row.together === 'line'}
+          is_dim={props.value === undefined}
+          range={hard_range(row)}
+          size={size}
+          drag={actions.drag}
+          commit={actions.commit}
+          cancel={actions.cancel}
+        />
+      )}
       <div className="stacked position-fields">
         <PositionFields {...props} positions={positions} />
         <div className="add-line">
           <span>{positions.length === 0 ? 'No positions yet' : 'x, y, z in metres'}</span>
           <span className="stretch" />
-          <IconButton is_small icon="plus" label={`Add a position to ${label}`} press={() => actions.commit([...positions, legal_value(row, next_position(positions))])} />
+          <IconButton
+            is_small
+            icon="plus"
+            label={`Add a position to ${label}`}
+            press={() => actions.commit([...positions, legal_value(row, next_position(positions))])}
+          />
         </div>
       </div>
     </div>
@@ -37,7 +54,10 @@ export function PositionsRow(props: RowEditorProps): ReactElement {
 
 function PositionFields(props: RowEditorProps & { positions: Json[] }): ReactElement {
   const { label, actions, positions } = props;
-  const with_one = (index: number, axis: number, one: Json): Json => positions.map((old, k) => (k === index && Array.isArray(old) ? old.map((before, a) => (a === axis ? one : before)) : old));
+  const with_one = (index: number, axis: number, one: Json): Json =>
+    positions.map((old, k) =>
+      k === index && Array.isArray(old) ? old.map((before, a) => (a === axis ? one : before)) : old,
+    );
   const remove = (index: number): void => actions.commit(positions.filter((_, k) => k !== index));
   return (
     <>
@@ -45,10 +65,21 @@ function PositionFields(props: RowEditorProps & { positions: Json[] }): ReactEle
         <div className="listed" key={index}>
           <div className="vector">
             {(Array.isArray(position) ? position : [0, 0, 0]).slice(0, 3).map((one, axis) => (
-              <NumberOrText key={axis} {...props} label={`${label} ${index + 1}, ${kAxes[axis] ?? ''}`} element={one} put={(number) => with_one(index, axis, number)} />
+              <NumberOrText
+                key={axis}
+                {...props}
+                label={`${label} ${index + 1}, ${kAxes[axis] ?? ''}`}
+                element={one}
+                put={(number) => with_one(index, axis, number)}
+              />
             ))}
           </div>
-          <IconButton is_small icon="close" label={`Remove position ${index + 1} of ${label}`} press={() => remove(index)} />
+          <IconButton
+            is_small
+            icon="close"
+            label={`Remove position ${index + 1} of ${label}`}
+            press={() => remove(index)}
+          />
         </div>
       ))}
     </>

@@ -6,24 +6,34 @@ import { useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
-import { steps_of } from '../document/path.ts';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
-import { TextField } from '../rows/text_field.tsx';
-import { use_studio } from '../studio_context.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { use_held } from '../controls/use_held.ts';
+import { use_page } from '../page/use_page.ts';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
+import type { Json } from '../values/json.ts';
+import { steps_of } from '../values/path.ts';
 import { count_named, entries_of, named_numbers } from './selection_set.ts';
 import { entry_of, entry_text } from './selection_text.ts';
-import { use_held } from './use_held.ts';
 
-export function SelectionRow({ label, path, value, row, actions, is_faulty, size = 'row' }: RowEditorProps): ReactElement {
+export function SelectionRow({
+  label,
+  path,
+  value,
+  row,
+  actions,
+  is_faulty,
+  size = 'row',
+}: RowEditorProps): ReactElement {
   const entries = Array.isArray(value) ? value : [];
   const put_all = (made: Json[]): void => (made.length > 0 ? actions.commit(made) : actions.unset());
   const remove = (index: number): void => put_all(entries.filter((_, k) => k !== index));
-  const put = (index: number) => (typed: string): void => {
-    const entry = entry_of(typed);
-    if (entry === null) remove(index);
-    else actions.commit(entries.map((old, k) => (k === index ? entry : old)));
-  };
+  const put =
+    (index: number) =>
+    (typed: string): void => {
+      const entry = entry_of(typed);
+      if (entry === null) remove(index);
+      else actions.commit(entries.map((old, k) => (k === index ? entry : old)));
+    };
   const add = (typed: string): void => {
     const entry = entry_of(typed);
     if (entry !== null) actions.commit([...entries, entry]);
@@ -33,11 +43,30 @@ export function SelectionRow({ label, path, value, row, actions, is_faulty, size
       <Cells label={label} path={path} entries={entries} most={size === 'large' ? 1200 : 120} put={put_all} />
       {entries.map((entry, index) => (
         <div className="listed" key={index}>
-          <TextField label={`${label} ${index + 1}`} value={entry_text(entry)} commit={put(index)} is_code is_faulty={is_faulty} description={row.doc} />
-          <IconButton is_small icon="close" label={`Remove entry ${index + 1} of ${label}`} press={() => remove(index)} />
+          <TextField
+            label={`${label} ${index + 1}`}
+            value={entry_text(entry)}
+            commit={put(index)}
+            is_code
+            is_faulty={is_faulty}
+            description={row.doc}
+          />
+          <IconButton
+            is_small
+            icon="close"
+            label={`Remove entry ${index + 1} of ${label}`}
+            press={() => remove(index)}
+          />
         </div>
       ))}
-      <TextField label={`Add to ${label}`} value="" commit={add} is_code description={row.doc} placeholder="7, 3 to 5, or i % 10 == 9" />
+      <TextField
+        label={`Add to ${label}`}
+        value=""
+        commit={add}
+        is_code
+        description={row.doc}
+        placeholder="7, 3 to 5, or i % 10 == 9"
+      />
     </div>
   );
 }
@@ -61,7 +90,7 @@ interface CellsProps {
 
 /// A click on a cell switches it. A drag gives all cells the state of the first one, as one step.
 function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
-  const { grown } = use_store(use_studio().growth);
+  const { grown } = use_store(use_page().growth);
   const component = String(steps_of(path)[1] ?? '');
   // Left-out instances are not among the grown ones.
   const left_out = named_numbers(entries, most).size;
@@ -103,7 +132,8 @@ function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
   const key = (event: KeyboardEvent): void => {
     const step = { ArrowRight: 1, ArrowLeft: -1, Home: -focused, End: count - 1 - focused }[event.key];
     if (event.key === 'Escape' && drawn.get()) drawn.set(null);
-    else if (event.key === ' ' || event.key === 'Enter') finish({ from: focused, to: focused, is_in: !named.has(focused) });
+    else if (event.key === ' ' || event.key === 'Enter')
+      finish({ from: focused, to: focused, is_in: !named.has(focused) });
     else if (step !== undefined) {
       const next = Math.min(count - 1, Math.max(0, focused + step));
       set_focused(next);
@@ -114,9 +144,29 @@ function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
     event.stopPropagation();
   };
   return (
-    <div ref={box} className="cells" role="group" aria-label={`Instances of ${label}`} onPointerDown={down} onPointerMove={move} onPointerUp={() => finish(drawn.get())} onPointerCancel={() => drawn.set(null)} onKeyDown={key}>
+    <div
+      ref={box}
+      className="cells"
+      role="group"
+      aria-label={`Instances of ${label}`}
+      onPointerDown={down}
+      onPointerMove={move}
+      onPointerUp={() => finish(drawn.get())}
+      onPointerCancel={() => drawn.set(null)}
+      onKeyDown={key}
+    >
       {Array.from({ length: count }, (_, k) => (
-        <button key={k} type="button" className="cell" data-cell={k} tabIndex={k === Math.min(focused, count - 1) ? 0 : -1} aria-pressed={shown.has(k)} aria-label={`Instance ${k}`} data-tip={`Instance ${k}`} onFocus={() => set_focused(k)}>
+        <button
+          key={k}
+          type="button"
+          className="cell"
+          data-cell={k}
+          tabIndex={k === Math.min(focused, count - 1) ? 0 : -1}
+          aria-pressed={shown.has(k)}
+          aria-label={`Instance ${k}`}
+          data-tip={`Instance ${k}`}
+          onFocus={() => set_focused(k)}
+        >
           {k % 10 === 0 ? k : ''}
         </button>
       ))}

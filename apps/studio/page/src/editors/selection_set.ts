@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The instances that a selection names by number or range, and the shortest way to write them. Conditions are evaluated
 // by the library and are not changed.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 
 export function is_condition(entry: Json): boolean {
   return typeof entry === 'string';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An entry of a selection as the user types it: 7, 3 to 5, or a condition such as i % 10 == 9.
-import type { Json } from '../document/json.ts';
-import { write_json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
+import { write_json } from '../values/json.ts';
 
 export function entry_text(entry: Json): string {
   if (Array.isArray(entry) && entry.length === 2) return `${String(entry[0])} to ${String(entry[1])}`;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves and outlines in documents: their course between points, and how their points move.
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
 
 export type Point = readonly [number, number];
 export type Joining = 'spline' | 'linear';
@@ -40,7 +40,10 @@ export function least_points({ form }: Shape): number {
 
 function points_of(list: Json | undefined): Point[] | null {
   if (!Array.isArray(list) || list.length === 0) return null;
-  const points = list.filter((one): one is [number, number] => Array.isArray(one) && one.length === 2 && one.every((number) => typeof number === 'number'));
+  const points = list.filter(
+    (one): one is [number, number] =>
+      Array.isArray(one) && one.length === 2 && one.every((number) => typeof number === 'number'),
+  );
   return points.length === list.length ? points : null;
 }
 
@@ -74,7 +77,8 @@ function bends_of(points: readonly Point[]): number[] {
 /// Returns the points of a line that draws the shape.
 export function line_of(shape: Shape, steps = 12): Point[] {
   const { points, joining, form } = shape;
-  if (form === 'profile' && rises(points)) return line_of(over_height(shape), steps).map(([height, radius]) => [Math.max(0, radius), height]);
+  if (form === 'profile' && rises(points))
+    return line_of(over_height(shape), steps).map(([height, radius]) => [Math.max(0, radius), height]);
   if (form === 'polygon' && points[0]) return [...points, points[0]];
   if (form !== 'function' || joining === 'linear' || points.length < 3) return points;
   const bends = bends_of(points);
@@ -143,7 +147,10 @@ export function frame_of(shape: Shape): Frame {
 /// Returns a frame that also includes further points.
 export function with_room_for({ x, y }: Frame, points: readonly Point[]): Frame {
   const [xs, ys] = [points.map(([one]) => one), points.map(([, one]) => one)];
-  return { x: { low: Math.min(x.low, ...xs), high: Math.max(x.high, ...xs) }, y: { low: Math.min(y.low, ...ys), high: Math.max(y.high, ...ys) } };
+  return {
+    x: { low: Math.min(x.low, ...xs), high: Math.max(x.high, ...xs) },
+    y: { low: Math.min(y.low, ...ys), high: Math.max(y.high, ...ys) },
+  };
 }
 
 const kLeastGap = 0.001; // between the points of a function, as a share of its range
@@ -152,7 +159,10 @@ const kLeastGap = 0.001; // between the points of a function, as a share of its 
 export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame: Frame, digits: number): Shape {
   if (shape.form === 'profile') {
     const least = kLeastGap * (frame.y.high - frame.y.low);
-    const [below, above] = [(shape.points[index - 1]?.[1] ?? -Infinity) + least, (shape.points[index + 1]?.[1] ?? Infinity) - least];
+    const [below, above] = [
+      (shape.points[index - 1]?.[1] ?? -Infinity) + least,
+      (shape.points[index + 1]?.[1] ?? Infinity) - least,
+    ];
     const made: Point = [Math.max(0, rounded(x, digits)), Math.min(above, Math.max(below, rounded(y, digits)))];
     return { ...shape, points: shape.points.map((one, k) => (k === index ? made : one)) };
   }
@@ -168,13 +178,20 @@ export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame:
 export function with_point(shape: Shape, [x, y]: Point, digits: number): { shape: Shape; index: number } | null {
   const { points } = shape;
   if (shape.form === 'profile') return with_point_of_profile(shape, [x, y], digits);
-  const index = shape.form === 'function' ? points.filter(([one]) => one < x).length : nearest_piece(points, [x, y], shape.form === 'polygon') + 1;
+  const index =
+    shape.form === 'function'
+      ? points.filter(([one]) => one < x).length
+      : nearest_piece(points, [x, y], shape.form === 'polygon') + 1;
   const made: Point = [rounded(x, digits), rounded(y, digits)];
   if (shape.form === 'function' && points.some(([one]) => Math.abs(one - made[0]) < 1e-9)) return null;
   return { shape: { ...shape, points: [...points.slice(0, index), made, ...points.slice(index)] }, index };
 }
 
-function with_point_of_profile(shape: Shape, [radius, height]: Point, digits: number): { shape: Shape; index: number } | null {
+function with_point_of_profile(
+  shape: Shape,
+  [radius, height]: Point,
+  digits: number,
+): { shape: Shape; index: number } | null {
   const made = rounded(height, digits);
   if (shape.points.some(([, one]) => Math.abs(one - made) < 1e-9)) return null;
   return insert(shape, shape.points.filter(([, one]) => one < made).length, [Math.max(0, radius), made], digits);

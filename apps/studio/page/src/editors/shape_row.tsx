@@ -5,15 +5,15 @@ import type { ReactElement } from 'react';
 import { useState } from 'react';
 
 import { Button } from '../controls/button.tsx';
-import { use_crown_cloud } from '../crown/use_crown_cloud.ts';
 import { WrittenRow } from '../rows/plain_rows.tsx';
-import type { RowEditorProps } from '../rows/row_editor.tsx';
+import type { RowEditorProps } from '../rows/row_kinds.ts';
+import type { Row } from '../tables/tables.ts';
+import { limits_of } from './limits.ts';
 import { PlaneEditor } from './plane_editor.tsx';
 import type { PlaneLine } from './plane_lines.tsx';
 import type { Form } from './shape.ts';
-import { limits_of } from './limits.ts';
 import { shape_of, with_points } from './shape.ts';
-import type { Row } from '../tables/tables.ts';
+import { use_crown_cloud } from './use_crown_cloud.ts';
 
 export function ShapeRow(props: RowEditorProps): ReactElement {
   const [is_written, set_written] = useState(false);
@@ -26,7 +26,17 @@ export function ShapeRow(props: RowEditorProps): ReactElement {
   const behind: PlaneLine[] = cloud.length > 0 ? [{ points: cloud, kind: 'cloud' }] : [];
   return (
     <div className="stacked">
-      <PlaneEditor label={props.label} shape={shape} size={size} limits={limits_of(row, shape.form)} behind={behind} is_dim={props.value === undefined} drag={(one) => drag(with_points(shown, one))} commit={(one) => commit(with_points(shown, one))} cancel={cancel} />
+      <PlaneEditor
+        label={props.label}
+        shape={shape}
+        size={size}
+        limits={limits_of(row, shape.form)}
+        behind={behind}
+        is_dim={props.value === undefined}
+        drag={(one) => drag(with_points(shown, one))}
+        commit={(one) => commit(with_points(shown, one))}
+        cancel={cancel}
+      />
       {size === 'row' && (
         <Button kind="quiet" is_open={is_written} press={() => set_written(!is_written)}>
           {is_written ? 'Hide the text' : 'As text'}

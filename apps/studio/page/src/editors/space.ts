@@ -2,8 +2,8 @@
 // Points of space in two pictures side by side: from the front, with x to the right and y up, and from the right or
 // from above.
 import type { Vec } from '../base/vec.ts';
-import { fitting_step, rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
 import type { Frame, Point, Range } from './shape.ts';
 
 /// One of the pictures: the coordinates that point right and up in it, and whether they are mirrored.
@@ -31,7 +31,10 @@ export function names_of(side: Side): readonly [string, string] {
 /// Returns the positions of a value, or null if it has expressions.
 export function places_of(value: Json | undefined): Vec[] | null {
   if (!Array.isArray(value)) return null;
-  const places = value.filter((one): one is [number, number, number] => Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'));
+  const places = value.filter(
+    (one): one is [number, number, number] =>
+      Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'),
+  );
   return places.length === value.length ? places : null;
 }
 

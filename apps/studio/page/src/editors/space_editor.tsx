@@ -5,13 +5,13 @@ import { useRef, useState } from 'react';
 
 import type { Vec } from '../base/vec.ts';
 import { IconButton, Segments } from '../controls/button.tsx';
-import type { Json } from '../document/json.ts';
+import type { EditorSize } from '../rows/row_kinds.ts';
+import type { Json } from '../values/json.ts';
+import { with_limits, within_range } from './limits.ts';
 import { next_position } from './next_position.ts';
 import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
 import type { Range } from './shape.ts';
-import { with_limits, within_range } from './limits.ts';
 import { use_snapping } from './snapping.ts';
-import type { EditorSize } from './sizes.ts';
 import type { Side } from './space.ts';
 import { frame_from, kSides, limits_from, moved_in, names_of, seen_from, step_of } from './space.ts';
 
@@ -40,18 +40,26 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
   const digits = step_of(places);
   const plain = (made: readonly Vec[]): Json => made.map((one) => [...one]);
   const legal = (place: Vec): Vec => place.map((one) => within_range(one, props.range)) as unknown as Vec;
-  const moved = (view: Side, which: number, point: readonly [number, number], step: number): Json => plain(places.map((one, k) => (k === which ? legal(moved_in(view, one, point, step)) : one)));
+  const moved = (view: Side, which: number, point: readonly [number, number], step: number): Json =>
+    plain(places.map((one, k) => (k === which ? legal(moved_in(view, one, point, step)) : one)));
   const put = (made: readonly Vec[], which: number): void => {
     commit(plain(made));
     choose(which);
     focus_point(root.current, which);
   };
   const remove = (which: number): void => {
-    if (places.length > 1) put(places.filter((_, k) => k !== which), Math.max(0, which - 1));
+    if (places.length > 1)
+      put(
+        places.filter((_, k) => k !== which),
+        Math.max(0, which - 1),
+      );
   };
   const add_after = (which: number): void => {
     const [here, next] = [places[which], places[which + 1]];
-    const made = here && next ? (here.map((one, axis) => (one + (next[axis] ?? 0)) / 2) as unknown as Vec) : (next_position(plain(places) as Json[]) as unknown as Vec);
+    const made =
+      here && next
+        ? (here.map((one, axis) => (one + (next[axis] ?? 0)) / 2) as unknown as Vec)
+        : (next_position(plain(places) as Json[]) as unknown as Vec);
     put([...places.slice(0, which + 1), legal(made), ...places.slice(which + 1)], which + 1);
   };
   const canvas = (view: Side): ReactElement => (
@@ -83,13 +91,48 @@ export function SpaceEditor(props: SpaceEditorProps): ReactElement {
     <div ref={root} className={`curve-editor space of-${size}${props.is_dim ? ' dim' : ''}`}>
       <div className="space-sides">{shown.map(canvas)}</div>
       <div className="curve-tools">
-        <IconButton is_small icon="left" label={`Point before, of ${label}`} is_off={index === 0} press={() => focus_point(root.current, index - 1)} />
-        <IconButton is_small icon="right" label={`Point behind, of ${label}`} is_off={index + 1 >= places.length} press={() => focus_point(root.current, index + 1)} />
+        <IconButton
+          is_small
+          icon="left"
+          label={`Point before, of ${label}`}
+          is_off={index === 0}
+          press={() => focus_point(root.current, index - 1)}
+        />
+        <IconButton
+          is_small
+          icon="right"
+          label={`Point behind, of ${label}`}
+          is_off={index + 1 >= places.length}
+          press={() => focus_point(root.current, index + 1)}
+        />
         <IconButton is_small icon="plus" label={`Add a point to ${label}`} press={() => add_after(index)} />
-        <IconButton is_small icon="close" label={`Remove the point of ${label}`} is_off={places.length < 2} press={() => remove(index)} />
-        <IconButton is_small icon="magnet" label={`Draw points of ${label} to the grid and to each other; Alt holds it off`} is_on={snaps} press={() => set_snaps(!snaps)} />
+        <IconButton
+          is_small
+          icon="close"
+          label={`Remove the point of ${label}`}
+          is_off={places.length < 2}
+          press={() => remove(index)}
+        />
+        <IconButton
+          is_small
+          icon="magnet"
+          label={`Draw points of ${label} to the grid and to each other; Alt holds it off`}
+          is_on={snaps}
+          press={() => set_snaps(!snaps)}
+        />
         <span className="stretch" />
-        {size === 'row' && <Segments label={`Side from which ${label} is seen`} value={String(side)} choices={[['0', 'Front'], ['1', 'Side'], ['2', 'Top']]} choose={(one) => show_side(Number(one))} />}
+        {size === 'row' && (
+          <Segments
+            label={`Side from which ${label} is seen`}
+            value={String(side)}
+            choices={[
+              ['0', 'Front'],
+              ['1', 'Side'],
+              ['2', 'Top'],
+            ]}
+            choose={(one) => show_side(Number(one))}
+          />
+        )}
       </div>
     </div>
   );

@@ -4,8 +4,8 @@ import type { ReactElement } from 'react';
 import { useEffect, useState } from 'react';
 
 import { Icon } from '../controls/icon.tsx';
-import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import type { Page } from '../page/page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 
 export interface MadeThumbnail {
   picture: string; // base 64 of a PNG
@@ -17,11 +17,11 @@ const kMade = new Map<string, Promise<MadeThumbnail | null>>();
 const kMostKept = 500;
 
 /// Requests each picture once while the document is open.
-function thumbnail_of(studio: Studio, key: string, file: string, size: number): Promise<MadeThumbnail | null> {
+function thumbnail_of(page: Page, key: string, file: string, size: number): Promise<MadeThumbnail | null> {
   const known = kMade.get(key);
   if (known) return known;
   if (kMade.size >= kMostKept) kMade.clear();
-  const made = studio.connection
+  const made = page.connection
     .request<{ thumbnail: MadeThumbnail }>('picture', { file, size })
     .then((answer) => answer.thumbnail)
     .catch(() => {
@@ -35,17 +35,20 @@ function thumbnail_of(studio: Studio, key: string, file: string, size: number): 
 /// Returns the picture that a document names, at most `size` pixels long. Returns null until it is ready, and if it is
 /// no picture.
 export function use_thumbnail(file: string, size: number): MadeThumbnail | null {
-  const studio = use_studio();
+  const page = use_page();
   const { path, model } = use_document();
   const [shown, show] = useState<MadeThumbnail | null>(null);
   useEffect(() => {
     let is_wanted = true;
     show(null);
-    if (file !== '') void thumbnail_of(studio, `${size}|${model ?? ''}|${path ?? ''}|${file}`, file, size).then((made) => is_wanted && show(made));
+    if (file !== '')
+      void thumbnail_of(page, `${size}|${model ?? ''}|${path ?? ''}|${file}`, file, size).then(
+        (made) => is_wanted && show(made),
+      );
     return () => {
       is_wanted = false;
     };
-  }, [studio, path, model, file, size]);
+  }, [page, path, model, file, size]);
   return shown;
 }
 
@@ -58,5 +61,12 @@ export function Thumbnail({ file }: { file: string }): ReactElement {
         <Icon name="document" />
       </span>
     );
-  return <img className="thumbnail" src={`data:image/png;base64,${shown.picture}`} alt={`${file}, ${shown.width} by ${shown.height} pixels`} data-tip={`${file}\n${shown.width} × ${shown.height} pixels`} />;
+  return (
+    <img
+      className="thumbnail"
+      src={`data:image/png;base64,${shown.picture}`}
+      alt={`${file}, ${shown.width} by ${shown.height} pixels`}
+      data-tip={`${file}\n${shown.width} × ${shown.height} pixels`}
+    />
+  );
 }

@@ -6,10 +6,10 @@ import { useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
-import type { Json } from '../document/json.ts';
-import { step_of } from '../panels/handle_step.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { Variable } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import type { Json } from '../values/json.ts';
+import { step_of } from './handle_step.ts';
 import { StillPicture } from './still_picture.tsx';
 import { values_by_chance } from './strip_states.ts';
 import type { StateValues } from './use_stills.ts';
@@ -19,16 +19,19 @@ const kSize = { width: 224, height: 168 };
 const kMostSeed = 9999;
 
 export function ChanceDialog({ close }: { close: () => void }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { variables } = use_document();
-  const locks = use_store(studio.locks);
+  const locks = use_store(page.locks);
   const free = variables.filter((one) => !one.private && one.expression === null && !locks.has(one.name));
   const [sows, set_sows] = useState(free.length === 0);
   const [throws, set_throws] = useState(0);
   const states = use_states(free, sows, throws);
   const { stills, is_working, fault } = use_stills(states, kSize);
   const take = (state: StateValues): void => {
-    void studio.edit(Object.entries(state).map(([path, value]) => ({ set: path, value })), 'Take one of nine');
+    void page.edit(
+      Object.entries(state).map(([path, value]) => ({ set: path, value })),
+      'Take one of nine',
+    );
     close();
   };
   const footer = (
@@ -43,14 +46,24 @@ export function ChanceDialog({ close }: { close: () => void }): ReactElement {
       </Button>
     </>
   );
+  const names = free.map((one) => one.name.replaceAll('_', ' ')).join(', ');
   return (
     <Dialog title="Nine by chance" width="wide" close={close} footer={footer}>
       <p className="quiet">
-        {free.length === 0 ? 'All handles are locked, so the seed alone differs.' : `${free.map((one) => one.name.replaceAll('_', ' ')).join(', ')} within their ranges. Locked handles stay.`} A click takes one, as one step.
+        {free.length === 0
+          ? 'All handles are locked, so the seed alone differs.'
+          : `${names} within their ranges. Locked handles stay.`}{' '}
+        A click takes one, as one step.
       </p>
       <div className="nine" aria-busy={is_working}>
         {states.map((state, k) => (
-          <button key={`${throws} ${k}`} type="button" aria-label={`Plant ${k + 1}: ${words_of(state)}`} data-tip={words_of(state)} onClick={() => take(state)}>
+          <button
+            key={`${throws} ${k}`}
+            type="button"
+            aria-label={`Plant ${k + 1}: ${words_of(state)}`}
+            data-tip={words_of(state)}
+            onClick={() => take(state)}
+          >
             <StillPicture still={stills[k]} is_working={is_working} />
           </button>
         ))}

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small pictures of states of the document, made by the server, and made again when the document changes.
 import { useEffect, useState } from 'react';
-
-import type { Json } from '../document/json.ts';
+import type { Page } from '../page/page.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { Still } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import type { Json } from '../values/json.ts';
 
 export type StateValues = Record<string, Json>;
 
@@ -25,21 +24,21 @@ const kUsualCamera = { position: [3, 1.5, 4], target: [0, 1, 0], field_of_view: 
 const kNear = 0.6; // share of the distance from which everything is visible; nearer, the user looks at a part
 
 /// Returns the camera of the view. A view close to a part shows this part; any other view shows the whole plant.
-function camera_of(studio: Studio): { camera: object; fit: boolean } {
-  const { view } = studio;
+function camera_of(page: Page): { camera: object; fit: boolean } {
+  const { view } = page;
   if (!view) return { camera: kUsualCamera, fit: true };
   return { camera: view.orbit.as_document, fit: view.orbit.distance > kNear * view.fitting_distance };
 }
 
-export async function ask_for_stills(studio: Studio, states: readonly StateValues[], size: StillSize): Promise<Still[]> {
-  const answer = await studio.connection.request<{ stills?: Still[] }>('stills', { states, ...size, ...camera_of(studio) });
+export async function ask_for_stills(page: Page, states: readonly StateValues[], size: StillSize): Promise<Still[]> {
+  const answer = await page.connection.request<{ stills?: Still[] }>('stills', { states, ...size, ...camera_of(page) });
   return answer.stills ?? [];
 }
 
 /// Returns pictures of these states. The server makes only the pictures requested last by any part of the page. Without
 /// states, there is no request.
 export function use_stills(states: readonly StateValues[], size: StillSize): Stills {
-  const studio = use_studio();
+  const page = use_page();
   const { hash, good } = use_document();
   const [made, set_made] = useState<Stills>({ stills: [], is_working: false, fault: '' });
   const key = JSON.stringify([states, size]);
@@ -53,12 +52,12 @@ export function use_stills(states: readonly StateValues[], size: StillSize): Sti
     const fail = (fault: Error): void => {
       if (is_wanted) set_made((before) => ({ ...before, is_working: false, fault: fault.message }));
     };
-    const timer = setTimeout(() => void ask_for_stills(studio, states, size).then(take, fail), kPause);
+    const timer = setTimeout(() => void ask_for_stills(page, states, size).then(take, fail), kPause);
     return () => {
       is_wanted = false;
       clearTimeout(timer);
     };
     // `key` represents states and size.
-  }, [studio, hash, good, key]);
+  }, [page, hash, good, key]);
   return made;
 }

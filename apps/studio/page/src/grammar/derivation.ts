@@ -3,12 +3,13 @@
 // plant of that step.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import type { Page } from '../page/page.ts';
 import type { Derivation } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
 import type { Tables } from '../tables/tables.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 
 export interface DerivationState {
   component: string; // component whose grammar is shown; "" for none
@@ -22,7 +23,17 @@ export interface DerivationState {
   fault: string;
 }
 
-const kNothing: DerivationState = { component: '', instance: null, number: 0, step: null, is_drawn: false, first: 0, told: null, is_working: false, fault: '' };
+const kNothing: DerivationState = {
+  component: '',
+  instance: null,
+  number: 0,
+  step: null,
+  is_drawn: false,
+  first: 0,
+  told: null,
+  is_working: false,
+  fault: '',
+};
 const kModules = 4000; // modules per page
 const kPause = 120; // ms after the last change of the text
 
@@ -35,7 +46,7 @@ export class DerivationModel {
   private seen_hash_ = '';
   private readonly looks_ = new Set<() => void>();
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly page_: Page) {}
 
   /// Resets the derivation for another document. An open panel then shows the component with the present name.
   forget(): void {
@@ -51,8 +62,13 @@ export class DerivationModel {
     this.seen_hash_ = '';
     const before = this.state.get();
     this.state.set(before.component === component ? { ...before, step: null } : { ...kNothing, component });
-    const { document, dragged, instance } = this.studio_;
-    const stops = [document.state.subscribe(() => this.ask_later()), dragged.subscribe(() => this.follow_drags()), instance.found.subscribe(() => this.follow_choice())];
+    const { document, dragged } = this.page_;
+    const { found } = this.page_.tool(InstanceChoice);
+    const stops = [
+      document.state.subscribe(() => this.ask_later()),
+      dragged.subscribe(() => this.follow_drags()),
+      found.subscribe(() => this.follow_choice()),
+    ];
     this.take_choice();
     const leave = (): void => {
       for (const stop of stops) stop();
@@ -71,8 +87,8 @@ export class DerivationModel {
   show_step(step: number | null): void {
     if (step === this.state.get().step) return;
     this.state.merge({ step, first: 0 });
-    if (step === null) this.studio_.stop_drag();
-    else this.studio_.drag({ [this.path_of_steps]: step });
+    if (step === null) this.page_.stop_drag();
+    else this.page_.drag({ [this.path_of_steps]: step });
     this.ask();
   }
 
@@ -81,7 +97,7 @@ export class DerivationModel {
     const { step } = this.state.get();
     if (step === null) return;
     this.state.merge({ step: null });
-    this.studio_.set_value(this.path_of_steps, step, 'Set steps');
+    this.page_.set_value(this.path_of_steps, step, 'Set steps');
   }
 
   /// Shows another instance of the component, by its number.
@@ -110,14 +126,14 @@ export class DerivationModel {
 
   /// The plant of another step is shown by a drag. When that drag ends, the step ends with it.
   private follow_drags(): void {
-    if (this.state.get().step === null || this.path_of_steps in this.studio_.dragged.get()) return;
+    if (this.state.get().step === null || this.path_of_steps in this.page_.dragged.get()) return;
     this.state.merge({ step: null, first: 0 });
     this.ask();
   }
 
   /// Takes the instance that was clicked in the view. Returns true if it is another one than before.
   private take_choice(): boolean {
-    const found = this.studio_.instance.found.get();
+    const found = this.page_.tool(InstanceChoice).found.get();
     const { component, instance } = this.state.get();
     if (found === null || found.component !== component || found.key === instance) return false;
     this.state.merge({ instance: found.key, first: 0 });
@@ -129,7 +145,7 @@ export class DerivationModel {
   }
 
   private ask_later(): void {
-    const { hash, good } = this.studio_.document.state.get();
+    const { hash, good } = this.page_.document.state.get();
     if (!good || hash === this.seen_hash_) return;
     clearTimeout(this.timer_);
     this.timer_ = window.setTimeout(() => {
@@ -143,9 +159,18 @@ export class DerivationModel {
     if (component === '') return;
     const counts = this.newest_.begin();
     this.state.merge({ is_working: true });
-    this.studio_.connection
-      .request<{ derivation: Derivation }>('grammar', { component, ...(instance === null ? { number: wanted } : { instance }), step, drawn: is_drawn, first, count: kModules })
-      .then(({ derivation }) => this.take(counts, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }))
+    this.page_.connection
+      .request<{ derivation: Derivation }>('grammar', {
+        component,
+        ...(instance === null ? { number: wanted } : { instance }),
+        step,
+        drawn: is_drawn,
+        first,
+        count: kModules,
+      })
+      .then(({ derivation }) =>
+        this.take(counts, { told: derivation, fault: '', number: derivation.instance?.number ?? 0 }),
+      )
       .catch((fault: unknown) => this.take(counts, { fault: fault instanceof Refusal ? fault.message : '' }));
   }
 

@@ -7,14 +7,15 @@ import { useEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
+import { DerivationModel } from './derivation.ts';
 import { WordView } from './word_view.ts';
 
 const kNumbers = new Intl.NumberFormat('en');
 
 export function DerivationPart({ component }: { component: string }): ReactElement {
-  const studio = use_studio();
-  const model = studio.bench.derivation;
+  const page = use_page();
+  const model = page.tool(DerivationModel);
   const { told, step, is_drawn, is_working, fault } = use_store(model.state);
   useEffect(() => model.look(component), [model, component]);
   const steps = told?.steps ?? 0;
@@ -30,10 +31,31 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
     <div className="derivation" role="group" aria-label="Derivation" onKeyDown={key}>
       <div className="derivation-steps">
         <IconButton is_small icon="first" label="Axiom" is_off={shown === 0} press={() => go(0)} />
-        <IconButton is_small icon="left" label="A step back" keys="PageDown" is_off={shown === 0} press={() => go(shown - 1)} />
-        <NumberField label="Shown step" value={shown} step={1} limit={(one) => Math.max(0, Math.round(one))} drag={go} commit={go} cancel={() => go(steps)} />
+        <IconButton
+          is_small
+          icon="left"
+          label="A step back"
+          keys="PageDown"
+          is_off={shown === 0}
+          press={() => go(shown - 1)}
+        />
+        <NumberField
+          label="Shown step"
+          value={shown}
+          step={1}
+          limit={(one) => Math.max(0, Math.round(one))}
+          drag={go}
+          commit={go}
+          cancel={() => go(steps)}
+        />
         <IconButton is_small icon="right" label="A step on" keys="PageUp" press={() => go(shown + 1)} />
-        <IconButton is_small icon="last" label="All steps of the document" is_off={step === null} press={() => go(steps)} />
+        <IconButton
+          is_small
+          icon="last"
+          label="All steps of the document"
+          is_off={step === null}
+          press={() => go(steps)}
+        />
         <span className="quiet">of {steps} steps</span>
         <span className="stretch" />
         {step !== null && (
@@ -41,7 +63,17 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
             Keep
           </Button>
         )}
-        {told?.interpreted && <Segments label="Which word" value={is_drawn ? 'drawn' : 'derived'} choices={[['derived', 'Derived'], ['drawn', 'As drawn']]} choose={(which) => model.show_drawn(which === 'drawn')} />}
+        {told?.interpreted && (
+          <Segments
+            label="Which word"
+            value={is_drawn ? 'drawn' : 'derived'}
+            choices={[
+              ['derived', 'Derived'],
+              ['drawn', 'As drawn'],
+            ]}
+            choose={(which) => model.show_drawn(which === 'drawn')}
+          />
+        )}
       </div>
       <InstanceLine />
       {fault !== '' ? (
@@ -65,14 +97,26 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
 
 /// The choice between several instances, to which the word and the marks in the view belong.
 function InstanceLine(): ReactElement | null {
-  const model = use_studio().bench.derivation;
+  const model = use_page().tool(DerivationModel);
   const { told } = use_store(model.state);
   const { number = 0, of = 1 } = told?.instance ?? {};
   if (of < 2) return null;
   return (
     <div className="derivation-instance">
-      <IconButton is_small icon="left" label="Instance before" is_off={number === 0} press={() => model.show_instance(number - 1)} />
-      <IconButton is_small icon="right" label="Instance behind" is_off={number + 1 >= of} press={() => model.show_instance(number + 1)} />
+      <IconButton
+        is_small
+        icon="left"
+        label="Instance before"
+        is_off={number === 0}
+        press={() => model.show_instance(number - 1)}
+      />
+      <IconButton
+        is_small
+        icon="right"
+        label="Instance behind"
+        is_off={number + 1 >= of}
+        press={() => model.show_instance(number + 1)}
+      />
       <span className="quiet">
         Instance {kNumbers.format(number + 1)} of {kNumbers.format(of)}; a click in the view chooses another
       </span>
@@ -82,7 +126,7 @@ function InstanceLine(): ReactElement | null {
 
 /// A page of the word, with the module under the pointer marked here and in the view.
 function Word(): ReactElement {
-  const model = use_studio().bench.derivation;
+  const model = use_page().tool(DerivationModel);
   const { told } = use_store(model.state);
   const pointed = use_store(model.pointed);
   const parent = useRef<HTMLDivElement>(null);
@@ -92,7 +136,9 @@ function Word(): ReactElement {
   begin.current = first;
   useEffect(() => {
     if (!parent.current) return undefined;
-    const made = new WordView(parent.current, (module) => model.pointed.set(module === null ? null : { module: begin.current + module, by: 'word' }));
+    const made = new WordView(parent.current, (module) =>
+      model.pointed.set(module === null ? null : { module: begin.current + module, by: 'word' }),
+    );
     word.current = made;
     return () => made.destroy();
   }, [model]);
@@ -109,11 +155,23 @@ function Word(): ReactElement {
       <div className="editor word" ref={parent} />
       {(first > 0 || end < count) && (
         <div className="word-pages">
-          <IconButton is_small icon="left" label="Modules before" is_off={first === 0} press={() => model.turn_page(first - model.page_size)} />
+          <IconButton
+            is_small
+            icon="left"
+            label="Modules before"
+            is_off={first === 0}
+            press={() => model.turn_page(first - model.page_size)}
+          />
           <span className="quiet">
             modules {kNumbers.format(first + 1)} to {kNumbers.format(end)} of {kNumbers.format(count)}
           </span>
-          <IconButton is_small icon="right" label="Modules behind" is_off={end >= count} press={() => model.turn_page(end)} />
+          <IconButton
+            is_small
+            icon="right"
+            label="Modules behind"
+            is_off={end >= count}
+            press={() => model.turn_page(end)}
+          />
         </div>
       )}
     </>

@@ -22,7 +22,11 @@ export function place_of(places: readonly number[], module: number): { from: Spo
 }
 
 /// Returns the module that is drawn nearest to a pixel, or null if none is near.
-export function nearest_place(places: readonly number[], project: (spot: Spot) => [number, number] | null, [x, y]: [number, number]): number | null {
+export function nearest_place(
+  places: readonly number[],
+  project: (spot: Spot) => [number, number] | null,
+  [x, y]: [number, number],
+): number | null {
   let [best, least] = [null as number | null, kReach];
   for (let at = 0; at + kNumbers <= places.length; at += kNumbers) {
     const from = project([places[at + 1] ?? 0, places[at + 2] ?? 0, places[at + 3] ?? 0]);

@@ -5,13 +5,12 @@ import type { Diagnostic } from '@codemirror/lint';
 import { setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
-
-import { patch_between } from '../document/patch.ts';
-import { node_at } from '../document/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
+import { fault_text } from '../controls/faults.tsx';
+import type { Page } from '../page/page.ts';
 import type { Fault } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
 import { code_extensions } from '../text/code_extensions.ts';
+import { patch_between } from '../values/patch.ts';
+import { node_at } from '../values/path.ts';
 import { kGrammarLanguage } from './grammar_language.ts';
 import { offset_in_text, text_in, with_text } from './grammar_source.ts';
 
@@ -26,8 +25,8 @@ export interface GrammarFault {
 }
 
 /// Returns the faults of the document within the text at a path.
-export function grammar_faults(studio: Studio, path: string): GrammarFault[] {
-  const { tree, text, faults } = studio.document.state.get();
+export function grammar_faults(page: Page, path: string): GrammarFault[] {
+  const { tree, text, faults } = page.document.state.get();
   const node = node_at(tree, path);
   const grammar = text_in(node);
   if (!node || grammar === null) return [];
@@ -46,12 +45,15 @@ export class GrammarEditor {
   /// `path` leads to a text or a list of lines.
   constructor(
     parent: HTMLElement,
-    private readonly studio_: Studio,
+    private readonly page_: Page,
     private readonly path_: string,
     label: string,
   ) {
-    this.view_ = new EditorView({ parent, state: EditorState.create({ doc: this.said() ?? '', extensions: this.extensions(label) }) });
-    this.stop_ = studio_.document.state.subscribe(() => this.follow());
+    this.view_ = new EditorView({
+      parent,
+      state: EditorState.create({ doc: this.said() ?? '', extensions: this.extensions(label) }),
+    });
+    this.stop_ = page_.document.state.subscribe(() => this.follow());
     this.show_faults();
   }
 
@@ -79,33 +81,42 @@ export class GrammarEditor {
   }
 
   private said(): string | null {
-    return text_in(node_at(this.studio_.document.state.get().tree, this.path_));
+    return text_in(node_at(this.page_.document.state.get().tree, this.path_));
   }
 
   private take(): void {
-    const { tree, text } = this.studio_.document.state.get();
+    const { tree, text } = this.page_.document.state.get();
     const node = node_at(tree, this.path_);
-    if (node) this.studio_.document.type(with_text(text, node, this.view_.state.doc.toString()));
+    if (node) this.page_.document.type(with_text(text, node, this.view_.state.doc.toString()));
   }
 
   /// Called when the document has changed, here or elsewhere.
   private follow(): void {
     // Typed text that is not in the document yet stays in the editor.
-    if (this.studio_.document.awaits_typed) return;
+    if (this.page_.document.awaits_typed) return;
     const said = this.said();
     if (said === null) return;
     const patch = patch_between(this.view_.state.doc.toString(), said);
-    const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));
+    const changes = patch.map(({ offset, length, replacement }) => ({
+      from: offset,
+      to: offset + length,
+      insert: replacement,
+    }));
     if (changes.length > 0) this.view_.dispatch({ changes, annotations: kFromDocument.of(true) });
     this.show_faults();
   }
 
   private show_faults(): void {
     const size = this.view_.state.doc.length;
-    const marks: Diagnostic[] = grammar_faults(this.studio_, this.path_).map(({ fault, offset }) => {
+    const marks: Diagnostic[] = grammar_faults(this.page_, this.path_).map(({ fault, offset }) => {
       const from = Math.min(offset, size);
       const word = /^(?:\w+|[^\s])/.exec(this.view_.state.sliceDoc(from, from + 100));
-      return { from, to: Math.min(size, from + (word?.[0].length ?? 1)), severity: fault.severity, message: fault_text(fault) };
+      return {
+        from,
+        to: Math.min(size, from + (word?.[0].length ?? 1)),
+        severity: fault.severity,
+        message: fault_text(fault),
+      };
     });
     this.view_.dispatch(setDiagnostics(this.view_.state, marks), { annotations: kFromDocument.of(true) });
   }

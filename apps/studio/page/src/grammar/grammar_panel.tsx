@@ -5,38 +5,46 @@ import { useEffect, useRef, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
+import { fault_text } from '../controls/faults.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { path_below } from '../document/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { path_below } from '../values/path.ts';
 import type { GrammarPlace } from './derivation.ts';
-import { grammars_of } from './derivation.ts';
+import { DerivationModel, grammars_of } from './derivation.ts';
 import { DerivationPart } from './derivation_part.tsx';
-import { grammar_faults, GrammarEditor } from './grammar_editor.ts';
+import { GrammarEditor, grammar_faults } from './grammar_editor.ts';
 
 export function GrammarPanel(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const chosen = use_store(studio.chosen);
+  const chosen = use_store(page.chosen);
   const [picked, pick] = useState('');
-  const places = grammars_of(tree?.value, studio.tables);
+  const places = grammars_of(tree?.value, page.tables);
   const wanted = (one: GrammarPlace): boolean => path_below('components', one.component) === chosen;
   const place = places.find(wanted) ?? places.find((one) => one.component === picked) ?? places[0];
   if (!place) {
     return (
       <section className="panel grammar-panel" aria-label="Grammar">
-        <p className="empty">This document has no grammar. A component of the type lsystem grows by one: its text stands in the document or in a file.</p>
+        <p className="empty">
+          This document has no grammar. A component of the type lsystem grows by one: its text stands in the document or
+          in a file.
+        </p>
       </section>
     );
   }
   const choose = (component: string): void => {
     pick(component);
-    studio.choose(path_below('components', component));
+    page.choose(path_below('components', component));
   };
   return (
     <section className="panel grammar-panel" aria-label="Grammar">
       {places.length > 1 && (
-        <select className="select" aria-label="Component whose grammar is shown" value={place.component} onChange={(event) => choose(event.target.value)}>
+        <select
+          className="select"
+          aria-label="Component whose grammar is shown"
+          value={place.component}
+          onChange={(event) => choose(event.target.value)}
+        >
           {places.map((one) => (
             <option key={one.component}>{one.component}</option>
           ))}
@@ -50,17 +58,17 @@ export function GrammarPanel(): ReactElement {
 
 /// A grammar whose text is in the document.
 function OwnGrammar({ place }: { place: GrammarPlace }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   use_document();
   const parent = useRef<HTMLDivElement>(null);
   const editor = useRef<GrammarEditor | null>(null);
   useEffect(() => {
     if (!parent.current) return undefined;
-    const made = new GrammarEditor(parent.current, studio, place.path, `Grammar of ${place.component}`);
+    const made = new GrammarEditor(parent.current, page, place.path, `Grammar of ${place.component}`);
     editor.current = made;
     return () => made.destroy();
-  }, [studio, place.path, place.component]);
-  const faults = grammar_faults(studio, place.path);
+  }, [page, place.path, place.component]);
+  const faults = grammar_faults(page, place.path);
   return (
     <>
       <div className="editor" ref={parent} />
@@ -87,12 +95,15 @@ function OwnGrammar({ place }: { place: GrammarPlace }): ReactElement {
 
 /// A grammar whose text is in a file is shown for reading. It can be changed once it is copied into the document.
 function FileGrammar({ place }: { place: GrammarPlace }): ReactElement {
-  const studio = use_studio();
-  const { told } = use_store(studio.bench.derivation.state);
+  const page = use_page();
+  const { told } = use_store(page.tool(DerivationModel).state);
   const text = told?.text ?? null;
   const take = (): void => {
     const owner = path_below('components', place.component);
-    void studio.edit([{ unset: path_below(owner, 'file') }, { set: place.path, value: (text ?? '').replace(/\n$/, '').split('\n') }], 'Take the grammar into the document');
+    void page.edit(
+      [{ unset: path_below(owner, 'file') }, { set: place.path, value: (text ?? '').replace(/\n$/, '').split('\n') }],
+      'Take the grammar into the document',
+    );
   };
   return (
     <>

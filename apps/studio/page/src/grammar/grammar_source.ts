@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A text that a document holds as a string or as a list of lines: its content, the positions of its characters in the
 // document, and its replacement. Comments and layout around unchanged lines are kept.
-import type { JsonNode } from '../document/json.ts';
+import type { JsonNode } from '../values/json.ts';
 
 /// Returns the text of a value, or null if it is neither a text nor a list of texts.
 export function text_in(node: JsonNode | null): string | null {
@@ -38,7 +38,14 @@ export function with_text(document: string, node: JsonNode, text: string): strin
 }
 
 /// Replaces the elements from `first` up to `end` by `made`.
-function put_elements(document: string, node: JsonNode, elements: JsonNode[], first: number, end: number, made: string[]): string {
+function put_elements(
+  document: string,
+  node: JsonNode,
+  elements: JsonNode[],
+  first: number,
+  end: number,
+  made: string[],
+): string {
   const put = (from: number, to: number, text: string): string => document.slice(0, from) + text + document.slice(to);
   const between = separator(document, node, elements);
   const joined = made.join(between);
@@ -71,7 +78,8 @@ function separator(document: string, node: JsonNode, elements: JsonNode[]): stri
 export function offset_in_text(document: string, node: JsonNode, offset: number): number | null {
   let lines_before = 0;
   for (const element of node.elements ?? [node]) {
-    if (offset >= element.start && offset <= element.end) return lines_before + characters_before(document.slice(element.start, offset));
+    if (offset >= element.start && offset <= element.end)
+      return lines_before + characters_before(document.slice(element.start, offset));
     lines_before += String(element.value).length + 1;
   }
   return null;

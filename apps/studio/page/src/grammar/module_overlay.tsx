@@ -4,21 +4,22 @@ import type { ReactElement } from 'react';
 import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
-import type { Studio } from '../studio.ts';
-import { use_studio } from '../studio_context.ts';
+import type { Page } from '../page/page.ts';
+import { use_page } from '../page/use_page.ts';
 import type { View } from '../view/view.ts';
+import { DerivationModel } from './derivation.ts';
 import { nearest_place, place_of } from './drawn_places.ts';
 import { short_module } from './word_view.ts';
 
 export function ModuleOverlay(): ReactElement | null {
-  const studio = use_studio();
-  const { told } = use_store(studio.bench.derivation.state);
-  const pointed = use_store(studio.bench.derivation.pointed);
-  use_store(studio.view_facts); // the camera may have moved
+  const page = use_page();
+  const { told } = use_store(page.tool(DerivationModel).state);
+  const pointed = use_store(page.tool(DerivationModel).pointed);
+  use_store(page.view_facts); // the camera may have moved
   const has_places = (told?.places.length ?? 0) > 0;
-  useEffect(() => (has_places ? listen(studio) : undefined), [studio, has_places]);
+  useEffect(() => (has_places ? listen(page) : undefined), [page, has_places]);
   const place = told && pointed ? place_of(told.places, pointed.module) : null;
-  const [from, to] = [place && studio.view?.eye.project(place.from), place && studio.view?.eye.project(place.to)];
+  const [from, to] = [place && page.view?.eye.project(place.from), place && page.view?.eye.project(place.to)];
   if (!told || !pointed || !from || !to) return null;
   const [left, top] = [Math.max(from[0], to[0]) + 12, Math.min(from[1], to[1]) - 6];
   return (
@@ -33,18 +34,18 @@ export function ModuleOverlay(): ReactElement | null {
 }
 
 /// Follows the pointer over the view, at most once per picture.
-function listen(studio: Studio): () => void {
+function listen(page: Page): () => void {
   const canvas = document.querySelector<HTMLElement>('.centre .view canvas');
   let waiting = 0;
   const move = (event: PointerEvent): void => {
     if (event.buttons !== 0) return;
     cancelAnimationFrame(waiting);
     const at: [number, number] = [event.offsetX, event.offsetY];
-    waiting = requestAnimationFrame(() => studio.view && point(studio, studio.view, at));
+    waiting = requestAnimationFrame(() => page.view && point(page, page.view, at));
   };
   const leave = (): void => {
     cancelAnimationFrame(waiting);
-    if (studio.bench.derivation.pointed.get()?.by === 'view') studio.bench.derivation.pointed.set(null);
+    if (page.tool(DerivationModel).pointed.get()?.by === 'view') page.tool(DerivationModel).pointed.set(null);
   };
   canvas?.addEventListener('pointermove', move);
   canvas?.addEventListener('pointerleave', leave);
@@ -55,10 +56,10 @@ function listen(studio: Studio): () => void {
   };
 }
 
-function point(studio: Studio, view: View, at: [number, number]): void {
-  const places = studio.bench.derivation.state.get().told?.places ?? [];
+function point(page: Page, view: View, at: [number, number]): void {
+  const places = page.tool(DerivationModel).state.get().told?.places ?? [];
   const module = nearest_place(places, (place) => view.eye.project(place), at);
-  const now = studio.bench.derivation.pointed.get();
+  const now = page.tool(DerivationModel).pointed.get();
   if (module === null && now?.by !== 'view') return;
-  if (module !== now?.module) studio.bench.derivation.pointed.set(module === null ? null : { module, by: 'view' });
+  if (module !== now?.module) page.tool(DerivationModel).pointed.set(module === null ? null : { module, by: 'view' });
 }

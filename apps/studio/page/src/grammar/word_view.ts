@@ -9,7 +9,10 @@ const kMarked = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update: (marks, transaction) => {
     for (const effect of transaction.effects) {
-      if (effect.is(kMark)) return effect.value ? Decoration.set([Decoration.mark({ class: 'marked-module' }).range(effect.value.from, effect.value.to)]) : Decoration.none;
+      if (effect.is(kMark))
+        return effect.value
+          ? Decoration.set([Decoration.mark({ class: 'marked-module' }).range(effect.value.from, effect.value.to)])
+          : Decoration.none;
     }
     return transaction.docChanged ? Decoration.none : marks;
   },
@@ -18,7 +21,9 @@ const kMarked = StateField.define<DecorationSet>({
 
 /// Returns a module with numbers shortened to four digits.
 export function short_module(module: string): string {
-  return module.replace(/-?\d*\.?\d+(?:e[+-]?\d+)?/gi, (number) => (number.length > 6 ? String(Number(Number(number).toPrecision(4))) : number));
+  return module.replace(/-?\d*\.?\d+(?:e[+-]?\d+)?/gi, (number) =>
+    number.length > 6 ? String(Number(Number(number).toPrecision(4))) : number,
+  );
 }
 
 /// Returns the text of a word and the beginning of each module, with one more entry for the end of the last one. Names
@@ -66,7 +71,8 @@ export class WordView {
           kMarked,
           EditorView.contentAttributes.of({ 'aria-label': 'Word of this step', tabindex: '0' }),
           EditorView.updateListener.of((update) => {
-            if (update.selectionSet && update.view.hasFocus) point(module_at(this.starts_, update.state.selection.main.head));
+            if (update.selectionSet && update.view.hasFocus)
+              point(module_at(this.starts_, update.state.selection.main.head));
           }),
           EditorView.domEventHandlers({
             mousemove: (event, view) => {

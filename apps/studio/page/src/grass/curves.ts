@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The midrib and the width of a grass leaf: measured points, the curves fitted to them, and edits that replace files by
 // editable curves.
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { path_below } from '../document/path.ts';
+
 import type { Point } from '../editors/shape.ts';
 import type { Edit } from '../server/protocol.ts';
-import type { Vec } from '../view/gizmo/space_math.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { path_below } from '../values/path.ts';
+import type { Vec } from '../values/space_math.ts';
 
 export interface LeafName {
   rank: number | null;
@@ -48,7 +49,16 @@ const kOfFiles = ['rank', 'leaf', 'unit'];
 
 /// Returns the edits that replace the midrib's file by points of the document. The blade keeps its length.
 export function draw_midrib(path: string, said: Json | undefined, curves: LeafCurves): Edit[] {
-  return draw(path, said, 'midrib', 'midrib_points', drawn_points(curves.midrib).map((one) => [...one]), 'length', curves.length, 'widths');
+  return draw(
+    path,
+    said,
+    'midrib',
+    'midrib_points',
+    drawn_points(curves.midrib).map((one) => [...one]),
+    'length',
+    curves.length,
+    'widths',
+  );
 }
 
 /// Returns the edits that replace the file of widths by a profile of the document.
@@ -57,19 +67,32 @@ export function draw_widths(path: string, said: Json | undefined, curves: LeafCu
   return draw(path, said, 'widths', 'profile', { curve: points, kind: 'spline' }, 'width', curves.width, 'midrib');
 }
 
-function draw(path: string, said: Json | undefined, file: string, row: string, value: Json, size: string, measured: number, other: string): Edit[] {
+function draw(
+  path: string,
+  said: Json | undefined,
+  file: string,
+  row: string,
+  value: Json,
+  size: string,
+  measured: number,
+  other: string,
+): Edit[] {
   const given = is_object(said) ? said : {};
   const gone = [file, ...(given[other] === undefined ? kOfFiles : [])].filter((name) => given[name] !== undefined);
   return [
     { set: path_below(path, row), value },
     ...gone.map((name) => ({ unset: path_below(path, name) })),
-    ...(given[size] === undefined && measured > 0 ? [{ set: path_below(path, size), value: rounded(measured, 1e-4) }] : []),
+    ...(given[size] === undefined && measured > 0
+      ? [{ set: path_below(path, size), value: rounded(measured, 1e-4) }]
+      : []),
   ];
 }
 
 /// Returns the length of a line of points.
 export function line_length(line: readonly Point[]): number {
-  return line.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - (line[k]?.[0] ?? 0), y - (line[k]?.[1] ?? 0)), 0);
+  return line
+    .slice(1)
+    .reduce((sum, [x, y], k) => sum + Math.hypot(x - (line[k]?.[0] ?? 0), y - (line[k]?.[1] ?? 0)), 0);
 }
 
 /// Returns a point of a midrib in the frame of the leaf: up along y and away along -z, `aside` metres beside the blade.

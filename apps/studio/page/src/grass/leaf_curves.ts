@@ -2,7 +2,7 @@
 // The choice of a grass leaf, and its curves.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Studio } from '../studio.ts';
+import type { Page } from '../page/page.ts';
 import type { LeafCurves } from './curves.ts';
 
 export class LeafCurvesModel {
@@ -10,7 +10,7 @@ export class LeafCurvesModel {
   readonly told = new Store<LeafCurves | null>(null);
   private readonly newest_ = new Newest();
 
-  constructor(private readonly studio_: Studio) {
+  constructor(private readonly page_: Page) {
     this.component.subscribe(() => this.told.set(null));
   }
 
@@ -24,8 +24,12 @@ export class LeafCurvesModel {
   /// Requests the curves of a leaf in the last grown document. Only the newest answer counts.
   ask(component: string, rank: number | null, leaf: number | null): void {
     const counts = this.newest_.begin();
-    this.studio_.connection
-      .request<{ curves: LeafCurves | null }>('curves', { component, ...(rank === null ? {} : { rank }), ...(leaf === null ? {} : { leaf }) })
+    this.page_.connection
+      .request<{ curves: LeafCurves | null }>('curves', {
+        component,
+        ...(rank === null ? {} : { rank }),
+        ...(leaf === null ? {} : { leaf }),
+      })
       .then(({ curves }) => {
         if (counts() && this.component.get() === component) this.told.set(curves);
       })

@@ -4,27 +4,30 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
-import { use_studio } from '../studio_context.ts';
-import { frame_of_rows, point_in } from '../view/gizmo/space_math.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import { use_page } from '../page/use_page.ts';
+import { frame_of_rows, point_in } from '../values/space_math.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
 import { line_length, place_beside } from './curves.ts';
+import { LeafCurvesModel } from './leaf_curves.ts';
 
 const kAside = 0.1; // share of the length
 
 export function LeafPointsOverlay(): ReactElement | null {
-  const studio = use_studio();
-  const component = use_store(studio.bench.leaf_curves.component);
-  const curves = use_store(studio.bench.leaf_curves.told);
-  const seen = use_store(studio.instance.seen);
-  use_store(studio.view_facts); // the camera may have moved
-  const { view } = studio;
+  const page = use_page();
+  const component = use_store(page.tool(LeafCurvesModel).component);
+  const curves = use_store(page.tool(LeafCurvesModel).told);
+  const seen = use_store(page.tool(InstanceChoice).seen);
+  use_store(page.view_facts); // the camera may have moved
+  const { view } = page;
   if (!view || !curves || component === null) return null;
   const rows = seen?.component === component ? seen.frame : view.plant.first_frame(component);
   if (!rows) return null;
   // Blades have length 1 and are scaled by their frames.
   const frame = frame_of_rows(rows);
   const scale = 1 / (line_length(curves.midrib) || 1);
-  const places = (points: typeof curves.midrib): [number, number, number][] => points.map((one) => [...point_in(frame, place_beside(one, scale, kAside))]);
+  const places = (points: typeof curves.midrib): [number, number, number][] =>
+    points.map((one) => [...point_in(frame, place_beside(one, scale, kAside))]);
   return (
     <svg className="leaf-points" aria-hidden="true" data-points={curves.midrib_points.length}>
       <ProjectedLine view={view} places={places(curves.midrib)} className="fitted" />

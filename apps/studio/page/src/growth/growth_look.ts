@@ -2,12 +2,12 @@
 // The growth that is examined: the step that the view shows, and the overlays on it. The server records the growth
 // meanwhile, and shows each step without a new growth.
 import { Store } from '../base/store.ts';
-import { LatestSender } from '../server/latest_sender.ts';
+import type { Page } from '../page/page.ts';
 import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
+import { LatestSender } from '../server/latest_sender.ts';
 import type { PacketArrays } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
 import type { LegendKey } from './layers.ts';
 import { view_layer } from './layers.ts';
 
@@ -21,25 +21,33 @@ export interface GrowthLookState {
   legend: readonly LegendKey[];
 }
 
-const kAtRest: GrowthLookState = { is_open: false, step: null, steps: null, of: null, growing: {}, parts: [], legend: [] };
+const kAtRest: GrowthLookState = {
+  is_open: false,
+  step: null,
+  steps: null,
+  of: null,
+  growing: {},
+  parts: [],
+  legend: [],
+};
 
 export class GrowthLook {
   readonly state = new Store<GrowthLookState>(kAtRest);
   private heard_: Grown | null = null;
-  private readonly views_ = new LatestSender(() => this.studio_.connection.request('view', { growth: this.wish }));
+  private readonly views_ = new LatestSender(() => this.page_.connection.request('view', { growth: this.wish }));
   private readonly overlays_ = new LatestSender(() => this.fetch());
 
-  constructor(private readonly studio_: Studio) {
-    studio_.growth.subscribe(() => this.hear(studio_.growth.get().grown));
+  constructor(private readonly page_: Page) {
+    page_.growth.subscribe(() => this.hear(page_.growth.get().grown));
     // A server that is connected again does not know the step.
-    studio_.server.subscribe(() => {
-      if (studio_.server.get().link === 'open' && this.state.get().is_open) this.views_.ask();
+    page_.server.subscribe(() => {
+      if (page_.server.get().link === 'open' && this.state.get().is_open) this.views_.ask();
     });
   }
 
   /// The overlays that the server offers.
   get known(): readonly OverlayPart[] {
-    return this.studio_.server.get().hello?.overlays ?? [];
+    return this.page_.server.get().hello?.overlays ?? [];
   }
 
   toggle(): void {
@@ -76,7 +84,7 @@ export class GrowthLook {
   switch_part(name: string): void {
     const { parts } = this.state.get();
     this.state.merge({ parts: parts.includes(name) ? parts.filter((one) => one !== name) : [...parts, name] });
-    if (parts.includes(name)) this.studio_.view?.overlays.put(layer_name(name), null);
+    if (parts.includes(name)) this.page_.view?.overlays.put(layer_name(name), null);
     this.overlays_.ask();
   }
 
@@ -110,19 +118,21 @@ export class GrowthLook {
     const { parts, is_open } = this.state.get();
     if (!is_open) return;
     if (parts.length === 0) return this.state.merge({ legend: [] });
-    const answer = await this.studio_.connection.request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts }).catch((fault: unknown) => {
-      if (fault instanceof Refusal) this.studio_.tell(fault.message, true, 'overlays');
-    });
+    const answer = await this.page_.connection
+      .request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts })
+      .catch((fault: unknown) => {
+        if (fault instanceof Refusal) this.page_.notify(fault.message, true, 'overlays');
+      });
     if (!answer) return;
     const { overlays, arrays } = answer;
     const wanted = this.state.get().parts;
     const shown = overlays.layers.filter((layer) => wanted.includes(layer.part));
-    for (const layer of shown) this.studio_.view?.overlays.put(layer_name(layer.part), view_layer(layer, arrays));
+    for (const layer of shown) this.page_.view?.overlays.put(layer_name(layer.part), view_layer(layer, arrays));
     this.state.merge({ legend: shown.flatMap((layer) => layer.legend) });
   }
 
   private clear_layers(): void {
-    for (const { name } of this.known) this.studio_.view?.overlays.put(layer_name(name), null);
+    for (const { name } of this.known) this.page_.view?.overlays.put(layer_name(name), null);
   }
 }
 

@@ -20,7 +20,10 @@ const kPointSize = 5; // pixels
 const kNodeSize = 3.5; // nodes where lines join
 
 export function view_layer(told: ToldLayer, arrays: PacketArrays): OverlayLayer {
-  const places = ({ positions, colours }: ToldPlaces): Places => ({ positions: floats(arrays, positions), colours: bytes(arrays, colours) });
+  const places = ({ positions, colours }: ToldPlaces): Places => ({
+    positions: floats(arrays, positions),
+    colours: bytes(arrays, colours),
+  });
   const lines = places(told.lines);
   return {
     points: { ...places(told.points), size: lines.positions.length > 0 ? kNodeSize : kPointSize },
@@ -32,7 +35,11 @@ export function view_layer(told: ToldLayer, arrays: PacketArrays): OverlayLayer 
 }
 
 function arrows_of({ positions, colours }: Places): OverlayArrow[] {
-  const at = (numbers: ArrayLike<number>, first: number): Vec => [numbers[first] ?? 0, numbers[first + 1] ?? 0, numbers[first + 2] ?? 0];
+  const at = (numbers: ArrayLike<number>, first: number): Vec => [
+    numbers[first] ?? 0,
+    numbers[first + 1] ?? 0,
+    numbers[first + 2] ?? 0,
+  ];
   const arrows: OverlayArrow[] = [];
   for (let k = 0; 6 * k < positions.length; ++k) {
     arrows.push({ from: at(positions, 6 * k), to: at(positions, 6 * k + 3), colour: at(colours, 8 * k) });

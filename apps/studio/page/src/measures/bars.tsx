@@ -2,8 +2,8 @@
 // Small plots of lists: bars side by side, and the leaf area of layers one above another.
 import type { ReactElement } from 'react';
 
-import type { Json } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import { shown_measure } from './measure_groups.ts';
 
 const kHigh = 28; // pixels
@@ -12,7 +12,12 @@ export function Bars({ label, values }: { label: string; values: readonly Json[]
   const numbers = values.map((one) => (typeof one === 'number' ? one : 0));
   const most = Math.max(...numbers, 1e-12);
   return (
-    <span className="bars" role="img" aria-label={`${label}: ${shown_measure([...values])}`} data-tip={numbers.map((one, k) => `${k}: ${shown_measure(one)}`).join('\n')}>
+    <span
+      className="bars"
+      role="img"
+      aria-label={`${label}: ${shown_measure([...values])}`}
+      data-tip={numbers.map((one, k) => `${k}: ${shown_measure(one)}`).join('\n')}
+    >
       {numbers.map((one, k) => (
         <span key={k} style={{ height: `${Math.max(1, (kHigh * one) / most)}px` }} />
       ))}
@@ -27,6 +32,7 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
     const value = member_of(layer, name);
     return typeof value === 'number' ? value : 0;
   };
+  const shown = (layer: Json, name: string): string => shown_measure(number(layer, name));
   const most = Math.max(...all.map((one) => number(one, 'leaf_area')), 1e-12);
   if (all.length === 0) return null;
   return (
@@ -34,10 +40,10 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
       <h3>Leaf area by height</h3>
       <ol className="layers" aria-label="Leaf area by height, from above">
         {[...all].reverse().map((one, k) => (
-          <li key={k} data-tip={`${shown_measure(number(one, 'low'))} to ${shown_measure(number(one, 'high'))} m: ${shown_measure(number(one, 'leaf_area'))} m²`}>
-            <span className="quiet">{shown_measure(number(one, 'low'))} m</span>
+          <li key={k} data-tip={`${shown(one, 'low')} to ${shown(one, 'high')} m: ${shown(one, 'leaf_area')} m²`}>
+            <span className="quiet">{shown(one, 'low')} m</span>
             <span className="layer" style={{ width: `${(100 * number(one, 'leaf_area')) / most}%` }} />
-            <span>{shown_measure(number(one, 'leaf_area'))} m²</span>
+            <span>{shown(one, 'leaf_area')} m²</span>
           </li>
         ))}
       </ol>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups of measures with headings, and their values as text.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { MeasureRow } from './measure_model.ts';
 
 export interface MeasureGroup {
@@ -33,7 +33,12 @@ export function groups_of(rows: readonly MeasureRow[]): MeasureGroup[] {
 
 /// Returns a value as text: four digits, or whole numbers in full.
 export function shown_measure(value: Json | undefined): string {
-  if (typeof value === 'number') return Number.isInteger(value) ? value.toLocaleString('en') : Math.abs(value) >= 1000 ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(4)));
+  if (typeof value === 'number')
+    return Number.isInteger(value)
+      ? value.toLocaleString('en')
+      : Math.abs(value) >= 1000
+        ? Math.round(value).toLocaleString('en')
+        : String(Number(value.toPrecision(4)));
   if (Array.isArray(value)) return value.map((one) => shown_measure(one)).join(', ');
   return '–';
 }

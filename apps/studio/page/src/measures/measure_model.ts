@@ -3,11 +3,12 @@
 // over the values of a handle.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
+import type { Page } from '../page/page.ts';
 import type { Job } from '../server/connection.ts';
 import type { Fault, Grown } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
+import { TimeModel } from '../time/time_model.ts';
+import type { Json } from '../values/json.ts';
 
 export interface MeasureRow {
   name: string;
@@ -55,7 +56,7 @@ export class MeasureModel {
   // The growth whose measurement was cancelled; it is measured again on request
   private called_off_: Grown | null = null;
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly page_: Page) {}
 
   /// Resets the measures for another document.
   forget(): void {
@@ -71,7 +72,7 @@ export class MeasureModel {
     this.looks_ += 1;
     this.called_off_ = null;
     if (this.state.get().rows.length === 0) void this.fetch_rows();
-    const stop = this.studio_.growth.subscribe(() => this.ask_later());
+    const stop = this.page_.growth.subscribe(() => this.ask_later());
     this.ask_later();
     return () => {
       stop();
@@ -90,12 +91,20 @@ export class MeasureModel {
   async measure_over(variable: string, values: readonly number[]): Promise<void> {
     const counts = this.newest_sweep_.begin();
     this.sweep.set({ variable, points: [], is_working: true, fault: '' });
-    this.sweeping_ = this.studio_.connection.begin<{ sweep: SweepPoint[] }>('sweep', { path: variable, values, light: this.state.get().with_light });
+    this.sweeping_ = this.page_.connection.begin<{ sweep: SweepPoint[] }>('sweep', {
+      path: variable,
+      values,
+      light: this.state.get().with_light,
+    });
     try {
       const { sweep } = await this.sweeping_.answer;
       if (counts()) this.sweep.merge({ points: sweep, is_working: false });
     } catch (fault) {
-      if (counts()) this.sweep.merge({ is_working: false, fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '' });
+      if (counts())
+        this.sweep.merge({
+          is_working: false,
+          fault: fault instanceof Refusal && !fault.facts.cancelled ? fault.message : '',
+        });
     }
   }
 
@@ -105,14 +114,14 @@ export class MeasureModel {
   }
 
   private async fetch_rows(): Promise<void> {
-    const answer = await this.studio_.connection.request<{ rows: MeasureRow[] }>('measure_rows').catch(() => null);
+    const answer = await this.page_.connection.request<{ rows: MeasureRow[] }>('measure_rows').catch(() => null);
     if (answer) this.state.merge({ rows: answer.rows });
   }
 
   private ask_later(): void {
-    const { grown } = this.studio_.growth.get();
+    const { grown } = this.page_.growth.get();
     const { with_light } = this.state.get();
-    const wanted = `${grown?.hash ?? ''} ${this.studio_.bench.time.time} ${with_light}`;
+    const wanted = `${grown?.hash ?? ''} ${this.page_.tool(TimeModel).time} ${with_light}`;
     if (this.looks_ === 0 || !grown || grown.dragged || wanted === this.seen_ || grown === this.called_off_) return;
     clearTimeout(this.timer_);
     this.timer_ = window.setTimeout(() => {
@@ -128,7 +137,10 @@ export class MeasureModel {
     const height = typeof told?.['height'] === 'number' ? told['height'] : 0;
     const layers = with_light && height > 0 ? { layer_height: Number((height / kLayers).toPrecision(1)) } : {};
     try {
-      const { measures } = await this.studio_.connection.request<{ measures: Measured }>('measures', { light: with_light, ...layers });
+      const { measures } = await this.page_.connection.request<{ measures: Measured }>('measures', {
+        light: with_light,
+        ...layers,
+      });
       if (counts()) this.state.merge({ told: measures, is_working: false, fault: '' });
     } catch (fault) {
       if (!counts()) return;
@@ -137,7 +149,7 @@ export class MeasureModel {
       if (!is_cancelled) return;
       // The next growth is measured, even if its text is equal.
       this.seen_ = '';
-      this.called_off_ = this.studio_.growth.get().grown;
+      this.called_off_ = this.page_.growth.get().grown;
     }
   }
 }

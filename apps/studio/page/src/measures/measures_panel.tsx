@@ -6,31 +6,42 @@ import { useEffect, useState } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
-import type { Json } from '../document/json.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
+import type { Json } from '../values/json.ts';
 import { Bars, Layers } from './bars.tsx';
 import type { Fact } from './facts.ts';
 import { kFacts } from './facts.ts';
 import { groups_of, shown_measure } from './measure_groups.ts';
 import type { MeasureRow } from './measure_model.ts';
+import { MeasureModel } from './measure_model.ts';
 import { SweepPart } from './sweep_part.tsx';
 
 export function MeasuresPanel(): ReactElement {
-  const studio = use_studio();
-  const model = studio.bench.measures;
+  const page = use_page();
+  const model = page.tool(MeasureModel);
   const { rows, told, with_light, is_working, fault } = use_store(model.state);
   const [words, set_words] = useState('');
   useEffect(() => model.look(), [model]);
-  const is_wanted = (row: MeasureRow): boolean => words === '' || `${row.name.replaceAll('_', ' ')} ${row.doc}`.toLowerCase().includes(words.toLowerCase());
+  const is_wanted = (row: MeasureRow): boolean =>
+    words === '' || `${row.name.replaceAll('_', ' ')} ${row.doc}`.toLowerCase().includes(words.toLowerCase());
   return (
     <section className="panel measures-panel" aria-label="Measures">
       <div className="inspector-tools">
         <label className="search">
           <Icon name="search" />
-          <input type="search" aria-label="Find a measure" placeholder="Find a measure" value={words} onChange={(event) => set_words(event.target.value)} />
+          <input
+            type="search"
+            aria-label="Find a measure"
+            placeholder="Find a measure"
+            value={words}
+            onChange={(event) => set_words(event.target.value)}
+          />
         </label>
       </div>
-      <label className="check-line" data-tip="Rays from every leaf to every light of the scene; this takes longer than all else">
+      <label
+        className="check-line"
+        data-tip="Rays from every leaf to every light of the scene; this takes longer than all else"
+      >
         <input type="checkbox" checked={with_light} onChange={(event) => model.set_light(event.target.checked)} />
         Light on the leaves
       </label>
@@ -88,7 +99,13 @@ function Band({ fact, value }: { fact: Fact; value: number }): ReactElement {
   const share = Math.min(1, Math.max(0, 0.25 + (0.5 * (value - low)) / (high - low)));
   const is_within = value >= low && value <= high;
   return (
-    <div className={`band${is_within ? '' : ' beyond'}`} data-tip={`${low} to ${high}: ${fact.of}\n${fact.source}`} tabIndex={0} role="img" aria-label={`${is_within ? 'within' : 'beyond'} ${low} to ${high}, ${fact.of}`}>
+    <div
+      className={`band${is_within ? '' : ' beyond'}`}
+      data-tip={`${low} to ${high}: ${fact.of}\n${fact.source}`}
+      tabIndex={0}
+      role="img"
+      aria-label={`${is_within ? 'within' : 'beyond'} ${low} to ${high}, ${fact.of}`}
+    >
       <span className="band-range" />
       <span className="band-mark" style={{ left: `${100 * share}%` }} />
       <span className="quiet">

@@ -2,7 +2,7 @@
 // A line over values with a point for each, the present value, and a published range.
 import type { KeyboardEvent, ReactElement } from 'react';
 
-import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { fitting_step, rounded } from '../values/arithmetic.ts';
 
 export type PlotPoint = readonly [number, number];
 
@@ -25,7 +25,9 @@ function span(values: readonly number[]): [number, number] {
 
 function marks(low: number, high: number, count: number): number[] {
   const step = fitting_step(low, high, count);
-  return Array.from({ length: Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1 }, (_, k) => rounded((Math.ceil(low / step - 1e-9) + k) * step, step));
+  return Array.from({ length: Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1 }, (_, k) =>
+    rounded((Math.ceil(low / step - 1e-9) + k) * step, step),
+  );
 }
 
 export function Plot({ label, points, now, band, text, take }: PlotProps): ReactElement | null {
@@ -43,7 +45,15 @@ export function Plot({ label, points, now, band, text, take }: PlotProps): React
   };
   return (
     <svg className="plot" viewBox={`0 0 ${wide} ${high}`} role="group" aria-label={label}>
-      {band && within(band.high) < within(band.low) && <rect className="plot-band" x={left} width={wide - left - right} y={within(band.high)} height={within(band.low) - within(band.high)} />}
+      {band && within(band.high) < within(band.low) && (
+        <rect
+          className="plot-band"
+          x={left}
+          width={wide - left - right}
+          y={within(band.high)}
+          height={within(band.low) - within(band.high)}
+        />
+      )}
       {marks(y_low, y_high, 3).map((one) => (
         <g key={`y${one}`} aria-hidden="true">
           <line x1={left} x2={wide - right} y1={y(one)} y2={y(one)} />
@@ -57,10 +67,23 @@ export function Plot({ label, points, now, band, text, take }: PlotProps): React
           {one}
         </text>
       ))}
-      {now !== null && now >= x_low && now <= x_high && <line className="plot-now" x1={x(now)} x2={x(now)} y1={top} y2={high - bottom} />}
+      {now !== null && now >= x_low && now <= x_high && (
+        <line className="plot-now" x1={x(now)} x2={x(now)} y1={top} y2={high - bottom} />
+      )}
       <polyline points={points.map(([at, value]) => `${x(at).toFixed(1)},${y(value).toFixed(1)}`).join(' ')} />
       {points.map((point) => (
-        <circle key={point[0]} cx={x(point[0])} cy={y(point[1])} r={4} role="button" tabIndex={0} aria-label={`Take ${text(point)}`} data-tip={text(point)} onClick={() => take(point[0])} onKeyDown={press(point[0])} />
+        <circle
+          key={point[0]}
+          cx={x(point[0])}
+          cy={y(point[1])}
+          r={4}
+          role="button"
+          tabIndex={0}
+          aria-label={`Take ${text(point)}`}
+          data-tip={text(point)}
+          onClick={() => take(point[0])}
+          onKeyDown={press(point[0])}
+        />
       ))}
     </svg>
   );

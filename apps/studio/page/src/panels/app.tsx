@@ -9,20 +9,20 @@ import { Splitter } from '../controls/splitter.tsx';
 import { Dialogs } from '../dialogs/dialogs.tsx';
 import { Drawer } from '../editors/drawer.tsx';
 import { PinnedViews } from '../find/pinned_views.tsx';
-import { CurvePanel } from '../grass/curve_panel.tsx';
 import { GrammarPanel } from '../grammar/grammar_panel.tsx';
-import { PlanPanel } from '../pruning/plan_panel.tsx';
+import { CurvePanel } from '../grass/curve_panel.tsx';
 import { MeasuresPanel } from '../measures/measures_panel.tsx';
-import { toggle_board } from '../shortcuts.ts';
-import { use_studio } from '../studio_context.ts';
-import { TimelinePanel } from '../time/timeline_panel.tsx';
-import type { ShellState } from '../studio_state.ts';
+import type { ShellState } from '../page/page_state.ts';
+import { use_page } from '../page/use_page.ts';
+import { PlanPanel } from '../pruning/plan_panel.tsx';
+import { TimelinePanel } from '../timeline/timeline_panel.tsx';
 import { ConflictBanner, ElsewhereBanner, KeptBanner, LostBanner } from './banners.tsx';
 import { Handles } from './handles.tsx';
 import { Hints } from './hints.tsx';
 import { Inspector } from './inspector.tsx';
 import { Outline } from './outline.tsx';
 import { kWidths, use_width } from './panel_widths.ts';
+import { toggle_board } from './shortcuts.ts';
 import { StatusLine } from './status_line.tsx';
 import { TextPanel } from './text_panel.tsx';
 import { Toasts } from './toasts.tsx';
@@ -76,8 +76,8 @@ const kLeft = [
 ] as const;
 
 function LeftPanel(): ReactElement {
-  const studio = use_studio();
-  const { left } = use_store(studio.shell);
+  const page = use_page();
+  const { left } = use_store(page.shell);
   const panel = left === 'board' ? 'board' : 'left';
   const widths = { left: use_width('left'), board: use_width('board') };
   const [width, change] = widths[panel];
@@ -85,7 +85,12 @@ function LeftPanel(): ReactElement {
     <aside className={`left of-${left}`} aria-label="Handles and outline" style={{ width: width ?? undefined }}>
       <Handles />
       <div className="left-tabs">
-        <Segments label="Outline or board" value={left} choices={kLeft} choose={(one) => one !== left && toggle_board(studio)} />
+        <Segments
+          label="Outline or board"
+          value={left}
+          choices={kLeft}
+          choose={(one) => one !== left && toggle_board(page)}
+        />
       </div>
       {left === 'board' ? <BoardPanel /> : <Outline />}
       <Splitter label="Width of handles and outline" edge="right" width={width} change={change} {...kWidths[panel]} />
@@ -94,15 +99,25 @@ function LeftPanel(): ReactElement {
 }
 
 function SidePanel(): ReactElement {
-  const studio = use_studio();
-  const { side } = use_store(studio.shell);
-  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar'), measures: use_width('measures'), plan: use_width('plan') };
+  const page = use_page();
+  const { side } = use_store(page.shell);
+  const widths = {
+    inspector: use_width('inspector'),
+    text: use_width('text'),
+    grammar: use_width('grammar'),
+    measures: use_width('measures'),
+    plan: use_width('plan'),
+  };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
-    <aside className={`right of-${side}`} aria-label="Inspector, text, grammar, measures and plan" style={{ width: width ?? undefined }}>
+    <aside
+      className={`right of-${side}`}
+      aria-label="Inspector, text, grammar, measures and plan"
+      style={{ width: width ?? undefined }}
+    >
       <div className="side-tabs">
-        <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
+        <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => page.shell.merge({ side: one })} />
       </div>
       <Content />
       <Splitter label="Width of inspector and text" edge="left" width={width} change={change} {...kWidths[side]} />

@@ -6,16 +6,16 @@ import { prefer } from '../base/preferences.ts';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
 
 export function Hints(): ReactElement | null {
-  const studio = use_studio();
-  const { shows_hints, kept } = use_store(studio.shell);
-  const chosen = use_store(studio.chosen);
+  const page = use_page();
+  const { shows_hints, kept } = use_store(page.shell);
+  const chosen = use_store(page.chosen);
   if (!shows_hints || kept || chosen !== '') return null;
   const close = (): void => {
     prefer('hints', 'seen');
-    studio.shell.merge({ shows_hints: false });
+    page.shell.merge({ shows_hints: false });
   };
   return (
     <section className="hints" aria-label="Three things to try">

@@ -5,18 +5,20 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
 import { shown_number } from '../controls/number_field.tsx';
-import type { Json } from '../document/json.ts';
-import { path_below, value_at } from '../document/path.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { FoundInstance } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import type { Json } from '../values/json.ts';
+import { path_below, value_at } from '../values/path.ts';
 
 export function InstancePanel({ path }: { path: string }): ReactElement | null {
-  const studio = use_studio();
-  const instance = use_store(studio.instance.found);
-  const selecting = use_store(studio.instance.selecting);
+  const page = use_page();
+  const instance = use_store(page.tool(InstanceChoice).found);
+  const selecting = use_store(page.tool(InstanceChoice).selecting);
   if (!instance || path !== path_below('components', instance.component)) return null;
   const { component, i, n } = instance;
-  const begin = (row: 'omit' | 'only') => () => studio.instance.selecting.set({ component, row, numbers: [i] });
+  const begin = (row: 'omit' | 'only') => () =>
+    page.tool(InstanceChoice).selecting.set({ component, row, numbers: [i] });
   return (
     <section className="instance" aria-label="The chosen instance">
       <h3>
@@ -45,7 +47,10 @@ function Values({ instance, path }: { instance: FoundInstance; path: string }): 
     ...(instance.depth > 0 ? [['depth', String(instance.depth)] as [string, string]] : []),
     ...(instance.order > 0 ? [['order', String(instance.order)] as [string, string]] : []),
     ['u', shown_number(instance.u)],
-    ...instance.values.map(({ path: of, value }): [string, string] => [of.slice(path.length + 1).replaceAll('_', ' '), shown_number(value)]),
+    ...instance.values.map(({ path: of, value }): [string, string] => [
+      of.slice(path.length + 1).replaceAll('_', ' '),
+      shown_number(value),
+    ]),
   ];
   return (
     <dl className="instance-values">
@@ -61,29 +66,34 @@ function Values({ instance, path }: { instance: FoundInstance; path: string }): 
 
 /// The selected numbers, until they are applied as one step.
 function Selecting(): ReactElement | null {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const selecting = use_store(studio.instance.selecting);
+  const selecting = use_store(page.tool(InstanceChoice).selecting);
   if (!selecting) return null;
   const { component, row, numbers } = selecting;
   const path = path_below(path_below('components', component), row);
   const take = (): void => {
-    studio.instance.selecting.set(null);
+    page.tool(InstanceChoice).selecting.set(null);
     const said = value_at(tree, path);
     const before: Json[] = Array.isArray(said) ? said : said === undefined ? [] : [said];
     const more = numbers.filter((one) => !before.includes(one));
-    studio.set_value(path, [...before, ...more], row === 'omit' ? `Leave out ${more.join(', ')} of ${component}` : `Only ${numbers.join(', ')} of ${component}`);
+    page.set_value(
+      path,
+      [...before, ...more],
+      row === 'omit' ? `Leave out ${more.join(', ')} of ${component}` : `Only ${numbers.join(', ')} of ${component}`,
+    );
   };
   return (
     <div className="selecting" role="status">
       <p>
-        {row === 'omit' ? 'To leave out' : 'The only ones'}: <b>{numbers.join(', ') || 'none yet'}</b>. Click further instances of {component} in the view.
+        {row === 'omit' ? 'To leave out' : 'The only ones'}: <b>{numbers.join(', ') || 'none yet'}</b>. Click further
+        instances of {component} in the view.
       </p>
       <p className="instance-tools">
         <Button is_off={numbers.length === 0} press={take}>
           Take over
         </Button>
-        <Button kind="quiet" press={() => studio.instance.selecting.set(null)}>
+        <Button kind="quiet" press={() => page.tool(InstanceChoice).selecting.set(null)}>
           Cancel
         </Button>
       </p>

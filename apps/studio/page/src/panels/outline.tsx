@@ -7,13 +7,13 @@ import { use_part } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
 import type { IconName } from '../controls/icon.tsx';
 import { Icon } from '../controls/icon.tsx';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
+import { use_document, use_page } from '../page/use_page.ts';
 import { use_faults } from '../rows/row_actions.ts';
 import { link_kind } from '../tables/resolve.ts';
-import { use_document, use_studio } from '../studio_context.ts';
 import type { Tables } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
 
 interface Item {
   path: string;
@@ -32,9 +32,9 @@ const kParts: Item[] = [
 ];
 
 export function Outline(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const components = components_of(tree?.value, studio.tables.components);
+  const components = components_of(tree?.value, page.tables.components);
   const links = links_of(tree?.value);
   const variables = variables_of(tree?.value);
   return (
@@ -67,14 +67,24 @@ function links_of(document: Json | undefined): Item[] {
   if (!Array.isArray(links)) return [];
   return links.map((link, index) => {
     const [from, to] = Array.isArray(link) ? [link[0], link[1]] : [member_of(link, 'from'), member_of(link, 'to')];
-    return { path: path_below('links', index), title: `${String(from)} → ${String(to)}`, detail: link_kind(link) || 'child', icon: 'link' };
+    return {
+      path: path_below('links', index),
+      title: `${String(from)} → ${String(to)}`,
+      detail: link_kind(link) || 'child',
+      icon: 'link',
+    };
   });
 }
 
 function variables_of(document: Json | undefined): Item[] {
   const variables = member_of(document, 'variables');
   if (!is_object(variables)) return [];
-  return Object.keys(variables).map((name) => ({ path: path_below('variables', name), title: name, detail: is_object(variables[name]) ? '' : 'private', icon: 'sparkle' }));
+  return Object.keys(variables).map((name) => ({
+    path: path_below('variables', name),
+    title: name,
+    detail: is_object(variables[name]) ? '' : 'private',
+    icon: 'sparkle',
+  }));
 }
 
 function Group({ title, items, empty }: { title: string; items: Item[]; empty: string }): ReactElement {
@@ -92,31 +102,50 @@ function Group({ title, items, empty }: { title: string; items: Item[]; empty: s
 }
 
 function OutlineItem({ item }: { item: Item }): ReactElement {
-  const studio = use_studio();
-  const is_chosen = use_part(studio.chosen, (path) => path === item.path);
-  const is_hidden = use_part(studio.view_state, ({ hidden }) => item.component !== undefined && hidden.has(item.component));
+  const page = use_page();
+  const is_chosen = use_part(page.chosen, (path) => path === item.path);
+  const is_hidden = use_part(
+    page.view_state,
+    ({ hidden }) => item.component !== undefined && hidden.has(item.component),
+  );
   const button = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     if (is_chosen) button.current?.scrollIntoView({ block: 'nearest' });
   }, [is_chosen]);
   const below = use_faults(item.path === '' ? '-' : item.path, true);
   const { component } = item;
-  const count = use_part(studio.growth, ({ grown }) => (component === undefined ? undefined : grown?.placed?.[component]));
+  const count = use_part(page.growth, ({ grown }) =>
+    component === undefined ? undefined : grown?.placed?.[component],
+  );
   const toggle = (): void => {
-    const hidden = new Set(studio.view_state.get().hidden);
+    const hidden = new Set(page.view_state.get().hidden);
     if (component !== undefined && !hidden.delete(component)) hidden.add(component);
-    studio.change_view({ hidden });
+    page.change_view({ hidden });
   };
   return (
     <li className={`outline-item${is_hidden ? ' hidden' : ''}`}>
-      <button ref={button} type="button" className="outline-choice" aria-current={is_chosen ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
+      <button
+        ref={button}
+        type="button"
+        className="outline-choice"
+        aria-current={is_chosen ? 'true' : undefined}
+        onClick={() => page.choose(item.path)}
+      >
         <Icon name={item.icon} />
         <span className="outline-title">{item.title}</span>
         <span className="outline-detail">{item.detail}</span>
         {below.length > 0 && <Icon name={below.some((one) => one.severity === 'error') ? 'fault' : 'warning'} />}
         {count !== undefined && count > 0 && <span className="outline-count">{count.toLocaleString('en')}</span>}
       </button>
-      {component !== undefined && <IconButton is_small icon={is_hidden ? 'eye_off' : 'eye'} label={`Draw ${component}`} is_on={!is_hidden} press={toggle} />}
+      {component !== undefined && (
+        <IconButton
+          is_small
+          icon={is_hidden ? 'eye_off' : 'eye'}
+          label={`Draw ${component}`}
+          is_on={!is_hidden}
+          press={toggle}
+        />
+      )}
     </li>
   );
 }

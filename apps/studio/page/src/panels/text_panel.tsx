@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ReactElement } from 'react';
 import { useEffect, useRef } from 'react';
-
+import { fault_text } from '../controls/faults.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { node_at } from '../document/path.ts';
-import { fault_text } from '../rows/row_editor.tsx';
+import { use_document, use_page } from '../page/use_page.ts';
 import type { Fault } from '../server/protocol.ts';
-import { use_document, use_studio } from '../studio_context.ts';
 import { TextEditor } from '../text/editor.ts';
+import { node_at } from '../values/path.ts';
 
 /// The panel of the whole document as text, with its faults below.
 export function TextPanel(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const parent = useRef<HTMLDivElement>(null);
   const editor = useRef<TextEditor | null>(null);
   const { faults } = use_document();
   useEffect(() => {
     if (!parent.current) return undefined;
-    const made = new TextEditor(parent.current, studio);
+    const made = new TextEditor(parent.current, page);
     editor.current = made;
-    const node = node_at(studio.document.state.get().tree, studio.chosen.get());
-    if (node && studio.chosen.get() !== '') made.reveal(node.start);
+    const node = node_at(page.document.state.get().tree, page.chosen.get());
+    if (node && page.chosen.get() !== '') made.reveal(node.start);
     return () => made.destroy();
-  }, [studio]);
+  }, [page]);
   const go = (fault: Fault) => () => editor.current?.reveal(fault.offset ?? 0);
   return (
     <section className="panel text-panel" aria-label="Text">

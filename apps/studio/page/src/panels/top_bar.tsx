@@ -2,16 +2,17 @@
 // The bar at the top: document, undo, seed, export, theme.
 import type { ReactElement } from 'react';
 
+import { prefer } from '../base/preferences.ts';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { NumberField } from '../controls/number_field.tsx';
-import { copy_command } from '../copy_command.ts';
-import { member_of } from '../document/path.ts';
-import { use_document, use_studio } from '../studio_context.ts';
-import { save_here } from '../shortcuts.ts';
-import type { Studio } from '../studio.ts';
-import type { Theme } from '../studio_state.ts';
+import { copy_command } from '../dialogs/copy_command.ts';
+import type { Page } from '../page/page.ts';
+import type { Theme } from '../page/page_state.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { member_of } from '../values/path.ts';
+import { save_here } from './shortcuts.ts';
 
 /// The text of a new document.
 const kNewPlant = `{
@@ -26,26 +27,42 @@ const kNewPlant = `{
 `;
 
 export function TopBar(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { undo } = use_document();
-  const ask = (dialog: 'open' | 'save' | 'models' | 'export' | 'shortcuts') => () => studio.shell.merge({ dialog });
+  const ask = (dialog: 'open' | 'save' | 'models' | 'export' | 'shortcuts') => () => page.shell.merge({ dialog });
   return (
     <header className="top-bar">
       <DocumentTitle />
       <div className="tools" role="toolbar" aria-label="Document">
-        <IconButton icon="plus" label="New plant" press={() => void studio.open({ text: kNewPlant, path: null })} />
+        <IconButton icon="plus" label="New plant" press={() => void page.open({ text: kNewPlant, path: null })} />
         <IconButton icon="models" label="Shipped plants" keys="Ctrl+M" press={ask('models')} />
         <IconButton icon="open" label="Open a file" keys="Ctrl+O" press={ask('open')} />
-        <IconButton icon="save" label="Save" keys="Ctrl+S" press={() => save_here(studio)} />
+        <IconButton icon="save" label="Save" keys="Ctrl+S" press={() => save_here(page)} />
         <IconButton icon="save_as" label="Save as" keys="Ctrl+Shift+S" press={ask('save')} />
         <span className="gap" />
-        <IconButton icon="undo" label={undo.done.length > 0 ? `Undo: ${undo.done.at(-1)?.label}` : 'Undo'} keys="Ctrl+Z" is_off={undo.done.length === 0} press={() => void studio.undo()} />
-        <IconButton icon="redo" label={undo.undone.length > 0 ? `Redo: ${undo.undone.at(-1)?.label}` : 'Redo'} keys="Ctrl+Shift+Z" is_off={undo.undone.length === 0} press={() => void studio.redo()} />
+        <IconButton
+          icon="undo"
+          label={undo.done.length > 0 ? `Undo: ${undo.done.at(-1)?.label}` : 'Undo'}
+          keys="Ctrl+Z"
+          is_off={undo.done.length === 0}
+          press={() => void page.undo()}
+        />
+        <IconButton
+          icon="redo"
+          label={undo.undone.length > 0 ? `Redo: ${undo.undone.at(-1)?.label}` : 'Redo'}
+          keys="Ctrl+Shift+Z"
+          is_off={undo.undone.length === 0}
+          press={() => void page.redo()}
+        />
       </div>
       <span className="stretch" />
       <Seed />
       <span className="gap" />
-      <IconButton icon="command" label="Copy as command" press={() => void copy_command(studio, { format: first_format(studio), name: null, options: {} })} />
+      <IconButton
+        icon="command"
+        label="Copy as command"
+        press={() => void copy_command(page, { format: first_format(page), name: null, options: {} })}
+      />
       <ThemeButton />
       <IconButton icon="help" label="Shortcuts" keys="?" press={ask('shortcuts')} />
       <Button kind="main" icon="export" press={ask('export')}>
@@ -55,8 +72,8 @@ export function TopBar(): ReactElement {
   );
 }
 
-function first_format(studio: Studio): string {
-  return studio.server.get().hello?.formats[0]?.ending ?? '.glb';
+function first_format(page: Page): string {
+  return page.server.get().hello?.formats[0]?.ending ?? '.glb';
 }
 
 function DocumentTitle(): ReactElement {
@@ -73,7 +90,14 @@ function DocumentTitle(): ReactElement {
       <div>
         <h1>
           <span data-tip={shown}>{shown}</span>
-          {is_changed && <span className="changed" role="img" aria-label="not saved" data-tip="Not saved yet; kept in this browser" />}
+          {is_changed && (
+            <span
+              className="changed"
+              role="img"
+              aria-label="not saved"
+              data-tip="Not saved yet; kept in this browser"
+            />
+          )}
         </h1>
         <p data-tip={path ?? undefined}>{from}</p>
       </div>
@@ -82,12 +106,12 @@ function DocumentTitle(): ReactElement {
 }
 
 function Seed(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  const dragged = use_store(studio.dragged);
+  const dragged = use_store(page.dragged);
   const said = dragged['seed'] ?? member_of(tree?.value, 'seed');
   const seed = typeof said === 'number' ? said : 1;
-  const sow = (): void => studio.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed');
+  const sow = (): void => page.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed');
   return (
     <div className="seed" data-tip="Everything random comes from this number">
       <span className="quiet">Seed</span>
@@ -96,9 +120,9 @@ function Seed(): ReactElement {
         value={seed}
         step={1}
         limit={(one) => Math.min(Number.MAX_SAFE_INTEGER, Math.max(0, Math.round(one)))}
-        drag={(one) => studio.drag({ seed: one })}
-        commit={(one) => studio.set_value('seed', one, 'Set seed')}
-        cancel={() => studio.stop_drag()}
+        drag={(one) => page.drag({ seed: one })}
+        commit={(one) => page.set_value('seed', one, 'Set seed')}
+        cancel={() => page.stop_drag()}
       />
       <IconButton icon="dice" label="Roll the seed" keys="R" press={sow} />
     </div>
@@ -111,9 +135,14 @@ const kThemes: Record<Theme, { next: Theme; icon: 'auto' | 'sun' | 'moon'; text:
   dark: { next: 'system', icon: 'moon', text: 'Theme: dark' },
 };
 
+function set_theme(page: Page, theme: Theme): void {
+  prefer('theme', theme);
+  page.shell.merge({ theme });
+}
+
 function ThemeButton(): ReactElement {
-  const studio = use_studio();
-  const { theme } = use_store(studio.shell);
+  const page = use_page();
+  const { theme } = use_store(page.shell);
   const { next, icon, text } = kThemes[theme];
-  return <IconButton icon={icon} label={text} press={() => studio.set_theme(next)} />;
+  return <IconButton icon={icon} label={text} press={() => set_theme(page, next)} />;
 }

@@ -8,20 +8,24 @@ import { CameraMenu } from '../camera/camera_menu.tsx';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import { PinButton } from '../find/pinned_views.tsx';
+import { Gizmo } from '../gizmo/gizmo.ts';
+import { GizmoOverlay } from '../gizmo/gizmo_overlay.tsx';
 import { ModuleOverlay } from '../grammar/module_overlay.tsx';
 import { LeafPointsOverlay } from '../grass/leaf_points_overlay.tsx';
+import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import type { Page } from '../page/page.ts';
+import type { GrowthState } from '../page/page_state.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { Pruning } from '../pruning/pruning.ts';
 import { PruningOverlay } from '../pruning/pruning_overlay.tsx';
 import { ShootTool } from '../pruning/shoot_tool.tsx';
-import { GrowthButton, GrowthPanel } from '../growth/growth_panel.tsx';
-import { use_document, use_studio } from '../studio_context.ts';
-import type { Studio } from '../studio.ts';
-import type { GrowthState } from '../studio_state.ts';
-import { GizmoOverlay } from '../view/gizmo/gizmo_overlay.tsx';
-import { TimeButton } from '../time/timeline_panel.tsx';
-import { OverlayLabels } from '../view/overlay_labels.tsx';
-import { View } from '../view/view.ts';
-import { seen_name } from '../view/seen_name.ts';
+import { TimeButton } from '../timeline/timeline_panel.tsx';
 import { scale_bar } from '../view/scale_bar.ts';
+import { scene_path, seen_name } from '../view/seen_name.ts';
+import { View } from '../view/view.ts';
+import type { SeenInstance } from '../view/view_events.ts';
+import { OverlayLabels } from './overlay_labels.tsx';
 
 const kDrawings = [
   ['shaded', 'Shaded'],
@@ -30,16 +34,21 @@ const kDrawings = [
 ] as const;
 
 export function ViewPanel(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
-    if (canvas.current && !studio.view) attach(studio, canvas.current);
-  }, [studio]);
-  const view = use_store(studio.view_state);
-  const look = (azimuth: number, altitude: number) => () => studio.view?.look_from(azimuth, altitude);
+    if (canvas.current && !page.view) attach(page, canvas.current);
+  }, [page]);
+  const view = use_store(page.view_state);
+  const look = (azimuth: number, altitude: number) => () => page.view?.look_from(azimuth, altitude);
   return (
     <div className="view">
-      <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits, Enter takes hold of a shoot." />
+      <canvas
+        ref={canvas}
+        tabIndex={0}
+        role="application"
+        aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits, Enter takes hold of a shoot."
+      />
       <Nothing />
       <StalePlant />
       <ModuleOverlay />
@@ -48,9 +57,25 @@ export function ViewPanel(): ReactElement {
       <GizmoOverlay />
       <OverlayLabels />
       <div className="view-tools" role="toolbar" aria-label="View">
-        <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
-        <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
-        <IconButton icon="grips" label="Grips of what is chosen" keys="E" is_on={view.shows_grips} press={() => studio.change_view({ shows_grips: !view.shows_grips })} />
+        <Segments
+          label="Drawing"
+          value={view.drawing}
+          choices={kDrawings}
+          choose={(drawing) => page.change_view({ drawing })}
+        />
+        <IconButton
+          icon="ground"
+          label="Ground"
+          is_on={view.shows_ground}
+          press={() => page.change_view({ shows_ground: !view.shows_ground })}
+        />
+        <IconButton
+          icon="grips"
+          label="Grips of what is chosen"
+          keys="E"
+          is_on={view.shows_grips}
+          press={() => page.change_view({ shows_grips: !view.shows_grips })}
+        />
         <PinButton />
         <GrowthButton />
         <TimeButton />
@@ -69,7 +94,7 @@ export function ViewPanel(): ReactElement {
           <Button kind="quiet" tip="From above  7" press={look(180, 89.5)}>
             Top
           </Button>
-          <IconButton icon="fit" label="Fit the plant" keys="F" press={() => studio.view?.fit()} />
+          <IconButton icon="fit" label="Fit the plant" keys="F" press={() => page.view?.fit()} />
         </div>
       </div>
       <Scale />
@@ -79,28 +104,40 @@ export function ViewPanel(): ReactElement {
   );
 }
 
-function attach(studio: Studio, canvas: HTMLCanvasElement): void {
+function attach(page: Page, canvas: HTMLCanvasElement): void {
   try {
     const view = new View(canvas, {
-      drawn: (facts) => studio.view_facts.set(facts),
-      clicked: (found) => studio.instance.choose(found),
-      entered: () => void studio.bench.pruning.walk.begin(),
-      pointed: (at) => studio.pointed.set(at),
-      restored: () => studio.connection.tell('all'),
+      drawn: (facts) => page.view_facts.set(facts),
+      clicked: (found) => choose_seen(page, found),
+      entered: () => void page.tool(Pruning).walk.begin(),
+      pointed: (at) => page.pointed.set(at),
+      restored: () => page.connection.tell('all'),
     });
-    studio.attach_view(view);
+    page.attach_view(view);
   } catch {
-    studio.tell('This browser gives no WebGL, so the plant cannot be drawn; all else works', true);
+    page.notify('This browser gives no WebGL, so the plant cannot be drawn; all else works', true);
   }
 }
 
+/// Chooses the seen part. The grips of a clicked obstacle are shown at once.
+function choose_seen(page: Page, seen: SeenInstance | null): void {
+  page.tool(InstanceChoice).choose(seen);
+  const obstacle = seen && scene_path(seen.component);
+  if (obstacle) page.tool(Gizmo).show(obstacle);
+}
+
 function Compass(): ReactElement {
-  const facts = use_store(use_studio().view_facts);
+  const facts = use_store(use_page().view_facts);
   const azimuth = facts?.camera.azimuth ?? 180;
   // The compass turns with the camera: up on the screen is the direction of view.
   const north = ((180 - azimuth) * Math.PI) / 180;
   return (
-    <svg className="compass" viewBox="-20 -20 40 40" role="img" aria-label={`Compass: the camera stands at ${Math.round(azimuth)} degrees`}>
+    <svg
+      className="compass"
+      viewBox="-20 -20 40 40"
+      role="img"
+      aria-label={`Compass: the camera stands at ${Math.round(azimuth)} degrees`}
+    >
       <circle r="17" />
       <g transform={`rotate(${(180 - azimuth).toFixed(1)})`}>
         <path className="north" d="M0 -7L3 1h-6z" />
@@ -114,7 +151,7 @@ function Compass(): ReactElement {
 }
 
 function Scale(): ReactElement | null {
-  const facts = use_store(use_studio().view_facts);
+  const facts = use_store(use_page().view_facts);
   if (!facts) return null;
   const { pixels, text } = scale_bar(facts.metres_per_pixel);
   return (
@@ -127,7 +164,7 @@ function Scale(): ReactElement | null {
 
 /// The name of the part under the resting pointer.
 function PointedAt(): ReactElement | null {
-  const at = use_store(use_studio().pointed);
+  const at = use_store(use_page().pointed);
   if (!at) return null;
   return (
     <span className="pointed-at" aria-hidden="true" style={{ left: at.x, top: at.y }}>
@@ -138,9 +175,9 @@ function PointedAt(): ReactElement | null {
 
 /// Reports that the shown plant is not the text's, since the text has faults: a border, and a link to the first fault.
 function StalePlant(): ReactElement | null {
-  const studio = use_studio();
-  const { shown } = use_store(studio.growth);
-  const { side } = use_store(studio.shell);
+  const page = use_page();
+  const { shown } = use_store(page.growth);
+  const { side } = use_store(page.shell);
   const { good, faults, text } = use_document();
   const errors = faults.filter((one) => one.severity === 'error');
   if (good || text === '' || !shown) return null;
@@ -150,11 +187,12 @@ function StalePlant(): ReactElement | null {
       <p>
         <Icon name="fault" />
         <span>
-          <strong>This is the last plant without faults.</strong> {errors.length === 1 ? 'The text has a fault' : `The text has ${errors.length} faults`}
+          <strong>This is the last plant without faults.</strong>{' '}
+          {errors.length === 1 ? 'The text has a fault' : `The text has ${errors.length} faults`}
           {first ? `${first.line === null ? '' : ` in line ${first.line}`}: ${first.message}` : ''}
         </span>
         {side !== 'text' && (
-          <Button kind="quiet" press={() => studio.shell.merge({ side: 'text' })}>
+          <Button kind="quiet" press={() => page.shell.merge({ side: 'text' })}>
             Show the text
           </Button>
         )}
@@ -165,30 +203,43 @@ function StalePlant(): ReactElement | null {
 
 /// The message of the view if there is nothing to see.
 function Nothing(): ReactElement | null {
-  const studio = use_studio();
-  const { shown, failed, working } = use_store(studio.growth);
+  const page = use_page();
+  const { shown, failed, working } = use_store(page.growth);
   const { good, text, hash } = use_document();
   if (failed) {
     return (
       <p className="view-note fault">
         {failed.message || failed.faults[0]?.message}. {left_to_see(shown, hash)}
         {failed.continues && (
-          <Button kind="quiet" tip="Goes on from what is finished, for as long again" press={() => studio.continue_growth()}>
+          <Button
+            kind="quiet"
+            tip="Goes on from what is finished, for as long again"
+            press={() => continue_growth(page)}
+          >
             Continue
           </Button>
         )}
       </p>
     );
   }
-  if (!good && text !== '' && !shown) return <p className="view-note fault">The text has faults: there is no plant to show yet.</p>;
+  if (!good && text !== '' && !shown)
+    return <p className="view-note fault">The text has faults: there is no plant to show yet.</p>;
   if (!good && text !== '') return null;
   if (shown && shown.of.triangles === 0) return <p className="view-note">Nothing of this document can be seen.</p>;
   if (!shown) return <p className="view-note">{working ? 'Growing…' : 'Waiting for the plant…'}</p>;
   return null;
 }
 
+/// Continues the growth that reached its time limit.
+function continue_growth(page: Page): void {
+  page.growth.merge({ failed: null });
+  page.connection.tell('continue');
+}
+
 /// Returns a message about what the view still shows of a document whose growth has failed.
 function left_to_see(shown: GrowthState['shown'], hash: string): string {
   if (!shown) return 'There is nothing to show yet.';
-  return shown.draft && shown.hash === hash ? 'What is shown is a draft.' : 'What is shown is the last plant that could grow.';
+  return shown.draft && shown.hash === hash
+    ? 'What is shown is a draft.'
+    : 'What is shown is the last plant that could grow.';
 }

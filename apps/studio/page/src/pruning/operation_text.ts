@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations of a document as text, and sorted by the years in which they have acted.
-import type { Json } from '../document/json.ts';
-import { is_object, write_json } from '../document/json.ts';
+
 import type { OperationAct } from '../server/growth_protocol.ts';
+import type { Json } from '../values/json.ts';
+import { is_object, write_json } from '../values/json.ts';
 
 /// Members that all kinds of operations have: when they act, and on which trees and shoots.
-const kCommon: ReadonlySet<string> = new Set(['do', 'at', 'from', 'every', 'to', 'when', 'once', 'season', 'shoots', 'tree', 'off']);
+const kCommon: ReadonlySet<string> = new Set([
+  'do',
+  'at',
+  'from',
+  'every',
+  'to',
+  'when',
+  'once',
+  'season',
+  'shoots',
+  'tree',
+  'off',
+]);
 
 function members_of(operation: Json): { [name: string]: Json } {
   return is_object(operation) ? operation : {};
@@ -34,8 +47,12 @@ export function when_of(operation: Json): string {
   const { at, from, every, to, when, once, season, tree } = members_of(operation) as Record<string, Json | undefined>;
   const parts: string[] = [];
   if (at !== undefined) parts.push(`year ${plain(at)}`);
-  else if (from === undefined && to === undefined) parts.push(every === undefined ? 'every year' : `every ${plain(every)} years`);
-  else parts.push(`${to === undefined ? `from year ${plain(from ?? 1)}` : `years ${plain(from ?? 1)} to ${plain(to)}`}${every === undefined ? '' : `, every ${plain(every)}`}`);
+  else if (from === undefined && to === undefined)
+    parts.push(every === undefined ? 'every year' : `every ${plain(every)} years`);
+  else {
+    const years = to === undefined ? `from year ${plain(from ?? 1)}` : `years ${plain(from ?? 1)} to ${plain(to)}`;
+    parts.push(every === undefined ? years : `${years}, every ${plain(every)}`);
+  }
   if (when !== undefined) parts.push(`when ${plain(when)}`);
   if (once === true) parts.push('once');
   if (season === 'summer') parts.push('summer');
@@ -80,14 +97,18 @@ export interface PlanYear {
 /// Returns the acts year by year, summers before winters, in the order of the document's list. Acts of a training come
 /// first.
 export function years_of(acts: readonly OperationAct[], operations: readonly Json[], list: string): PlanYear[] {
-  const season_of = (path: string): 'summer' | 'winter' => (members_of(operations[index_in(list, path)] ?? null)['season'] === 'summer' ? 'summer' : 'winter');
+  const season_of = (path: string): 'summer' | 'winter' =>
+    members_of(operations[index_in(list, path)] ?? null)['season'] === 'summer' ? 'summer' : 'winter';
   const years = [...new Set(acts.map(([, year]) => year))].sort((a, b) => a - b);
   return years.map((year) => {
     const entries = acts
       .filter(([, one]) => one === year)
       .map(([path, , act, count]) => ({ path, act, count }))
       .sort((a, b) => index_in(list, a.path) - index_in(list, b.path));
-    const seasons = (['summer', 'winter'] as const).map((season) => ({ season, entries: entries.filter(({ path }) => season_of(path) === season) }));
+    const seasons = (['summer', 'winter'] as const).map((season) => ({
+      season,
+      entries: entries.filter(({ path }) => season_of(path) === season),
+    }));
     return { year, seasons: seasons.filter((one) => one.entries.length > 0) };
   });
 }

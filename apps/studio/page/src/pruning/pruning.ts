@@ -2,15 +2,18 @@
 // Operations on trees: their acts, the chosen operation, and additions to the list.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
-import { member_of, node_at, path_below, steps_of, value_at } from '../document/path.ts';
-import type { FoundShoot, ToldOperations } from '../server/growth_protocol.ts';
+import { PinList } from '../find/pins.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import type { Page } from '../page/page.ts';
+import type { ToldOperations } from '../server/growth_protocol.ts';
 import type { Edit } from '../server/protocol.ts';
-import type { Studio } from '../studio.ts';
 import { component_groups } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
+import { member_of, node_at, path_below, steps_of, value_at } from '../values/path.ts';
+import { text_with_off } from './operation_text.ts';
 import type { DeedChoice } from './shoot_cut.ts';
 import { kFirstChoice, label_of, operation_of } from './shoot_cut.ts';
-import { text_with_off } from './operation_text.ts';
 import { ShootWalk } from './shoot_walk.ts';
 
 /// The chosen operation and year; null: all years.
@@ -26,8 +29,8 @@ export class Pruning {
   readonly walk: ShootWalk;
   private readonly newest_ = new Newest();
 
-  constructor(private readonly studio_: Studio) {
-    this.walk = new ShootWalk(studio_);
+  constructor(private readonly page_: Page) {
+    this.walk = new ShootWalk(page_, this);
   }
 
   /// Resets the state for another document.
@@ -40,11 +43,13 @@ export class Pruning {
 
   /// Returns the components that may have a list of operations.
   components(): string[] {
-    const all = member_of(this.studio_.document.state.get().tree?.value, 'components');
-    const types = this.studio_.tables;
+    const all = member_of(this.page_.document.state.get().tree?.value, 'components');
+    const types = this.page_.tables;
     return Object.entries(typeof all === 'object' && all !== null ? all : {}).flatMap(([id, component]) => {
       const type = member_of(component as Json, 'type');
-      const has_list = component_groups(types, String(type)).some(({ rows }) => rows.some((row) => row.name === 'operations' && row.kinds !== undefined));
+      const has_list = component_groups(types, String(type)).some(({ rows }) =>
+        rows.some((row) => row.name === 'operations' && row.kinds !== undefined),
+      );
       return has_list ? [id] : [];
     });
   }
@@ -53,14 +58,14 @@ export class Pruning {
   /// first possible one. Returns null if no component can have operations.
   plan_component(): string | null {
     const all = this.components();
-    const wanted = [this.studio_.chosen.get(), this.looked_at.get()?.path ?? ''].map((path) => steps_of(path)[1]);
+    const wanted = [this.page_.chosen.get(), this.looked_at.get()?.path ?? ''].map((path) => steps_of(path)[1]);
     const known = wanted.find((one) => typeof one === 'string' && all.includes(one));
     return typeof known === 'string' ? known : (all[0] ?? null);
   }
 
   /// Returns the list of a component's operations, as in the document.
   operations_of(component: string): Json[] {
-    const said = value_at(this.studio_.document.state.get().tree, list_path(component));
+    const said = value_at(this.page_.document.state.get().tree, list_path(component));
     return Array.isArray(said) ? said : [];
   }
 
@@ -68,8 +73,12 @@ export class Pruning {
   ask(component: string): void {
     const counts = this.newest_.begin();
     const { path = '', iteration = null } = this.looked_at.get() ?? {};
-    this.studio_.connection
-      .request<{ operations: ToldOperations | null }>('operations', { component, operation: path, ...(iteration === null ? {} : { iteration }) })
+    this.page_.connection
+      .request<{ operations: ToldOperations | null }>('operations', {
+        component,
+        operation: path,
+        ...(iteration === null ? {} : { iteration }),
+      })
       .then(({ operations }) => {
         if (counts()) this.told.set(operations ? { component, operations } : null);
       })
@@ -83,7 +92,10 @@ export class Pruning {
 
   /// Returns the number of trees that may have a shoot of this name, as the document gives it.
   trees_beside(shoot: FoundShoot): number {
-    const roots = value_at(this.studio_.document.state.get().tree, path_below(path_below('components', shoot.component), 'roots'));
+    const roots = value_at(
+      this.page_.document.state.get().tree,
+      path_below(path_below('components', shoot.component), 'roots'),
+    );
     return Math.max(Array.isArray(roots) ? roots.length : 1, shoot.tree + 1);
   }
 
@@ -93,37 +105,46 @@ export class Pruning {
     const before = this.operations_of(shoot.component);
     const choice = this.choice.get();
     const operation: Json = operation_of(shoot, choice, this.trees_beside(shoot));
-    const edit: Edit = value_at(this.studio_.document.state.get().tree, list) === undefined ? { set: list, value: [operation] } : { insert: path_below(list, -1), value: operation };
-    const faults = await this.studio_.edit([edit], label_of(shoot, choice), { only_if_good: true });
-    if (faults) return this.studio_.tell(faults[0]?.message ?? 'That cannot be done', true);
-    this.studio_.instance.forget();
-    this.studio_.view?.unmark();
+    const edit: Edit =
+      value_at(this.page_.document.state.get().tree, list) === undefined
+        ? { set: list, value: [operation] }
+        : { insert: path_below(list, -1), value: operation };
+    const faults = await this.page_.edit([edit], label_of(shoot, choice), { only_if_good: true });
+    if (faults) return this.page_.notify(faults[0]?.message ?? 'That cannot be done', true);
+    this.page_.tool(InstanceChoice).forget();
+    this.page_.view?.unmark();
     this.looked_at.set({ path: path_below(list, before.length), iteration: null });
   }
 
   /// Pins the state without an operation beside the view.
   pin_without(path: string): void {
-    const { text, tree, path: file, model } = this.studio_.document.state.get();
+    const { text, tree, path: file, model } = this.page_.document.state.get();
     const node = node_at(tree, path);
     if (!node?.members) return;
-    this.studio_.bench.pins.add({ text: text_with_off(text, node.start, node.members.length === 0), path: file, model });
+    this.page_
+      .tool(PinList)
+      .add({ text: text_with_off(text, node.start, node.members.length === 0), path: file, model });
   }
 
   switch_off(path: string, is_off: boolean): void {
     const at = path_below(path, 'off');
-    void this.studio_.edit([is_off ? { set: at, value: true } : { unset: at }], is_off ? 'Switch an operation off' : 'Switch an operation on');
+    void this.page_.edit(
+      [is_off ? { set: at, value: true } : { unset: at }],
+      is_off ? 'Switch an operation off' : 'Switch an operation on',
+    );
   }
 
   /// Moves an operation in the list. The choice follows.
   move(component: string, from: number, to: number): void {
     const list = list_path(component);
-    if (this.looked_at.get()?.path === path_below(list, from)) this.looked_at.set({ path: path_below(list, to), iteration: null });
-    void this.studio_.edit([{ move: path_below(list, from), index: to }], 'Move an operation');
+    if (this.looked_at.get()?.path === path_below(list, from))
+      this.looked_at.set({ path: path_below(list, to), iteration: null });
+    void this.page_.edit([{ move: path_below(list, from), index: to }], 'Move an operation');
   }
 
   remove(path: string): void {
     this.looked_at.set(null);
-    void this.studio_.edit([{ remove: path }], 'Remove an operation');
+    void this.page_.edit([{ remove: path }], 'Remove an operation');
   }
 }
 

@@ -6,25 +6,26 @@ import { useEffect } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { places_of_numbers } from '../base/vec.ts';
-import { InstanceChoice } from '../instance_choice.ts';
-import { use_studio } from '../studio_context.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import { use_page } from '../page/use_page.ts';
 import { ProjectedLine } from '../view/projected_line.tsx';
-import { use_plan_component } from './use_plan_component.ts';
+import { Pruning } from './pruning.ts';
 import { kept_metamers, parts_of } from './shoot_cut.ts';
 import { place_of } from './shoot_text.ts';
+import { use_plan_component } from './use_plan_component.ts';
 
 const kMostDrawn = 400; // number of positions of an operation; more would hide the plant
 
 export function PruningOverlay(): ReactElement | null {
-  const studio = use_studio();
-  const { pruning } = studio.bench;
-  const shoot = InstanceChoice.shoot_of(use_store(studio.instance.found));
+  const page = use_page();
+  const pruning = page.tool(Pruning);
+  const shoot = InstanceChoice.shoot_of(use_store(page.tool(InstanceChoice).found));
   const choice = use_store(pruning.choice);
   const told = use_store(pruning.told);
   const looked_at = use_store(pruning.looked_at);
   use_told_operations();
-  use_store(studio.view_facts); // the camera may have moved
-  const { view } = studio;
+  use_store(page.view_facts); // the camera may have moved
+  const { view } = page;
   const places = looked_at ? (told?.operations.places.slice(0, kMostDrawn) ?? []) : [];
   if (!view || (!shoot && places.length === 0)) return null;
   const held = shoot && place_of(shoot);
@@ -37,12 +38,16 @@ export function PruningOverlay(): ReactElement | null {
       ))}
       {places.map((place, k) => {
         const at = view.eye.project(place.position);
-        return at && <circle key={k} className={`act of-${place.act}`} cx={at[0].toFixed(1)} cy={at[1].toFixed(1)} r="4" />;
+        return (
+          at && <circle key={k} className={`act of-${place.act}`} cx={at[0].toFixed(1)} cy={at[1].toFixed(1)} r="4" />
+        );
       })}
       {parts && (
         <>
           <ProjectedLine view={view} places={places_of_numbers(parts.stays)} className="stays" />
-          {parts.goes.length > 3 && <ProjectedLine view={view} places={places_of_numbers(parts.goes)} className="goes" />}
+          {parts.goes.length > 3 && (
+            <ProjectedLine view={view} places={places_of_numbers(parts.goes)} className="goes" />
+          )}
         </>
       )}
       {held_at && <circle className="held-place" cx={held_at[0].toFixed(1)} cy={held_at[1].toFixed(1)} r="5" />}
@@ -52,11 +57,11 @@ export function PruningOverlay(): ReactElement | null {
 
 /// Keeps the acts of operations up to date while a panel shows them.
 function use_told_operations(): void {
-  const studio = use_studio();
-  const { pruning } = studio.bench;
-  const { side } = use_store(studio.shell);
+  const page = use_page();
+  const pruning = page.tool(Pruning);
+  const { side } = use_store(page.shell);
   const looked_at = use_store(pruning.looked_at);
-  const { shown } = use_store(studio.growth);
+  const { shown } = use_store(page.growth);
   const component = use_plan_component();
   const is_wanted = component !== null && (side === 'plan' || looked_at !== null);
   useEffect(() => {

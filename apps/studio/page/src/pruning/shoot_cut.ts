@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Acts on one chosen shoot as operations of the document.
-import type { Json } from '../document/json.ts';
-import type { FoundShoot } from '../server/growth_protocol.ts';
+
+import type { FoundShoot } from '../page/instance_choice.ts';
+import type { Json } from '../values/json.ts';
 
 export type Deed = 'cut' | 'bend' | 'tie' | 'mark';
 
@@ -17,7 +18,16 @@ export interface DeedChoice {
   season: 'winter' | 'summer';
 }
 
-export const kFirstChoice: DeedChoice = { deed: 'cut', cut_at: 'here', count: 3, inclination: 0, bent: 3, string: 0.5, state: 'marked', season: 'winter' };
+export const kFirstChoice: DeedChoice = {
+  deed: 'cut',
+  cut_at: 'here',
+  count: 3,
+  inclination: 0,
+  bent: 3,
+  string: 0.5,
+  state: 'marked',
+  season: 'winter',
+};
 
 /// Returns the number of metamers of the shoot that a cut leaves.
 export function kept_metamers(shoot: FoundShoot, choice: DeedChoice): number {
@@ -43,8 +53,15 @@ export function operation_of(shoot: FoundShoot, choice: DeedChoice, trees: numbe
     ...(trees > 1 ? { tree: shoot.tree } : {}),
   };
   if (choice.deed === 'cut') return { ...head, above: kept_metamers(shoot, choice) };
-  if (choice.deed === 'bend') return { ...head, below: shoot.metamer, metamers: Math.max(1, Math.round(choice.bent)), inclination: choice.inclination };
-  if (choice.deed === 'tie') return { ...head, ...(shoot.metamer > 0 ? { below: shoot.metamer } : {}), anchor: 'ground', length: choice.string };
+  if (choice.deed === 'bend')
+    return {
+      ...head,
+      below: shoot.metamer,
+      metamers: Math.max(1, Math.round(choice.bent)),
+      inclination: choice.inclination,
+    };
+  if (choice.deed === 'tie')
+    return { ...head, ...(shoot.metamer > 0 ? { below: shoot.metamer } : {}), anchor: 'ground', length: choice.string };
   return { ...head, state: choice.state };
 }
 

@@ -2,7 +2,8 @@
 // A shoot and a position on it as text and numbers.
 import type { Vec } from '../base/vec.ts';
 import { places_of_numbers } from '../base/vec.ts';
-import type { FoundShoot, ShootWay } from '../server/growth_protocol.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import type { ShootWay } from '../server/growth_protocol.ts';
 
 /// Messages for a step along the tree that leads nowhere.
 export const kNowhere: Record<ShootWay, (shoot: string) => string> = {

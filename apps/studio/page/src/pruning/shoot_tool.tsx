@@ -7,10 +7,11 @@ import { useLayoutEffect, useRef } from 'react';
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
 import { NumberLine } from '../controls/number_line.tsx';
-import { InstanceChoice } from '../instance_choice.ts';
-import { TextField } from '../rows/text_field.tsx';
-import type { FoundShoot } from '../server/growth_protocol.ts';
-import { use_studio } from '../studio_context.ts';
+import { TextField } from '../controls/text_field.tsx';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import { use_page } from '../page/use_page.ts';
+import { Pruning } from './pruning.ts';
 import type { Deed, DeedChoice } from './shoot_cut.ts';
 import { kept_metamers, why_not } from './shoot_cut.ts';
 import { ShootWalkBar } from './shoot_walk_bar.tsx';
@@ -23,14 +24,14 @@ const kDeeds: [Deed, string][] = [
 ];
 
 export function ShootTool(): ReactElement | null {
-  const studio = use_studio();
-  const shoot = InstanceChoice.shoot_of(use_store(studio.instance.found));
+  const page = use_page();
+  const shoot = InstanceChoice.shoot_of(use_store(page.tool(InstanceChoice).found));
   return shoot && <HeldShoot shoot={shoot} />;
 }
 
 function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
-  const studio = use_studio();
-  const { pruning } = studio.bench;
+  const page = use_page();
+  const pruning = page.tool(Pruning);
   const choice = use_store(pruning.choice);
   const root = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
@@ -41,8 +42,8 @@ function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
     };
   }, []);
   const close = (): void => {
-    studio.instance.forget();
-    studio.view?.unmark();
+    page.tool(InstanceChoice).forget();
+    page.view?.unmark();
   };
   const key = (event: KeyboardEvent): void => {
     if (event.key === 'Escape' && !event.defaultPrevented) close();
@@ -56,16 +57,30 @@ function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
       <header>
         <h3>{shoot.shoot}</h3>
         <span className="quiet">
-          {pruning.trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of {shoot.metamers.at(-1) ?? 0}, year {shoot.iteration}
+          {pruning.trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of{' '}
+          {shoot.metamers.at(-1) ?? 0}, year {shoot.iteration}
         </span>
         <span className="stretch" />
         <IconButton is_small icon="close" label="Let the shoot go" press={close} />
       </header>
       <ShootWalkBar shoot={shoot} act={act} />
-      <Segments label="What is done to the shoot" value={choice.deed} choices={kDeeds} choose={(deed) => pruning.choice.merge({ deed })} />
+      <Segments
+        label="What is done to the shoot"
+        value={choice.deed}
+        choices={kDeeds}
+        choose={(deed) => pruning.choice.merge({ deed })}
+      />
       <DeedFields shoot={shoot} choice={choice} change={(part) => pruning.choice.merge(part)} />
       <div className="shoot-act">
-        <Segments label="Season of the operation" value={choice.season} choices={[['winter', 'Winter'], ['summer', 'Summer']]} choose={(season) => pruning.choice.merge({ season })} />
+        <Segments
+          label="Season of the operation"
+          value={choice.season}
+          choices={[
+            ['winter', 'Winter'],
+            ['summer', 'Summer'],
+          ]}
+          choose={(season) => pruning.choice.merge({ season })}
+        />
         <span className="stretch" />
         <Button kind="main" is_off={fault !== ''} press={act}>
           {said_of(shoot, choice)}
@@ -98,23 +113,64 @@ function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
     ];
     return (
       <div className="shoot-fields">
-        <Segments label="Where the shoot is cut" value={choice.cut_at} choices={places} choose={(cut_at) => change({ cut_at })} />
-        {choice.cut_at === 'count' && <NumberLine look="shoot-field" label="Metamers that stay" value={choice.count} step={1} low={0} high={shoot.metamers.at(-1) ?? 0} set={(count) => change({ count })} />}
+        <Segments
+          label="Where the shoot is cut"
+          value={choice.cut_at}
+          choices={places}
+          choose={(cut_at) => change({ cut_at })}
+        />
+        {choice.cut_at === 'count' && (
+          <NumberLine
+            look="shoot-field"
+            label="Metamers that stay"
+            value={choice.count}
+            step={1}
+            low={0}
+            high={shoot.metamers.at(-1) ?? 0}
+            set={(count) => change({ count })}
+          />
+        )}
       </div>
     );
   }
   if (choice.deed === 'bend') {
     return (
       <div className="shoot-fields">
-        <NumberLine look="shoot-field" label="Inclination" unit="°" value={choice.inclination} step={5} low={-90} high={90} set={(inclination) => change({ inclination })} />
-        <NumberLine look="shoot-field" label="Metamers bent" value={choice.bent} step={1} low={1} high={1000} set={(bent) => change({ bent })} />
+        <NumberLine
+          look="shoot-field"
+          label="Inclination"
+          unit="°"
+          value={choice.inclination}
+          step={5}
+          low={-90}
+          high={90}
+          set={(inclination) => change({ inclination })}
+        />
+        <NumberLine
+          look="shoot-field"
+          label="Metamers bent"
+          value={choice.bent}
+          step={1}
+          low={1}
+          high={1000}
+          set={(bent) => change({ bent })}
+        />
       </div>
     );
   }
   if (choice.deed === 'tie') {
     return (
       <div className="shoot-fields">
-        <NumberLine look="shoot-field" label="String" unit="m" value={choice.string} step={0.05} low={0} high={1000} set={(string) => change({ string })} />
+        <NumberLine
+          look="shoot-field"
+          label="String"
+          unit="m"
+          value={choice.string}
+          step={0.05}
+          low={0}
+          high={1000}
+          set={(string) => change({ string })}
+        />
       </div>
     );
   }
@@ -122,7 +178,11 @@ function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
     <div className="shoot-fields">
       <label className="shoot-field">
         <span>State</span>
-        <TextField label="State of the mark" value={choice.state} commit={(state) => change({ state: state.trim() === '' ? 'marked' : state.trim() })} />
+        <TextField
+          label="State of the mark"
+          value={choice.state}
+          commit={(state) => change({ state: state.trim() === '' ? 'marked' : state.trim() })}
+        />
       </label>
     </div>
   );

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves the choice from shoot to shoot along the tree, by keys.
 import { Store } from '../base/store.ts';
-import { InstanceChoice } from '../instance_choice.ts';
-import type { FoundShoot, ShootName, ShootWay } from '../server/growth_protocol.ts';
-import type { Studio } from '../studio.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import { InstanceChoice } from '../page/instance_choice.ts';
+import type { Page } from '../page/page.ts';
+import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
+import type { DeedChoice } from './shoot_cut.ts';
 import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';
+
+/// The component whose shoots are walked, and the tool that acts on them.
+export interface WalkedTrees {
+  readonly choice: Store<DeedChoice>;
+  plan_component(): string | null;
+}
 
 export class ShootWalk {
   readonly note = new Store(''); // reason why the last key had no effect
@@ -12,8 +20,11 @@ export class ShootWalk {
   private last_: FoundShoot | null = null;
   private is_asking_ = false;
 
-  constructor(private readonly studio_: Studio) {
-    studio_.instance.found.subscribe(() => {
+  constructor(
+    private readonly page_: Page,
+    private readonly trees_: WalkedTrees,
+  ) {
+    page_.tool(InstanceChoice).found.subscribe(() => {
       this.note.set('');
       this.last_ = this.shoot ?? this.last_;
     });
@@ -27,17 +38,17 @@ export class ShootWalk {
 
   /// Focuses the chosen shoot, or the last chosen one, or its nearest existing ancestor, or the first shoot.
   async begin(): Promise<void> {
-    const { instance, bench } = this.studio_;
+    const instance = this.page_.tool(InstanceChoice);
     if (this.shoot) return this.wants_keyboard.set(true);
-    const component = bench.pruning.plan_component();
-    if (component === null) return this.studio_.tell('No component of this document has shoots that can be cut');
+    const component = this.trees_.plan_component();
+    if (component === null) return this.page_.notify('No component of this document has shoots that can be cut');
     this.wants_keyboard.set(true);
     for (const of of this.wishes(component)) {
       const is_held = await instance.hold(component, of).catch(() => false);
       if (is_held !== false) return;
     }
     this.wants_keyboard.set(false);
-    this.studio_.tell(`No shoot of ${component} has grown that could be cut`);
+    this.page_.notify(`No shoot of ${component} has grown that could be cut`);
   }
 
   /// Chooses the parent of the shoot, a child, or a neighbour.
@@ -45,7 +56,10 @@ export class ShootWalk {
     const { shoot } = this;
     if (!shoot || this.is_asking_) return;
     this.is_asking_ = true;
-    const is_held = await this.studio_.instance.hold(shoot.component, shoot, way).catch(() => null);
+    const is_held = await this.page_
+      .tool(InstanceChoice)
+      .hold(shoot.component, shoot, way)
+      .catch(() => null);
     this.is_asking_ = false;
     if (is_held === false) this.note.set(kNowhere[way](shoot.shoot));
   }
@@ -55,13 +69,13 @@ export class ShootWalk {
     const { shoot } = this;
     if (!shoot) return;
     const metamer = moved_metamer(shoot, by);
-    this.studio_.bench.pruning.choice.merge({ cut_at: 'here' });
-    this.studio_.instance.found.set({ ...shoot, metamer });
+    this.trees_.choice.merge({ cut_at: 'here' });
+    this.page_.tool(InstanceChoice).found.set({ ...shoot, metamer });
     if (metamer === shoot.metamer) this.note.set(`This is the ${by > 0 ? 'tip' : 'base'} of ${shoot.shoot}`);
   }
 
   private get shoot(): FoundShoot | null {
-    return InstanceChoice.shoot_of(this.studio_.instance.found.get());
+    return InstanceChoice.shoot_of(this.page_.tool(InstanceChoice).found.get());
   }
 
   private wishes(component: string): (ShootName | null)[] {

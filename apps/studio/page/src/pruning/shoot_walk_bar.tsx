@@ -6,8 +6,9 @@ import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import type { FoundShoot } from '../server/growth_protocol.ts';
-import { use_studio } from '../studio_context.ts';
+import type { FoundShoot } from '../page/instance_choice.ts';
+import { use_page } from '../page/use_page.ts';
+import { Pruning } from './pruning.ts';
 import type { Deed } from './shoot_cut.ts';
 import { measures_of } from './shoot_text.ts';
 import type { ShootWalk } from './shoot_walk.ts';
@@ -30,8 +31,8 @@ interface ShootWalkBarProps {
 }
 
 export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
-  const studio = use_studio();
-  const { walk, choice } = studio.bench.pruning;
+  const page = use_page();
+  const { walk, choice } = page.tool(Pruning);
   const note = use_store(walk.note);
   const wants_keyboard = use_store(walk.wants_keyboard);
   const bar = useRef<HTMLDivElement>(null);
@@ -55,20 +56,54 @@ export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
   const last = shoot.metamers.at(-1) ?? 0;
   return (
     <>
-      <div ref={bar} className="shoot-walk" role="application" tabIndex={0} aria-label="Along the tree. Left and Right: to the bearing shoot, to a borne one. Up and Down: along the shoot. Page Up and Page Down: to its neighbours. C, B, T, M: cut, bend, tie, mark. Enter does it." onKeyDown={key}>
+      <div
+        ref={bar}
+        className="shoot-walk"
+        role="application"
+        tabIndex={0}
+        aria-label="Along the tree. Left and Right: to the bearing shoot, to a borne one. Up and Down: along the shoot. Page Up and Page Down: to its neighbours. C, B, T, M: cut, bend, tie, mark. Enter does it."
+        onKeyDown={key}
+      >
         <span className="quiet">Along the tree</span>
-        <IconButton is_small icon="left" label="To the shoot that bears it" keys="Left" press={() => void walk.go('parent')} />
-        <IconButton is_small icon="right" label="To a shoot that it bears" keys="Right" press={() => void walk.go('child')} />
+        <IconButton
+          is_small
+          icon="left"
+          label="To the shoot that bears it"
+          keys="Left"
+          press={() => void walk.go('parent')}
+        />
+        <IconButton
+          is_small
+          icon="right"
+          label="To a shoot that it bears"
+          keys="Right"
+          press={() => void walk.go('child')}
+        />
         <IconButton is_small icon="up" label="Towards the tip" keys="Up" press={() => walk.along(1)} />
         <IconButton is_small icon="down" label="Towards the base" keys="Down" press={() => walk.along(-1)} />
-        <IconButton is_small icon="first" label="The neighbour before it" keys="PageUp" press={() => void walk.go('previous')} />
-        <IconButton is_small icon="last" label="The neighbour after it" keys="PageDown" press={() => void walk.go('next')} />
+        <IconButton
+          is_small
+          icon="first"
+          label="The neighbour before it"
+          keys="PageUp"
+          press={() => void walk.go('previous')}
+        />
+        <IconButton
+          is_small
+          icon="last"
+          label="The neighbour after it"
+          keys="PageDown"
+          press={() => void walk.go('next')}
+        />
       </div>
       <p className="shoot-said quiet" role="status">
-        {note !== '' ? note : (
+        {note !== '' ? (
+          note
+        ) : (
           <>
             <span className="spoken">
-              {shoot.shoot}, {studio.bench.pruning.trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer {shoot.metamer} of {last}.{' '}
+              {shoot.shoot}, {page.tool(Pruning).trees_beside(shoot) > 1 && `tree ${shoot.tree}, `}metamer{' '}
+              {shoot.metamer} of {last}.{' '}
             </span>
             {measures_of(shoot)}
           </>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { use_store } from '../base/store.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { Pruning } from './pruning.ts';
 
 /// Returns the component whose operations are listed, or null if no component can have operations.
 export function use_plan_component(): string | null {
-  const studio = use_studio();
+  const page = use_page();
   use_document();
-  use_store(studio.chosen);
-  use_store(studio.bench.pruning.looked_at);
-  return studio.bench.pruning.plan_component();
+  use_store(page.chosen);
+  use_store(page.tool(Pruning).looked_at);
+  return page.tool(Pruning).plan_component();
 }

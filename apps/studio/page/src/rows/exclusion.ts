@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows that exclude each other: when one is given, the others are removed.
 import { createContext } from 'react';
-
-import type { Json } from '../document/json.ts';
 import type { ParameterTable } from '../tables/tables.ts';
 import { as_object } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
 
 /// Returns the given rows of a table that must be removed when this one is given.
 export function excluded_by(table: ParameterTable, name: string, value: Json | undefined): string[] {

@@ -1,40 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows that hold tables: objects, lists and maps. They are folded until the user opens them.
-import type { ReactElement, ReactNode } from 'react';
+import type { ReactElement } from 'react';
 import { useContext, useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
-import { Icon } from '../controls/icon.tsx';
 import { Menu } from '../controls/menu.tsx';
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below } from '../document/path.ts';
-import { use_studio } from '../studio_context.ts';
+import { use_page } from '../page/use_page.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
-import { as_object, first_object, has_meaning, table_of } from '../tables/tables.ts';
-import { ExcludedPaths } from './exclusion.ts';
+import { first_object, table_of } from '../tables/tables.ts';
 import { give } from '../time/values_now.ts';
-import { use_faults } from './row_actions.ts';
-import { Faults, RowView, tip_of } from './row_editor.tsx';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below } from '../values/path.ts';
+import { ExcludedPaths } from './exclusion.ts';
+import { Fold } from './fold.tsx';
+import { tip_of } from './row_editor.tsx';
+import type { NestedRowProps } from './row_kinds.ts';
+import { TableRows } from './table_rows.tsx';
 
-interface NestedRowProps {
-  row: Row;
-  path: string;
-  value: Json | undefined;
-}
-
-/// `rivals` are paths that are removed when anything of the row is given.
-export function NestedRow({ row, path, value, rivals }: NestedRowProps & { rivals: readonly string[] }): ReactElement {
-  const studio = use_studio();
+export function NestedRow({ row, path, value, rivals }: NestedRowProps): ReactElement {
+  const page = use_page();
   const excluded = [...useContext(ExcludedPaths), ...rivals];
   const label = row.name.replaceAll('_', ' ');
-  const remove = (): void => void studio.edit([{ unset: path }], `Unset ${row.name}`);
-  const menu = value === undefined || row.required ? undefined : <Menu label={`More for ${label}`} items={[{ text: 'Unset', act: remove }]} />;
+  const remove = (): void => void page.edit([{ unset: path }], `Unset ${row.name}`);
+  const menu =
+    value === undefined || row.required ? undefined : (
+      <Menu label={`More for ${label}`} items={[{ text: 'Unset', act: remove }]} />
+    );
   return (
     <Fold title={label} tip={tip_of(row)} path={path} is_set={value !== undefined} menu={menu}>
       <ExcludedPaths.Provider value={excluded}>
         {row.kind === 'object' && row.table !== undefined ? (
-          <TableRows table={table_of(studio.tables, row.table)} path={path} value={value} />
+          <TableRows table={table_of(page.tables, row.table)} path={path} value={value} />
         ) : row.kind === 'list' ? (
           <ListRows row={row} path={path} value={value} />
         ) : (
@@ -45,82 +42,55 @@ export function NestedRow({ row, path, value, rivals }: NestedRowProps & { rival
   );
 }
 
-interface FoldProps {
-  title: string;
-  tip: string;
-  path: string;
-  is_set: boolean;
-  menu?: ReactNode;
-  children: ReactNode;
-}
-
-/// A heading that shows and hides its content. `children` is called when it is opened.
-function Fold({ title, tip, path, is_set, menu, children }: FoldProps): ReactElement {
-  const [is_open, set_open] = useState(false);
-  const faults = use_faults(path);
-  const deep = use_faults(path, true);
-  return (
-    <div className={`fold${is_set ? '' : ' unset'}`} data-path={path}>
-      <div className="fold-head">
-        <button type="button" className="fold-title" aria-expanded={is_open} data-tip={tip} onClick={() => set_open(!is_open)}>
-          <Icon name={is_open ? 'down' : 'right'} />
-          <span>{title}</span>
-          {deep.length > 0 && <Icon name="warning" />}
-          {is_set && <span className="set-dot" />}
-        </button>
-        {menu}
-      </div>
-      <Faults faults={faults} />
-      {is_open && <div className="fold-body">{children}</div>}
-    </div>
-  );
-}
-
-interface TableRowsProps {
-  table: ParameterTable;
-  path: string;
-  value: Json | undefined;
-  without?: string; // name of a row that is edited elsewhere
-}
-
-/// All rows of a table that have an effect beside the other values.
-export function TableRows({ table, path, value, without }: TableRowsProps): ReactElement {
-  const object = as_object(table, value);
-  const rows = table.rows.filter((row) => row.name !== without && (object[row.name] !== undefined || has_meaning(table, row.name, object)));
-  return (
-    <>
-      {rows.map((row) => (
-        <RowView key={row.name} table={table} row={row} parent={path} parent_value={value} value={object[row.name]} />
-      ))}
-    </>
-  );
-}
-
-function ListRows({ row, path, value }: NestedRowProps): ReactElement {
-  const studio = use_studio();
+function ListRows({ row, path, value }: Omit<NestedRowProps, 'rivals'>): ReactElement {
+  const page = use_page();
   const excluded = useContext(ExcludedPaths);
   const elements = Array.isArray(value) ? value : [];
   const add = (element: Json): void => {
     // A missing list is added together with its first element.
-    const edit = value === undefined ? { set: path, value: [element] } : { insert: path_below(path, -1), value: element };
-    give(studio, [edit], `Add to ${row.name}`, excluded);
+    const edit =
+      value === undefined ? { set: path, value: [element] } : { insert: path_below(path, -1), value: element };
+    give(page, [edit], `Add to ${row.name}`, excluded);
   };
   return (
     <>
       {elements.map((element, index) => (
-        <Fold key={index} title={element_title(row, element, index)} tip={row.doc} path={path_below(path, index)} is_set menu={<ElementButtons path={path} index={index} count={elements.length} />}>
-          <TableRows table={element_table(studio.tables.tables, row, element)} path={path_below(path, index)} value={element} />
+        <Fold
+          key={index}
+          title={element_title(row, element, index)}
+          tip={row.doc}
+          path={path_below(path, index)}
+          is_set
+          menu={<ElementButtons path={path} index={index} count={elements.length} />}
+        >
+          <TableRows
+            table={element_table(page.tables.tables, row, element)}
+            path={path_below(path, index)}
+            value={element}
+          />
         </Fold>
       ))}
       {row.kinds ? (
         <div className="add-line">
           Add
-          <Menu icon="plus" label={`Add to ${row.name}`} items={Object.entries(row.kinds.tables).map(([kind, name]) => ({ text: kind, act: () => add({ [row.kinds?.key ?? 'kind']: kind, ...object_of(first_object(studio.tables, name)) }) }))} />
+          <Menu
+            icon="plus"
+            label={`Add to ${row.name}`}
+            items={Object.entries(row.kinds.tables).map(([kind, name]) => ({
+              text: kind,
+              act: () => add({ [row.kinds?.key ?? 'kind']: kind, ...object_of(first_object(page.tables, name)) }),
+            }))}
+          />
         </div>
       ) : (
         <div className="add-line">
           Add
-          <IconButton is_small icon="plus" label={`Add to ${row.name}`} press={() => add(first_object(studio.tables, row.table ?? ''))} />
+          <IconButton
+            is_small
+            icon="plus"
+            label={`Add to ${row.name}`}
+            press={() => add(first_object(page.tables, row.table ?? ''))}
+          />
         </div>
       )}
     </>
@@ -128,39 +98,83 @@ function ListRows({ row, path, value }: NestedRowProps): ReactElement {
 }
 
 function ElementButtons({ path, index, count }: { path: string; index: number; count: number }): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const at = path_below(path, index);
   return (
     <>
-      <IconButton is_small icon="up" label={`Move ${index + 1} up`} is_off={index === 0} press={() => void studio.edit([{ move: at, index: index - 1 }], 'Move up')} />
-      <IconButton is_small icon="down" label={`Move ${index + 1} down`} is_off={index === count - 1} press={() => void studio.edit([{ move: at, index: index + 1 }], 'Move down')} />
-      <IconButton is_small icon="close" label={`Remove ${index + 1}`} press={() => void studio.edit([{ remove: at }], 'Remove')} />
+      <IconButton
+        is_small
+        icon="up"
+        label={`Move ${index + 1} up`}
+        is_off={index === 0}
+        press={() => void page.edit([{ move: at, index: index - 1 }], 'Move up')}
+      />
+      <IconButton
+        is_small
+        icon="down"
+        label={`Move ${index + 1} down`}
+        is_off={index === count - 1}
+        press={() => void page.edit([{ move: at, index: index + 1 }], 'Move down')}
+      />
+      <IconButton
+        is_small
+        icon="close"
+        label={`Remove ${index + 1}`}
+        press={() => void page.edit([{ remove: at }], 'Remove')}
+      />
     </>
   );
 }
 
-function MapRows({ row, path, value }: NestedRowProps): ReactElement {
-  const studio = use_studio();
+function MapRows({ row, path, value }: Omit<NestedRowProps, 'rivals'>): ReactElement {
+  const page = use_page();
   const excluded = useContext(ExcludedPaths);
   const [name, set_name] = useState('');
   const object = object_of(value);
-  const table = table_of(studio.tables, row.table ?? '');
+  const table = table_of(page.tables, row.table ?? '');
   const add = (): void => {
-    const made = first_object(studio.tables, row.table ?? '');
-    const edit = value === undefined ? { set: path, value: { [name]: made } } : { set: path_below(path, name), value: made };
-    give(studio, [edit], `Add ${name}`, excluded);
+    const made = first_object(page.tables, row.table ?? '');
+    const edit =
+      value === undefined ? { set: path, value: { [name]: made } } : { set: path_below(path, name), value: made };
+    give(page, [edit], `Add ${name}`, excluded);
     set_name('');
   };
   return (
     <>
       {Object.keys(object).map((key) => (
-        <Fold key={key} title={key} tip={table.doc} path={path_below(path, key)} is_set menu={<IconButton is_small icon="close" label={`Remove ${key}`} press={() => void studio.edit([{ remove: path_below(path, key) }], `Remove ${key}`)} />}>
+        <Fold
+          key={key}
+          title={key}
+          tip={table.doc}
+          path={path_below(path, key)}
+          is_set
+          menu={
+            <IconButton
+              is_small
+              icon="close"
+              label={`Remove ${key}`}
+              press={() => void page.edit([{ remove: path_below(path, key) }], `Remove ${key}`)}
+            />
+          }
+        >
           <TableRows table={table} path={path_below(path, key)} value={object[key]} />
         </Fold>
       ))}
       <div className="add-line">
-        <input className="text-field" aria-label={`Name of a new element of ${row.name}`} placeholder="new name" value={name} onChange={(event) => set_name(event.target.value)} />
-        <IconButton is_small icon="plus" label={`Add to ${row.name}`} is_off={name === '' || name in object} press={add} />
+        <input
+          className="text-field"
+          aria-label={`Name of a new element of ${row.name}`}
+          placeholder="new name"
+          value={name}
+          onChange={(event) => set_name(event.target.value)}
+        />
+        <IconButton
+          is_small
+          icon="plus"
+          label={`Add to ${row.name}`}
+          is_off={name === '' || name in object}
+          press={add}
+        />
       </div>
     </>
   );

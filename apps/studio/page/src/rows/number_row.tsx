@@ -4,13 +4,13 @@ import type { ReactElement } from 'react';
 
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { fitting_step } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { is_object, write_json } from '../document/json.ts';
+import { TextField } from '../controls/text_field.tsx';
 import { legal_value } from '../tables/legal.ts';
 import type { Row } from '../tables/tables.ts';
 import { slider_range, within_hard_range } from '../tables/tables.ts';
-import { TextField } from './text_field.tsx';
+import { fitting_step } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { is_object, write_json } from '../values/json.ts';
 import type { RowActions } from './row_actions.ts';
 
 interface NumberRowProps {
@@ -24,7 +24,16 @@ interface NumberRowProps {
 export function NumberRow(props: NumberRowProps): ReactElement {
   const { row, label, value, actions } = props;
   if (typeof value === 'string') {
-    return <TextField label={`${label}, expression`} value={value} commit={(text) => actions.commit(text)} is_code is_faulty={props.is_faulty} description={row.doc} />;
+    return (
+      <TextField
+        label={`${label}, expression`}
+        value={value}
+        commit={(text) => actions.commit(text)}
+        is_code
+        is_faulty={props.is_faulty}
+        description={row.doc}
+      />
+    );
   }
   if (Array.isArray(value)) return <RangeFields {...props} range={value} put={(range) => range} />;
   if (is_object(value) && Array.isArray(value['range'])) {
@@ -32,13 +41,21 @@ export function NumberRow(props: NumberRowProps): ReactElement {
     return (
       <div className="stacked">
         <RangeFields {...props} range={value['range']} put={(range) => ({ range, apply })} />
-        <TextField label={`${label}, applied to the range`} value={apply} commit={(text) => actions.commit({ range: value['range'] ?? [0, 0], apply: text })} is_code is_faulty={props.is_faulty} />
+        <TextField
+          label={`${label}, applied to the range`}
+          value={apply}
+          commit={(text) => actions.commit({ range: value['range'] ?? [0, 0], apply: text })}
+          is_code
+          is_faulty={props.is_faulty}
+        />
       </div>
     );
   }
   const shown = value ?? row.default;
   if (typeof shown === 'number' || shown === undefined || shown === null) {
-    return <OneNumber {...props} number={typeof shown === 'number' ? shown : null} put={(number) => number} has_slider />;
+    return (
+      <OneNumber {...props} number={typeof shown === 'number' ? shown : null} put={(number) => number} has_slider />
+    );
   }
   return <span className="quiet">{typeof shown === 'string' ? shown : write_json(shown)}</span>;
 }
@@ -64,8 +81,29 @@ export function OneNumber(props: OneNumberProps): ReactElement {
   const can_slide = props.has_slider === true && Number.isFinite(low) && Number.isFinite(high) && high > low;
   return (
     <div className={can_slide ? 'number-pair' : 'number-alone'}>
-      {can_slide && <Slider {...acts} label={`${label}, slider`} value={number ?? low} low={low} high={high} step={step} is_dim={is_dim} />}
-      <NumberField {...acts} label={label} value={number} step={step} unit={row.unit} description={row.doc} limit={limit} is_faulty={props.is_faulty} is_dim={is_dim} express={(text) => actions.commit(put(text))} />
+      {can_slide && (
+        <Slider
+          {...acts}
+          label={`${label}, slider`}
+          value={number ?? low}
+          low={low}
+          high={high}
+          step={step}
+          is_dim={is_dim}
+        />
+      )}
+      <NumberField
+        {...acts}
+        label={label}
+        value={number}
+        step={step}
+        unit={row.unit}
+        description={row.doc}
+        limit={limit}
+        is_faulty={props.is_faulty}
+        is_dim={is_dim}
+        express={(text) => actions.commit(put(text))}
+      />
     </div>
   );
 }
@@ -102,7 +140,15 @@ interface NumberOrTextProps extends NumberRowProps {
 export function NumberOrText(props: NumberOrTextProps): ReactElement {
   const { element, put, label, actions, row } = props;
   if (typeof element === 'string') {
-    return <TextField label={label} value={element} commit={(text) => actions.commit(put(legal_value(row, as_number(text))))} is_code is_faulty={props.is_faulty} />;
+    return (
+      <TextField
+        label={label}
+        value={element}
+        commit={(text) => actions.commit(put(legal_value(row, as_number(text))))}
+        is_code
+        is_faulty={props.is_faulty}
+      />
+    );
   }
   return <OneNumber {...props} number={typeof element === 'number' ? element : null} put={put} />;
 }

@@ -2,17 +2,24 @@
 // Editors of values other than numbers and tables.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
-
-import type { Json } from '../document/json.ts';
-import { write_json } from '../document/json.ts';
+import { TextField } from '../controls/text_field.tsx';
+import type { Json } from '../values/json.ts';
+import { write_json } from '../values/json.ts';
 import { NumberOrText } from './number_row.tsx';
-import type { RowEditorProps } from './row_editor.tsx';
-import { TextField } from './text_field.tsx';
+import type { RowEditorProps } from './row_kinds.ts';
 
 export function BooleanRow({ label, value, row, actions }: RowEditorProps): ReactElement {
   const is_on = (value ?? row.default) === true;
   return (
-    <button type="button" role="switch" className={`switch${value === undefined ? ' dim' : ''}`} aria-checked={is_on} aria-label={label} aria-description={row.doc} onClick={() => actions.commit(!is_on)}>
+    <button
+      type="button"
+      role="switch"
+      className={`switch${value === undefined ? ' dim' : ''}`}
+      aria-checked={is_on}
+      aria-label={label}
+      aria-description={row.doc}
+      onClick={() => actions.commit(!is_on)}
+    >
       <span />
     </button>
   );
@@ -21,7 +28,13 @@ export function BooleanRow({ label, value, row, actions }: RowEditorProps): Reac
 export function ChoiceRow({ label, value, row, actions }: RowEditorProps): ReactElement {
   const shown = value ?? row.default;
   return (
-    <select className={`select${value === undefined ? ' dim' : ''}`} aria-label={label} aria-description={row.doc} value={typeof shown === 'string' ? shown : ''} onChange={(event) => actions.commit(event.target.value)}>
+    <select
+      className={`select${value === undefined ? ' dim' : ''}`}
+      aria-label={label}
+      aria-description={row.doc}
+      value={typeof shown === 'string' ? shown : ''}
+      onChange={(event) => actions.commit(event.target.value)}
+    >
       {typeof shown !== 'string' && <option value="">not set</option>}
       {row.choices?.map((choice) => (
         <option key={choice} value={choice}>
@@ -41,13 +54,34 @@ export function TextRow({ label, value, row, actions, is_faulty }: RowEditorProp
     // A condition or a formula may be a plain number.
     actions.commit(row.kind === 'formula' && typed.trim() !== '' && Number.isFinite(number) ? number : typed);
   };
-  return <TextField label={label} value={text} commit={take} is_code={is_code} is_faulty={is_faulty} is_dim={value === undefined} description={row.doc} placeholder="not set" />;
+  return (
+    <TextField
+      label={label}
+      value={text}
+      commit={take}
+      is_code={is_code}
+      is_faulty={is_faulty}
+      is_dim={value === undefined}
+      description={row.doc}
+      placeholder="not set"
+    />
+  );
 }
 
 export function LinesRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
   const text = Array.isArray(value) ? value.join('\n') : typeof value === 'string' ? value : '';
   const lines = Math.min(18, Math.max(3, text.split('\n').length + 1));
-  return <TextField label={label} value={text} commit={(typed) => actions.commit(Array.isArray(value) || value === undefined ? typed.split('\n') : typed)} is_code is_faulty={is_faulty} lines={lines} description={row.doc} />;
+  return (
+    <TextField
+      label={label}
+      value={text}
+      commit={(typed) => actions.commit(Array.isArray(value) || value === undefined ? typed.split('\n') : typed)}
+      is_code
+      is_faulty={is_faulty}
+      lines={lines}
+      description={row.doc}
+    />
+  );
 }
 
 const kAxes = ['x', 'y', 'z'];
@@ -60,7 +94,13 @@ export function VectorRow(props: RowEditorProps): ReactElement {
   return (
     <div className="vector">
       {numbers.slice(0, count).map((one, index) => (
-        <NumberOrText key={index} {...props} label={`${label} ${row.kind === 'integers' ? index + 1 : (kAxes[index] ?? index)}`} element={one} put={(number) => numbers.map((old, k) => (k === index ? number : old))} />
+        <NumberOrText
+          key={index}
+          {...props}
+          label={`${label} ${row.kind === 'integers' ? index + 1 : (kAxes[index] ?? index)}`}
+          element={one}
+          put={(number) => numbers.map((old, k) => (k === index ? number : old))}
+        />
       ))}
     </div>
   );
@@ -74,7 +114,13 @@ export function FacingRow(props: RowEditorProps): ReactElement {
   const choose = (way: string): void => actions.commit(way === 'direction' ? [0, 1, 0] : way);
   return (
     <div className="stacked">
-      <select className={`select${value === undefined ? ' dim' : ''}`} aria-label={`${label}, how it is given`} aria-description={row.doc} value={is_vector ? 'direction' : typeof shown === 'string' ? shown : ''} onChange={(event) => choose(event.target.value)}>
+      <select
+        className={`select${value === undefined ? ' dim' : ''}`}
+        aria-label={`${label}, how it is given`}
+        aria-description={row.doc}
+        value={is_vector ? 'direction' : typeof shown === 'string' ? shown : ''}
+        onChange={(event) => choose(event.target.value)}
+      >
         {!is_vector && typeof shown !== 'string' && <option value="">not set</option>}
         <option value="surface">by the surface</option>
         <option value="direction">a direction</option>
@@ -86,7 +132,12 @@ export function FacingRow(props: RowEditorProps): ReactElement {
 
 export function BoxRow(props: RowEditorProps): ReactElement {
   const shown = props.value ?? props.row.default;
-  const corners = Array.isArray(shown) ? shown : [[0, 0, 0], [1, 1, 1]];
+  const corners = Array.isArray(shown)
+    ? shown
+    : [
+        [0, 0, 0],
+        [1, 1, 1],
+      ];
   return (
     <div className="stacked">
       {corners.slice(0, 2).map((corner, index) => (
@@ -97,7 +148,11 @@ export function BoxRow(props: RowEditorProps): ReactElement {
               {...props}
               label={`${props.label}, ${index === 0 ? 'lower' : 'upper'} ${kAxes[axis] ?? ''}`}
               element={one}
-              put={(number) => corners.map((old, k) => (k === index && Array.isArray(old) ? old.map((o, a) => (a === axis ? number : o)) : old))}
+              put={(number) =>
+                corners.map((old, k) =>
+                  k === index && Array.isArray(old) ? old.map((o, a) => (a === axis ? number : o)) : old,
+                )
+              }
             />
           ))}
         </div>
@@ -121,7 +176,17 @@ export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorP
   };
   return (
     <div className="stacked">
-      <TextField label={label} value={text} commit={take} is_code is_faulty={is_faulty || fault !== ''} is_dim={value === undefined} lines={Math.min(6, 1 + Math.ceil(text.length / 34))} description={row.doc} placeholder="not set" />
+      <TextField
+        label={label}
+        value={text}
+        commit={take}
+        is_code
+        is_faulty={is_faulty || fault !== ''}
+        is_dim={value === undefined}
+        lines={Math.min(6, 1 + Math.ceil(text.length / 34))}
+        description={row.doc}
+        placeholder="not set"
+      />
       {fault && <p className="fault-line">{fault}</p>}
     </div>
   );

@@ -2,17 +2,16 @@
 // The row that names the whole plant of a component: a shipped one, or a document below the server's folder.
 import type { ReactElement } from 'react';
 import { useState } from 'react';
-
-import { PlantChoices } from '../board/plant_choices.tsx';
 import { IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Icon } from '../controls/icon.tsx';
-import { use_models } from '../dialogs/models_dialog.tsx';
-import type { JsonNode } from '../document/json.ts';
-import { path_below, steps_of, value_at } from '../document/path.ts';
+import { TextField } from '../controls/text_field.tsx';
+import { use_models } from '../files/models.ts';
+import { PlantChoices } from '../files/plant_choices.tsx';
 import type { Row, Tables } from '../tables/tables.ts';
-import type { RowEditorProps } from './row_editor.tsx';
-import { TextField } from './text_field.tsx';
+import type { JsonNode } from '../values/json.ts';
+import { path_below, steps_of, value_at } from '../values/path.ts';
+import type { RowEditorProps } from './row_kinds.ts';
 
 /// Returns true if the row at a path names a whole plant.
 export function names_plant(tables: Tables, tree: JsonNode | null, row: Row, path: string): boolean {
@@ -30,7 +29,15 @@ export function PlantRow(props: RowEditorProps): ReactElement {
   return (
     <div className="file-row of-pictures">
       <PlantPicture file={file} />
-      <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="a shipped plant or a path" />
+      <TextField
+        label={label}
+        value={file}
+        commit={actions.commit}
+        is_code
+        is_faulty={props.is_faulty}
+        description={row.doc}
+        placeholder="a shipped plant or a path"
+      />
       <IconButton is_small icon="folder" label={`Choose a plant for ${label}`} press={() => set_open(true)} />
       {is_open && <PlantDialog {...props} close={() => set_open(false)} />}
     </div>
@@ -47,7 +54,14 @@ function PlantDialog({ label, row, actions, close }: RowEditorProps & { close: (
     <Dialog title={`A plant for ${label}`} width="wide" close={close}>
       <label className="search">
         <Icon name="search" />
-        <input type="search" autoFocus aria-label="Find a plant" placeholder="Find a plant" value={words} onChange={(event) => set_words(event.target.value)} />
+        <input
+          type="search"
+          autoFocus
+          aria-label="Find a plant"
+          placeholder="Find a plant"
+          value={words}
+          onChange={(event) => set_words(event.target.value)}
+        />
       </label>
       <p className="quiet">{row.doc}</p>
       <PlantChoices is_wanted={(text) => text.toLowerCase().includes(words.toLowerCase())} take={take} />

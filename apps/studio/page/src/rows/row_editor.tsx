@@ -5,74 +5,27 @@ import { memo } from 'react';
 
 import { use_part } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
-import { Icon } from '../controls/icon.tsx';
+import { Faults } from '../controls/faults.tsx';
 import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
-import type { Json } from '../document/json.ts';
-import { write_json } from '../document/json.ts';
-import { path_below } from '../document/path.ts';
-import type { Fault } from '../server/protocol.ts';
-import { ColourRow, ColoursRow } from '../editors/colour_rows.tsx';
-import { PositionsRow } from '../editors/positions_row.tsx';
-import { SelectionRow } from '../editors/selection_row.tsx';
-import { ShapeRow } from '../editors/shape_row.tsx';
-import type { EditorSize } from '../editors/sizes.ts';
 import { Strip } from '../find/strip.tsx';
 import { strip_states } from '../find/strip_states.ts';
-import { use_studio } from '../studio_context.ts';
-import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
-import { commit_keys, use_keyed } from '../time/use_keyed.ts';
+import { use_page } from '../page/use_page.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
+import { can_have_keys, RowKeyButton } from '../time/key_button.tsx';
+import { commit_keys, use_keyed } from '../time/use_keyed.ts';
+import type { Json } from '../values/json.ts';
+import { write_json } from '../values/json.ts';
+import { path_below } from '../values/path.ts';
 import { excluded_by } from './exclusion.ts';
-import { names_pictures } from './file_endings.ts';
-import { FileRow } from './file_row.tsx';
-import { NestedRow } from './nested_rows.tsx';
 import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
-import { NumberRow } from './number_row.tsx';
+import { WrittenRow } from './plain_rows.tsx';
 import { names_plant, PlantRow } from './plant_row.tsx';
-import { BooleanRow, BoxRow, ChoiceRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
 import type { RowActions } from './row_actions.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
-
-export interface RowEditorProps {
-  row: Row;
-  label: string;
-  path: string;
-  value: Json | undefined;
-  actions: RowActions;
-  is_faulty: boolean;
-  size?: EditorSize; // size of the large editor below the view; missing: size in a row
-}
-
-export const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
-  number: NumberRow,
-  integer: NumberRow,
-  boolean: BooleanRow,
-  choice: ChoiceRow,
-  text: TextRow,
-  file: FileRow,
-  condition: TextRow,
-  formula: TextRow,
-  lines: LinesRow,
-  integers: VectorRow,
-  vector: VectorRow,
-  facing: FacingRow,
-  box: BoxRow,
-  colour: ColourRow,
-  colours: ColoursRow,
-  curve: ShapeRow,
-  points: ShapeRow,
-  positions: PositionsRow,
-  selection: SelectionRow,
-};
-
-/// Kinds of rows that need the whole width of the panel.
-const kTall = new Set(['lines', 'curve', 'points', 'positions', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
-
-/// Kinds of rows with a large editor. Files have one only if they are pictures.
-const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour', 'colours']);
+import { use_row_kinds } from './row_kinds.ts';
 
 interface RowViewProps {
   table: ParameterTable; // table of the row
@@ -88,23 +41,33 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
   const rivals = excluded_by(table, row.name, parent_value).map((name) => path_below(parent, name));
   const actions = use_row_actions(path, row.name, rivals);
   const shown = use_shown_value(path, value);
-  const is_nested = row.kind === 'object' || row.kind === 'list' || row.kind === 'map';
-  const faults = use_faults(path, !is_nested);
-  const studio = use_studio();
-  const has_strip = use_part(studio.bench.strip, (shown_at) => shown_at === path);
-  const is_plant = use_part(studio.document.state, ({ tree }) => names_plant(studio.tables, tree, row, path));
+  const kinds = use_row_kinds();
+  const Nested = kinds.nested[row.kind];
+  const kind = kinds.editors[row.kind];
+  const faults = use_faults(path, !Nested);
+  const page = use_page();
+  const has_strip = use_part(page.strip, (shown_at) => shown_at === path);
+  const is_plant = use_part(page.document.state, ({ tree }) => names_plant(page.tables, tree, row, path));
   const keyed = use_keyed(path);
   const is_faulty = faults.some((fault) => fault.severity === 'error');
-  if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
-  const Editor = is_plant ? PlantRow : (kEditors[row.kind] ?? WrittenRow);
-  const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
+  if (Nested) return <Nested row={row} path={path} value={value} rivals={rivals} />;
+  const Editor = is_plant ? PlantRow : (kind?.editor ?? WrittenRow);
+  const is_tall = kind?.is_tall === true || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
-  const items = menu_of(row, value, actions, () => first_value(studio.tables, row));
-  if (keyed) items.push({ text: 'Remove its keys', act: () => commit_keys(studio, keyed.track.name, [], `Remove the keys of ${label}`) });
-  const enlarge = kCanBeLarge.has(row.kind) || names_pictures(row) ? (): void => studio.bench.enlarged.set(path) : null;
+  const items = menu_of(row, value, actions, () => first_value(page.tables, row));
+  if (keyed)
+    items.push({
+      text: 'Remove its keys',
+      act: () => commit_keys(page, keyed.track.name, [], `Remove the keys of ${label}`),
+    });
+  const enlarge = kind?.can_be_large?.(row) ? (): void => page.enlarged.set(path) : null;
   return (
-    <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
+    <div
+      className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`}
+      data-path={path}
+      data-kind={row.kind}
+    >
       {can_have_keys(row, path) && <RowKeyButton row={row} path={path} value={shown} />}
       <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
         {label}
@@ -116,7 +79,13 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
       <Menu label={`More for ${label}`} items={items} />
       {states.length > 1 && (
         <span className="row-extra">
-          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : path)} />
+          <IconButton
+            is_small
+            icon="strip"
+            label={`Plants over ${label}`}
+            is_on={has_strip}
+            press={() => page.strip.set(has_strip ? null : path)}
+          />
         </span>
       )}
       {enlarge && (
@@ -125,7 +94,9 @@ export const RowView = memo(function RowView({ table, row, parent, parent_value,
         </span>
       )}
       <Faults faults={faults} />
-      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />}
+      {has_strip && (
+        <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />
+      )}
     </div>
   );
 });
@@ -155,33 +126,18 @@ function menu_of(row: Row, value: Json | undefined, actions: RowActions, first: 
     for (const [form, text] of kForms) {
       // A number that is equal for all instances accepts an expression, but no range.
       if (row.varies === undefined && (form === 'range' || form === 'both')) continue;
-      items.push({ text, is_on: value !== undefined && form_of(value) === form, act: () => actions.commit(in_form(form, value, number)) });
+      items.push({
+        text,
+        is_on: value !== undefined && form_of(value) === form,
+        act: () => actions.commit(in_form(form, value, number)),
+      });
     }
   }
   if (value === undefined) items.push({ text: 'Set', act: () => actions.commit(first()) });
   else {
-    if (row.default !== undefined) items.push({ text: 'Set to default', act: () => actions.commit(row.default ?? null) });
+    if (row.default !== undefined)
+      items.push({ text: 'Set to default', act: () => actions.commit(row.default ?? null) });
     if (!row.required) items.push({ text: 'Unset', act: actions.unset });
   }
   return items;
-}
-
-export function Faults({ faults }: { faults: Fault[] }): ReactElement | null {
-  if (faults.length === 0) return null;
-  return (
-    <div className="faults" role="status">
-      {faults.map((fault, index) => (
-        <p key={index} className={`fault-line ${fault.severity}`}>
-          <Icon name={fault.severity === 'error' ? 'fault' : 'warning'} />
-          <span>{fault_text(fault)}</span>
-        </p>
-      ))}
-    </div>
-  );
-}
-
-export function fault_text(fault: Fault): string {
-  const expected = fault.expected ? `; expected ${fault.expected}` : '';
-  const nearest = fault.nearest ? `; did you mean '${fault.nearest}'?` : '';
-  return `${fault.message}${expected}${nearest}`;
 }

@@ -6,16 +6,17 @@ import { useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button } from '../controls/button.tsx';
-import { value_at } from '../document/path.ts';
-import { use_held } from '../editors/use_held.ts';
-import type { Json } from '../document/json.ts';
-import { use_document, use_studio } from '../studio_context.ts';
+import { use_held } from '../controls/use_held.ts';
+import { use_document, use_page } from '../page/use_page.ts';
+import { TimeModel } from '../time/time_model.ts';
 import { drag_values, set_values, value_now } from '../time/values_now.ts';
-import type { SkyPlace } from './sun_math.ts';
-import { day_of, day_text, daylight, declination, hour_and_declination, hour_text, kSolstices, sun_place } from './sun_math.ts';
+import type { Json } from '../values/json.ts';
+import { value_at } from '../values/path.ts';
 import { SunFields } from './sun_fields.tsx';
-import type { SunState } from './sun_state.ts';
-import { kNoLatitude, sun_state, with_place, with_time } from './sun_state.ts';
+import type { SkyPlace } from './sun_math.ts';
+import { day_of, declination, hour_and_declination, kSolstices, sun_place } from './sun_math.ts';
+import type { SunActions, SunState } from './sun_state.ts';
+import { kNoLatitude, place_of, said_of, sun_state, with_place, with_time } from './sun_state.ts';
 
 const kRadius = 100; // radius of the horizon in the picture
 const kEdge = 122; // half of the picture's size
@@ -27,14 +28,22 @@ const kDayStep = { plain: 7, fine: 1, coarse: 30 };
 const kDegreeStep = { plain: 2, fine: 0.5, coarse: 15 };
 
 export function SunDial(): ReactElement {
-  const studio = use_studio();
+  const page = use_page();
   const { tree } = use_document();
-  use_store(studio.dragged);
-  use_store(studio.bench.time.state);
-  const scene = value_now(studio, 'scene', value_at(tree, 'scene'));
+  use_store(page.dragged);
+  use_store(page.tool(TimeModel).state);
+  const scene = value_now(page, 'scene', value_at(tree, 'scene'));
   const state = sun_state(scene);
   if (state.kind === 'none') {
-    const give = (): void => set_values(studio, { 'scene.sun': { day: kSolstices.summer, hour: 12 }, ...(state.latitude === null ? { 'scene.latitude': kNoLatitude } : {}) }, 'Give the scene a sun');
+    const give = (): void =>
+      set_values(
+        page,
+        {
+          'scene.sun': { day: kSolstices.summer, hour: 12 },
+          ...(state.latitude === null ? { 'scene.latitude': kNoLatitude } : {}),
+        },
+        'Give the scene a sun',
+      );
     return (
       <section className="sun-dial" aria-label="Sun">
         <p className="empty">The scene has no sun: light comes from the zenith.</p>
@@ -45,23 +54,22 @@ export function SunDial(): ReactElement {
   if (state.kind === 'other') return <p className="empty">The sun is given by expressions; its rows say how.</p>;
   return (
     <section className="sun-dial" aria-label="Sun">
-      <Sky scene={scene} state={state} drag={(values) => drag_values(studio, values)} commit={(values) => set_values(studio, values, 'Move the sun')} cancel={() => studio.stop_drag()} />
-      <SunFields scene={scene} state={state} drag={(values) => drag_values(studio, values)} commit={(values) => set_values(studio, values, 'Move the sun')} cancel={() => studio.stop_drag()} />
+      <Sky
+        scene={scene}
+        state={state}
+        drag={(values) => drag_values(page, values)}
+        commit={(values) => set_values(page, values, 'Move the sun')}
+        cancel={() => page.stop_drag()}
+      />
+      <SunFields
+        scene={scene}
+        state={state}
+        drag={(values) => drag_values(page, values)}
+        commit={(values) => set_values(page, values, 'Move the sun')}
+        cancel={() => page.stop_drag()}
+      />
     </section>
   );
-}
-
-export interface SunActions {
-  scene: Json | undefined;
-  state: SunState;
-  drag: (values: Record<string, Json>) => void;
-  commit: (values: Record<string, Json>) => void;
-  cancel: () => void;
-}
-
-/// Returns the position of the sun in the scene. A clock differs from solar time; the server computes that.
-export function place_of(state: SunState): SkyPlace {
-  return state.place ?? sun_place(state.latitude ?? kNoLatitude, state.day, state.hour);
 }
 
 function Sky(props: SunActions): ReactElement {
@@ -114,23 +122,63 @@ function Sky(props: SunActions): ReactElement {
     event.preventDefault();
     event.stopPropagation();
     const pace = event.shiftKey ? 'fine' : event.ctrlKey || event.metaKey ? 'coarse' : 'plain';
-    if (state.place) commit(with_place({ azimuth: state.place.azimuth + way[0] * kDegreeStep[pace], altitude: state.place.altitude + way[1] * kDegreeStep[pace] }));
-    else commit(with_time(scene, state, ((state.day + way[1] * kDayStep[pace] + 364) % 365) + 1, state.hour + way[0] * kHourStep[pace]));
+    if (state.place)
+      commit(
+        with_place({
+          azimuth: state.place.azimuth + way[0] * kDegreeStep[pace],
+          altitude: state.place.altitude + way[1] * kDegreeStep[pace],
+        }),
+      );
+    else
+      commit(
+        with_time(
+          scene,
+          state,
+          ((state.day + way[1] * kDayStep[pace] + 364) % 365) + 1,
+          state.hour + way[0] * kHourStep[pace],
+        ),
+      );
   };
   const [x, y] = dial_point(sun);
   return (
-    <svg ref={picture} className={`sky${held.shown ? ' held' : ''}`} viewBox={`${-kEdge} ${-kEdge} ${2 * kEdge} ${2 * kEdge}`} role="group" aria-label="The sky" onPointerDown={down} onPointerMove={move} onPointerUp={(event) => let_go(event, true)} onPointerCancel={(event) => let_go(event, false)}>
+    <svg
+      ref={picture}
+      className={`sky${held.shown ? ' held' : ''}`}
+      viewBox={`${-kEdge} ${-kEdge} ${2 * kEdge} ${2 * kEdge}`}
+      role="group"
+      aria-label="The sky"
+      onPointerDown={down}
+      onPointerMove={move}
+      onPointerUp={(event) => let_go(event, true)}
+      onPointerCancel={(event) => let_go(event, false)}
+    >
       <circle className="sky-dome" r={kRadius} />
       {[30, 60].map((altitude) => (
         <circle key={altitude} className="sky-ring" r={(kRadius * (90 - altitude)) / 90} />
       ))}
       {(['N', 'E', 'S', 'W'] as const).map((name, k) => (
-        <text key={name} className="sky-name" x={(kRadius + 12) * Math.sin((k * Math.PI) / 2)} y={-(kRadius + 12) * Math.cos((k * Math.PI) / 2)}>
+        <text
+          key={name}
+          className="sky-name"
+          x={(kRadius + 12) * Math.sin((k * Math.PI) / 2)}
+          y={-(kRadius + 12) * Math.cos((k * Math.PI) / 2)}
+        >
           {name}
         </text>
       ))}
       {state.kind !== 'fixed' && <Ways state={state} latitude={latitude} />}
-      <g className={`sun${sun.altitude < 0 ? ' down' : ''}`} transform={`translate(${x.toFixed(1)} ${y.toFixed(1)})`} tabIndex={0} role="slider" aria-label="Sun" aria-valuemin={0} aria-valuemax={24} aria-valuenow={Number(state.hour.toFixed(2))} aria-valuetext={said_of(state, sun)} onKeyDown={key}>
+      <g
+        className={`sun${sun.altitude < 0 ? ' down' : ''}`}
+        transform={`translate(${x.toFixed(1)} ${y.toFixed(1)})`}
+        tabIndex={0}
+        role="slider"
+        aria-label="Sun"
+        aria-valuemin={0}
+        aria-valuemax={24}
+        aria-valuenow={Number(state.hour.toFixed(2))}
+        aria-valuetext={said_of(state, sun)}
+        onKeyDown={key}
+      >
         <circle className="reach" r="14" />
         <circle r="8" />
       </g>
@@ -177,7 +225,10 @@ function dial_point({ azimuth, altitude }: SkyPlace): [number, number] {
 }
 
 function sky_place(x: number, y: number): SkyPlace {
-  return { azimuth: ((Math.atan2(x, -y) * 180) / Math.PI + 360) % 360, altitude: Math.max(kDeepest, 90 - (90 * Math.hypot(x, y)) / kRadius) };
+  return {
+    azimuth: ((Math.atan2(x, -y) * 180) / Math.PI + 360) % 360,
+    altitude: Math.max(kDeepest, 90 - (90 * Math.hypot(x, y)) / kRadius),
+  };
 }
 
 /// Returns the part of the path above the horizon.
@@ -193,12 +244,4 @@ function way_of(latitude: number, day: number): string {
     is_broken = place.altitude < 0;
   }
   return path;
-}
-
-export function said_of(state: SunState, sun: SkyPlace): string {
-  const place = `azimuth ${Math.round(sun.azimuth)}°, altitude ${Math.round(sun.altitude)}°`;
-  if (state.kind === 'fixed') return place;
-  const light = daylight(state.latitude ?? kNoLatitude, state.day);
-  const day = light ? `up from ${hour_text(light[0])} to ${hour_text(light[1])}` : 'does not rise';
-  return `${day_text(state.day)}, ${hour_text(state.hour)}: ${place}; ${day}`;
 }

@@ -5,38 +5,89 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import type { Json } from '../document/json.ts';
-import { use_studio } from '../studio_context.ts';
-import type { SunActions } from './sun_dial.tsx';
-import { place_of, said_of } from './sun_dial.tsx';
+import { use_page } from '../page/use_page.ts';
+import type { Json } from '../values/json.ts';
 import { day_text, hour_text } from './sun_math.ts';
-import { kNoLatitude, with_place, with_time } from './sun_state.ts';
+import type { SunActions } from './sun_state.ts';
+import { kNoLatitude, place_of, said_of, with_place, with_time } from './sun_state.ts';
 
 export function SunFields(props: SunActions): ReactElement {
   const { scene, state } = props;
-  const studio = use_studio();
-  const { is_sunlit } = use_store(studio.view_state);
+  const page = use_page();
+  const { is_sunlit } = use_store(page.view_state);
   const sun = place_of(state);
   return (
     <div className="sun-fields">
       {state.place ? (
         <>
-          <SunField {...props} label="Azimuth" unit="°" value={state.place.azimuth} low={0} high={360} step={1} values={(azimuth) => with_place({ azimuth, altitude: sun.altitude })} />
-          <SunField {...props} label="Altitude" unit="°" value={state.place.altitude} low={-10} high={90} step={1} values={(altitude) => with_place({ azimuth: sun.azimuth, altitude })} />
+          <SunField
+            {...props}
+            label="Azimuth"
+            unit="°"
+            value={state.place.azimuth}
+            low={0}
+            high={360}
+            step={1}
+            values={(azimuth) => with_place({ azimuth, altitude: sun.altitude })}
+          />
+          <SunField
+            {...props}
+            label="Altitude"
+            unit="°"
+            value={state.place.altitude}
+            low={-10}
+            high={90}
+            step={1}
+            values={(altitude) => with_place({ azimuth: sun.azimuth, altitude })}
+          />
         </>
       ) : (
         <>
-          <SunField {...props} label="Latitude" unit="°" value={state.latitude ?? kNoLatitude} low={-90} high={90} step={0.5} values={(latitude) => ({ 'scene.latitude': latitude })} />
-          {state.kind !== 'season' && <SunField {...props} label="Day" said={day_text(state.day)} value={state.day} low={1} high={365} step={1} values={(day) => with_time(scene, state, day, state.hour)} />}
-          <SunField {...props} label={state.kind === 'clock' ? 'Time' : 'Hour'} said={hour_text(state.hour)} value={state.hour} low={0} high={24} step={0.25} values={(hour) => with_time(scene, state, state.day, hour)} />
+          <SunField
+            {...props}
+            label="Latitude"
+            unit="°"
+            value={state.latitude ?? kNoLatitude}
+            low={-90}
+            high={90}
+            step={0.5}
+            values={(latitude) => ({ 'scene.latitude': latitude })}
+          />
+          {state.kind !== 'season' && (
+            <SunField
+              {...props}
+              label="Day"
+              said={day_text(state.day)}
+              value={state.day}
+              low={1}
+              high={365}
+              step={1}
+              values={(day) => with_time(scene, state, day, state.hour)}
+            />
+          )}
+          <SunField
+            {...props}
+            label={state.kind === 'clock' ? 'Time' : 'Hour'}
+            said={hour_text(state.hour)}
+            value={state.hour}
+            low={0}
+            high={24}
+            step={0.25}
+            values={(hour) => with_time(scene, state, state.day, hour)}
+          />
         </>
       )}
       <p className="quiet" aria-live="off">
         {said_of(state, sun)}
-        {state.every_hours !== null && `; for growth all day${state.days ? `, from ${day_text(state.days[0])} to ${day_text(state.days[1])}` : ''}`}
+        {state.every_hours !== null &&
+          `; for growth all day${state.days ? `, from ${day_text(state.days[0])} to ${day_text(state.days[1])}` : ''}`}
       </p>
       <label className="check-line">
-        <input type="checkbox" checked={is_sunlit} onChange={(event) => studio.change_view({ is_sunlit: event.target.checked })} />
+        <input
+          type="checkbox"
+          checked={is_sunlit}
+          onChange={(event) => page.change_view({ is_sunlit: event.target.checked })}
+        />
         Light the view by this sun
       </label>
     </div>
@@ -54,9 +105,25 @@ interface SunFieldProps extends SunActions {
   values: (value: number) => Record<string, Json>;
 }
 
-function SunField({ label, unit, said, value, low, high, step, values, drag, commit, cancel }: SunFieldProps): ReactElement {
+function SunField({
+  label,
+  unit,
+  said,
+  value,
+  low,
+  high,
+  step,
+  values,
+  drag,
+  commit,
+  cancel,
+}: SunFieldProps): ReactElement {
   const limit = (one: number): number => Math.min(high, Math.max(low, one));
-  const acts = { drag: (one: number) => drag(values(limit(one))), commit: (one: number) => commit(values(limit(one))), cancel };
+  const acts = {
+    drag: (one: number) => drag(values(limit(one))),
+    commit: (one: number) => commit(values(limit(one))),
+    cancel,
+  };
   return (
     <div className="sun-field">
       <span className="sun-field-name">{label}</span>

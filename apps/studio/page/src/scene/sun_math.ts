@@ -27,7 +27,10 @@ function place_at(latitude: number, sun: number, hour: number): SkyPlace {
   const north = Math.sin(delta) * Math.cos(phi) - along * Math.sin(phi);
   const up = Math.sin(delta) * Math.sin(phi) + along * Math.cos(phi);
   const east = -Math.cos(delta) * Math.sin(turn);
-  return { azimuth: (Math.atan2(east, north) / kRadians + 360) % 360, altitude: Math.asin(Math.min(1, Math.max(-1, up))) / kRadians };
+  return {
+    azimuth: (Math.atan2(east, north) / kRadians + 360) % 360,
+    altitude: Math.asin(Math.min(1, Math.max(-1, up))) / kRadians,
+  };
 }
 
 /// Returns the hours of sunrise and sunset. Returns null if the sun does not rise, and 0 to 24 if it does not set.
@@ -40,13 +43,19 @@ export function daylight(latitude: number, day: number): [number, number] | null
 }
 
 /// Returns the hour at which the sun of some day stands at or below a position of the sky, and that day's declination.
-export function hour_and_declination(latitude: number, { azimuth, altitude }: SkyPlace): { hour: number; declination: number } {
+export function hour_and_declination(
+  latitude: number,
+  { azimuth, altitude }: SkyPlace,
+): { hour: number; declination: number } {
   const [phi, a, h] = [latitude * kRadians, azimuth * kRadians, altitude * kRadians];
   const [east, north, up] = [Math.cos(h) * Math.sin(a), Math.cos(h) * Math.cos(a), Math.sin(h)];
   const toward_pole = Math.sin(phi) * up + Math.cos(phi) * north;
   const along = Math.cos(phi) * up - Math.sin(phi) * north;
   const hour = 12 + Math.atan2(-east, along) / kRadians / 15;
-  return { hour: Math.min(24, Math.max(0, hour)), declination: Math.asin(Math.min(1, Math.max(-1, toward_pole))) / kRadians };
+  return {
+    hour: Math.min(24, Math.max(0, hour)),
+    declination: Math.asin(Math.min(1, Math.max(-1, toward_pole))) / kRadians,
+  };
 }
 
 /// Returns the day with this declination, or the nearest one, in the same half of the year as another day.
@@ -77,7 +86,11 @@ export function date_of_day(day: number, year: number): string {
 
 /// Returns a day as text: "21 June", in a year without a leap day.
 export function day_text(day: number): string {
-  return new Date(Date.UTC(2025, 0, Math.round(day))).toLocaleDateString('en', { day: 'numeric', month: 'long', timeZone: 'UTC' });
+  return new Date(Date.UTC(2025, 0, Math.round(day))).toLocaleDateString('en', {
+    day: 'numeric',
+    month: 'long',
+    timeZone: 'UTC',
+  });
 }
 
 /// Returns an hour as text: "15:30".

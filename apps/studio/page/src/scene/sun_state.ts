@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sun in the scene, and the values that the dial writes.
-import { rounded } from '../document/arithmetic.ts';
-import type { Json } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import { rounded } from '../values/arithmetic.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import type { SkyPlace } from './sun_math.ts';
-import { date_of_day, day_of_date, hour_of, hour_text } from './sun_math.ts';
+import { date_of_day, day_of_date, day_text, daylight, hour_of, hour_text, sun_place } from './sun_math.ts';
 
 export interface SunState {
   /// fixed: a position; day: an hour of a day; season: several days; clock: by a local clock; none: without a sun;
@@ -26,7 +26,10 @@ export function sun_state(scene: Json | undefined): SunState {
   const number = (name: string): number | null => (typeof of(name) === 'number' ? (of(name) as number) : null);
   const latitude = member_of(scene, 'latitude');
   const days = of('days');
-  const ends = Array.isArray(days) && days.length === 2 && days.every((one) => typeof one === 'number') ? (days as [number, number]) : null;
+  const ends =
+    Array.isArray(days) && days.length === 2 && days.every((one) => typeof one === 'number')
+      ? (days as [number, number])
+      : null;
   const date = of('date');
   const day = typeof date === 'string' ? day_of_date(date) : number('day');
   const [azimuth, altitude] = [number('azimuth'), number('altitude')];
@@ -41,7 +44,8 @@ export function sun_state(scene: Json | undefined): SunState {
   };
   if (sun === undefined) return { ...state, kind: 'none' };
   if (state.place) return { ...state, kind: 'fixed' };
-  if (of('time') !== undefined) return { ...state, kind: day !== null && hour_of(of('time')) !== null ? 'clock' : 'other' };
+  if (of('time') !== undefined)
+    return { ...state, kind: day !== null && hour_of(of('time')) !== null ? 'clock' : 'other' };
   if (ends) return { ...state, kind: 'season' };
   const hour = of('hour');
   return { ...state, kind: day !== null && (hour === undefined || hour_of(hour) !== null) ? 'day' : 'other' };
@@ -70,5 +74,31 @@ export function with_time(scene: Json | undefined, state: SunState, day: number,
 
 /// Returns the values that set the position of a fixed sun.
 export function with_place({ azimuth, altitude }: SkyPlace): Record<string, Json> {
-  return { 'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5), 'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5) };
+  return {
+    'scene.sun.azimuth': rounded(((azimuth % 360) + 360) % 360, 0.5),
+    'scene.sun.altitude': rounded(Math.min(90, Math.max(-90, altitude)), 0.5),
+  };
+}
+
+/// A panel of the sun: the scene, its sun, and the effects of changes.
+export interface SunActions {
+  scene: Json | undefined;
+  state: SunState;
+  drag: (values: Record<string, Json>) => void;
+  commit: (values: Record<string, Json>) => void;
+  cancel: () => void;
+}
+
+/// Returns the position of the sun in the scene. A clock differs from solar time; the server computes that.
+export function place_of(state: SunState): SkyPlace {
+  return state.place ?? sun_place(state.latitude ?? kNoLatitude, state.day, state.hour);
+}
+
+/// Returns the position of the sun as text.
+export function said_of(state: SunState, sun: SkyPlace): string {
+  const place = `azimuth ${Math.round(sun.azimuth)}°, altitude ${Math.round(sun.altitude)}°`;
+  if (state.kind === 'fixed') return place;
+  const light = daylight(state.latitude ?? kNoLatitude, state.day);
+  const day = light ? `up from ${hour_text(light[0])} to ${hour_text(light[1])}` : 'does not rise';
+  return `${day_text(state.day)}, ${hour_text(state.hour)}: ${place}; ${day}`;
 }

@@ -64,7 +64,11 @@ export class Connection {
   }
 
   /// Sends a request. Rejects with a Refusal, or with Lost.
-  async request<T = object>(what: string, members: object = {}, numbered: (id: number) => void = () => undefined): Promise<T> {
+  async request<T = object>(
+    what: string,
+    members: object = {},
+    numbered: (id: number) => void = () => undefined,
+  ): Promise<T> {
     for (;;) {
       try {
         return await this.request_once<T>(what, members, numbered);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages about growth: shoots, acts of operations, and overlays.
-import type { Json } from '../document/json.ts';
+import type { Json } from '../values/json.ts';
 import type { ArrayPlace } from './packet.ts';
-import type { FoundInstance } from './protocol.ts';
 
 /// A shoot by its name, and the metamer at a position on it.
 export interface ShootName {
@@ -14,9 +13,6 @@ export interface ShootName {
 
 /// A step from one shoot to another along the tree.
 export type ShootWay = 'parent' | 'child' | 'next' | 'previous';
-
-/// A shoot on which operations can act.
-export type FoundShoot = FoundInstance & ShootName & { course: number[]; metamers: number[]; iteration: number };
 
 /// Path of an operation, iteration after which it acted, kind of the act, and count.
 export type OperationAct = [string, number, string, number];

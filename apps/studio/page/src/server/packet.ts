@@ -113,7 +113,8 @@ const kScene = 0x3150534d; // MSP1
 const kAnswer = 0x3141534d; // MSA1
 const kDecoder = new TextDecoder();
 
-const letters_of = (buffer: ArrayBuffer): number => (buffer.byteLength < 8 ? 0 : new DataView(buffer).getUint32(0, true));
+const letters_of = (buffer: ArrayBuffer): number =>
+  buffer.byteLength < 8 ? 0 : new DataView(buffer).getUint32(0, true);
 
 /// Returns true if the bytes are the answer to a request.
 export const is_answer = (buffer: ArrayBuffer): boolean => letters_of(buffer) === kAnswer;
@@ -130,8 +131,13 @@ export function read_packed<Head>(buffer: ArrayBuffer): PacketArrays & { head: H
   return { head: JSON.parse(kDecoder.decode(new Uint8Array(buffer, 8, length))) as Head, buffer, first: 8 + length };
 }
 
-export const floats = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Float32Array(arrays.buffer, arrays.first + at, count);
-export const signed_bytes = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Int8Array(arrays.buffer, arrays.first + at, count);
-export const bytes = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Uint8Array(arrays.buffer, arrays.first + at, count);
-export const shorts = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Uint16Array(arrays.buffer, arrays.first + at, count);
-export const words = (arrays: PacketArrays, [at, count]: ArrayPlace) => new Uint32Array(arrays.buffer, arrays.first + at, count);
+export const floats = (arrays: PacketArrays, [at, count]: ArrayPlace) =>
+  new Float32Array(arrays.buffer, arrays.first + at, count);
+export const signed_bytes = (arrays: PacketArrays, [at, count]: ArrayPlace) =>
+  new Int8Array(arrays.buffer, arrays.first + at, count);
+export const bytes = (arrays: PacketArrays, [at, count]: ArrayPlace) =>
+  new Uint8Array(arrays.buffer, arrays.first + at, count);
+export const shorts = (arrays: PacketArrays, [at, count]: ArrayPlace) =>
+  new Uint16Array(arrays.buffer, arrays.first + at, count);
+export const words = (arrays: PacketArrays, [at, count]: ArrayPlace) =>
+  new Uint32Array(arrays.buffer, arrays.first + at, count);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages between page and server, as apps/studio/protocol.md defines them.
-import type { Json } from '../document/json.ts';
-import type { PlainPatch } from '../document/patch.ts';
+import type { Json } from '../values/json.ts';
+import type { PlainPatch } from '../values/patch.ts';
 import type { OverlayPart } from './growth_protocol.ts';
 
 export interface Fault {
@@ -232,7 +232,15 @@ export class Refusal extends Error {
 
   /// The faults of the text, or else the message as a fault. There is always at least one.
   get reasons(): Fault[] {
-    const own: Fault = { severity: 'error', message: this.message, path: '', line: null, column: null, offset: null, text: this.message };
+    const own: Fault = {
+      severity: 'error',
+      message: this.message,
+      path: '',
+      line: null,
+      column: null,
+      offset: null,
+      text: this.message,
+    };
     return this.facts.faults?.length ? this.facts.faults : [own];
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The values that a row allows, and the nearest allowed value to another one.
-import type { Json, JsonNode } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { path_of, steps_of } from '../document/path.ts';
+import type { Json, JsonNode } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { path_of, steps_of } from '../values/path.ts';
 import { row_at } from './resolve.ts';
 import type { NumberRange, Row, Tables } from './tables.ts';
 import { table_of, within_hard_range } from './tables.ts';
@@ -10,7 +10,9 @@ import { table_of, within_hard_range } from './tables.ts';
 const kAlong: NumberRange = { min: 0, max: 1 }; // range of the first numbers of a curve
 
 /// Returns the ranges of the two numbers of each point of a row.
-export function ranges_of_points(row: Pick<Row, 'kind' | 'min' | 'above' | 'max' | 'second'>): readonly [NumberRange, NumberRange] {
+export function ranges_of_points(
+  row: Pick<Row, 'kind' | 'min' | 'above' | 'max' | 'second'>,
+): readonly [NumberRange, NumberRange] {
   return row.kind === 'curve' ? [kAlong, row] : [row, row.second ?? row];
 }
 
@@ -18,7 +20,10 @@ export function ranges_of_points(row: Pick<Row, 'kind' | 'min' | 'above' | 'max'
 export function legal_value(row: Row, value: Json): Json {
   if (row.kind !== 'points' && row.kind !== 'curve') return within(row, value);
   const [first, second] = ranges_of_points(row);
-  const points = (list: Json): Json => (Array.isArray(list) ? list.map((one) => (Array.isArray(one) ? one.map((number, k) => within(k === 0 ? first : second, number)) : one)) : list);
+  const points = (list: Json): Json =>
+    Array.isArray(list)
+      ? list.map((one) => (Array.isArray(one) ? one.map((number, k) => within(k === 0 ? first : second, number)) : one))
+      : list;
   return is_object(value) ? { ...value, curve: points(value['curve'] ?? []) } : points(value);
 }
 
@@ -30,7 +35,11 @@ function within(range: NumberRange, value: Json): Json {
 }
 
 /// Returns values by their paths, each as its row allows it. Values without a row, such as variables, are not changed.
-export function legal_values(tables: Tables, tree: JsonNode | null, values: Readonly<Record<string, Json>>): Record<string, Json> {
+export function legal_values(
+  tables: Tables,
+  tree: JsonNode | null,
+  values: Readonly<Record<string, Json>>,
+): Record<string, Json> {
   const legal = (path: string, value: Json): Json => {
     const row = row_of_value(tables, tree, path, value);
     return row ? legal_value(row, value) : value;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the rows at a path of a document.
-import type { Json, JsonNode } from '../document/json.ts';
-import { member_of, path_below, path_of, steps_of, value_at } from '../document/path.ts';
+import type { Json, JsonNode } from '../values/json.ts';
+import { member_of, path_below, path_of, steps_of, value_at } from '../values/path.ts';
 import type { Row, RowGroup, Tables } from './tables.ts';
 import { component_groups, document_groups, document_parts, link_groups, table_of } from './tables.ts';
 
@@ -11,7 +11,10 @@ export function groups_at(tables: Tables, tree: JsonNode | null, path: string): 
   const [head, second] = steps_of(path);
   if (head === 'components' && second !== undefined) return component_groups(tables, text_at(tree, path, 'type'));
   if (head === 'links' && second !== undefined) return link_groups(tables, link_kind(value_at(tree, path)));
-  if (head === 'variables' && second !== undefined) return [{ title: 'Handle', table: table_of(tables, tables.variable), rows: table_of(tables, tables.variable).rows }];
+  if (head === 'variables' && second !== undefined)
+    return [
+      { title: 'Handle', table: table_of(tables, tables.variable), rows: table_of(tables, tables.variable).rows },
+    ];
   return document_groups(tables, typeof head === 'string' && document_parts(tables).includes(head) ? head : '');
 }
 

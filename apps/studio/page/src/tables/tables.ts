@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parameter tables as `meristem components --json` prints them. The page knows parameters only from these tables.
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 
 /// The legal values of a number.
 export interface NumberRange {
@@ -51,7 +51,17 @@ export interface ParameterTable {
 
 export interface Tables {
   format: number;
-  components: Record<string, { doc: string; table: string; is_camera?: boolean; makes_stems?: boolean; is_whole_plant?: boolean; has_geometry?: boolean }>;
+  components: Record<
+    string,
+    {
+      doc: string;
+      table: string;
+      is_camera?: boolean;
+      makes_stems?: boolean;
+      is_whole_plant?: boolean;
+      has_geometry?: boolean;
+    }
+  >;
   all_components: string;
   link: string;
   links: Record<string, string>;
@@ -118,7 +128,9 @@ export function document_groups(tables: Tables, part: string): RowGroup[] {
   if (part === 'animation') return [group(tables, tables.animation, 'Animation')];
   const row = head.rows.find((one) => one.name === part);
   if (row?.table !== undefined) return [group(tables, row.table, part)];
-  const plain = head.rows.filter((one) => one.table === undefined && one.kinds === undefined && one.name !== 'meristem');
+  const plain = head.rows.filter(
+    (one) => one.table === undefined && one.kinds === undefined && one.name !== 'meristem',
+  );
   return [{ title: 'Document', table: head, rows: plain }];
 }
 
@@ -173,13 +185,26 @@ const kFirst: Record<string, Json> = {
   facing: [0, 1, 0],
   colour: '#6b8e23',
   colours: ['#6b8e23'],
-  curve: { curve: [[0, 1], [1, 1]], kind: 'spline' },
-  points: [[0, 0], [1, 0], [1, 1]],
+  curve: {
+    curve: [
+      [0, 1],
+      [1, 1],
+    ],
+    kind: 'spline',
+  },
+  points: [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+  ],
   positions: [[0, 0, 0]],
   condition: 'true',
   formula: 0,
   selection: [0],
-  box: [[0, 0, 0], [1, 1, 1]],
+  box: [
+    [0, 0, 0],
+    [1, 1, 1],
+  ],
   file: '',
   list: [],
   map: {},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the path at the cursor. The text is read from the beginning, bracket by bracket, because it may be incomplete
 // JSON.
-import type { PathStep } from '../document/path.ts';
+import type { PathStep } from '../values/path.ts';
 
 export interface CursorPosition {
   steps: PathStep[]; // steps to the object or list around the cursor

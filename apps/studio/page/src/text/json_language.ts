@@ -33,7 +33,10 @@ const kLanguage = StreamLanguage.define<State>({
     stream.next();
     return null;
   },
-  languageData: { commentTokens: { line: '//', block: { open: '/*', close: '*/' } }, closeBrackets: { brackets: ['[', '{', '"'] } },
+  languageData: {
+    commentTokens: { line: '//', block: { open: '/*', close: '*/' } },
+    closeBrackets: { brackets: ['[', '{', '"'] },
+  },
   tokenTable: { propertyName: tags.propertyName },
 });
 

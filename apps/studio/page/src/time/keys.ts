@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys of a document's animation, and edits of them. The text uses short names such as "stem.length", like --set.
 // Rows have full paths such as "components.stem.length".
-import type { Json } from '../document/json.ts';
-import { is_object } from '../document/json.ts';
-import { member_of, path_below, path_of, steps_of } from '../document/path.ts';
+
 import type { Edit } from '../server/protocol.ts';
+import type { Json } from '../values/json.ts';
+import { is_object } from '../values/json.ts';
+import { member_of, path_below, path_of, steps_of } from '../values/path.ts';
 import type { Key, Way } from './track.ts';
 import { kWays } from './track.ts';
 
@@ -27,7 +28,8 @@ const kBetween = 0.01; // minimum distance of keys in seconds when they are drag
 export function animation_of(document: Json | undefined): AnimationFacts | null {
   const said = member_of(document, 'animation');
   if (!is_object(said)) return null;
-  const number = (name: keyof AnimationFacts): number => (typeof said[name] === 'number' && said[name] > 0 ? said[name] : kUsual[name]);
+  const number = (name: keyof AnimationFacts): number =>
+    typeof said[name] === 'number' && said[name] > 0 ? said[name] : kUsual[name];
   return { length: number('length'), fps: number('fps') };
 }
 
@@ -49,12 +51,18 @@ export function name_of_path(tops: ReadonlySet<string>, path: string): string {
 }
 
 /// Returns all parameters with keys, in the order of the text. Omits keys that are not well formed.
-export function tracks_of(document: Json | undefined, tops: ReadonlySet<string>, keys = member_of(member_of(document, 'animation'), 'keys')): Track[] {
+export function tracks_of(
+  document: Json | undefined,
+  tops: ReadonlySet<string>,
+  keys = member_of(member_of(document, 'animation'), 'keys'),
+): Track[] {
   if (!is_object(keys)) return [];
   return Object.entries(keys).flatMap(([name, said]) => {
     const read = Array.isArray(said) ? said.map(key_of) : [];
     const good = read.filter((one): one is Key => one !== null);
-    return good.length === 0 || good.length < read.length ? [] : [{ name, path: path_of_name(document, tops, name), keys: good }];
+    return good.length === 0 || good.length < read.length
+      ? []
+      : [{ name, path: path_of_name(document, tops, name), keys: good }];
   });
 }
 
@@ -110,13 +118,19 @@ export function keys_edits(document: Json | undefined, name: string, keys: reado
   }
   const written = written_keys(keys);
   const end = Math.max(...keys.map((one) => one.time));
-  if (!is_object(animation)) return [{ set: 'animation', value: { length: Math.max(kUsual.length, end), keys: { [name]: written } } }];
-  const set: Edit = is_object(all) ? { set: track_path(name), value: written } : { set: kKeysPath, value: { [name]: written } };
+  if (!is_object(animation))
+    return [{ set: 'animation', value: { length: Math.max(kUsual.length, end), keys: { [name]: written } } }];
+  const set: Edit = is_object(all)
+    ? { set: track_path(name), value: written }
+    : { set: kKeysPath, value: { [name]: written } };
   return [set];
 }
 
 /// Returns all keys of a document, with the keys of some parameters replaced, for a drag.
-export function dragged_keys(document: Json | undefined, keys: Readonly<Record<string, readonly Key[]>>): Record<string, Json> {
+export function dragged_keys(
+  document: Json | undefined,
+  keys: Readonly<Record<string, readonly Key[]>>,
+): Record<string, Json> {
   const animation = member_of(document, 'animation');
   const all = member_of(animation, 'keys');
   const written = Object.entries(keys).map(([name, one]) => [name, written_keys(one)] as const);

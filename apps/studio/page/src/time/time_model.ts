@@ -2,10 +2,10 @@
 // The time that the view shows, which the user scrubs or plays. While it moves, the server is asked only for few
 // triangles and for the newest time. At rest it is asked for full detail.
 import { Store } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
+import type { Page } from '../page/page.ts';
 import { LatestSender } from '../server/latest_sender.ts';
-import type { Studio } from '../studio.ts';
 import { document_names } from '../tables/tables.ts';
+import type { Json } from '../values/json.ts';
 import { budgets_of } from '../view/budgets.ts';
 import type { AnimationFacts, Track } from './keys.ts';
 import { animation_of, tidy_time, tracks_of } from './keys.ts';
@@ -29,14 +29,14 @@ export class TimeModel {
   private moves_until_ = 0; // a timer; 0: the time does not move
   private known_: { document: Json | undefined; tracks: Track[] } = { document: undefined, tracks: [] };
 
-  constructor(private readonly studio_: Studio) {}
+  constructor(private readonly page_: Page) {}
 
   get time(): number {
     return this.state.get().time;
   }
 
   get document(): Json | undefined {
-    return this.studio_.document.state.get().tree?.value;
+    return this.page_.document.state.get().tree?.value;
   }
 
   /// The document's animation, or a default one.
@@ -46,7 +46,7 @@ export class TimeModel {
 
   /// Names at the top level of documents, which must not be confused with component names.
   get tops(): ReadonlySet<string> {
-    return new Set(document_names(this.studio_.tables));
+    return new Set(document_names(this.page_.tables));
   }
 
   /// Computed once per text.
@@ -96,10 +96,10 @@ export class TimeModel {
   leave(): TimeState {
     clearTimeout(this.moves_until_);
     this.moves_until_ = 0;
-    this.studio_.view?.move_time(false);
+    this.page_.view?.move_time(false);
     const left = this.state.get();
     this.state.set({ ...kAtStart, is_open: left.is_open });
-    if (left.time !== 0) this.studio_.connection.tell('view', { time: 0 });
+    if (left.time !== 0) this.page_.connection.tell('view', { time: 0 });
     return left;
   }
 
@@ -123,14 +123,14 @@ export class TimeModel {
   /// Resolves when the next packet is shown, or after a while without a packet.
   private next_picture(): Promise<void> {
     return new Promise((done) => {
-      const known = this.studio_.growth.get().shown;
+      const known = this.page_.growth.get().shown;
       const end = (): void => {
         stop();
         clearTimeout(timer);
         requestAnimationFrame(() => done());
       };
-      const stop = this.studio_.growth.subscribe(() => {
-        if (this.studio_.growth.get().shown !== known) end();
+      const stop = this.page_.growth.subscribe(() => {
+        if (this.page_.growth.get().shown !== known) end();
       });
       const timer = setTimeout(end, kLongestWait);
     });
@@ -142,20 +142,23 @@ export class TimeModel {
       this.moves_until_ = 0;
       if (!this.state.get().is_playing) this.rest();
     }, kStill);
-    this.studio_.view?.move_time(true);
+    this.page_.view?.move_time(true);
     this.sender_.ask();
   }
 
   /// The time has stopped: requests full detail.
   private rest(): void {
-    this.studio_.view?.move_time(false);
+    this.page_.view?.move_time(false);
     this.sender_.ask();
   }
 
   private send(): Promise<unknown> {
-    const { view, connection } = this.studio_;
+    const { view, connection } = this.page_;
     const budgets = view ? budgets_of(view) : null;
-    const rest = budgets && { rest_triangles: this.moves_until_ !== 0 || this.state.get().is_playing ? budgets.drag_triangles : budgets.rest_triangles };
+    const rest = budgets && {
+      rest_triangles:
+        this.moves_until_ !== 0 || this.state.get().is_playing ? budgets.drag_triangles : budgets.rest_triangles,
+    };
     return connection.request('view', { time: this.time, ...rest });
   }
 }

@@ -4,8 +4,9 @@
 //
 // Based on: F. N. Fritsch, J. Butland: A method for constructing local monotone piecewise cubic interpolants (1984),
 // for smooth keys.
-import type { Json } from '../document/json.ts';
-import { full_colour } from '../editors/colour.ts';
+
+import { full_colour } from '../values/colour.ts';
+import type { Json } from '../values/json.ts';
 
 export type Way = 'linear' | 'smooth' | 'step';
 export const kWays: readonly Way[] = ['linear', 'smooth', 'step'];
@@ -62,11 +63,16 @@ export function number_at(keys: readonly NumberKey[], time: number): number {
 }
 
 const as_number = (value: Json): number | null => (typeof value === 'number' ? value : null);
-const element = (k: number) => (value: Json): number | null => (Array.isArray(value) ? as_number(value[k] ?? null) : null);
-const channel = (k: number) => (value: Json): number | null => {
-  const colour = typeof value === 'string' ? full_colour(value) : null;
-  return colour === null ? null : parseInt(colour.slice(1 + 2 * k, 3 + 2 * k), 16);
-};
+const element =
+  (k: number) =>
+  (value: Json): number | null =>
+    Array.isArray(value) ? as_number(value[k] ?? null) : null;
+const channel =
+  (k: number) =>
+  (value: Json): number | null => {
+    const colour = typeof value === 'string' ? full_colour(value) : null;
+    return colour === null ? null : parseInt(colour.slice(1 + 2 * k, 3 + 2 * k), 16);
+  };
 
 /// Returns the value at a time. A value without interpolation is the value of the last key so far.
 export function value_at_time(keys: readonly Key[], time: number): Json {
@@ -79,14 +85,23 @@ export function value_at_time(keys: readonly Key[], time: number): Json {
   }
   const channels = [0, 1, 2].map((k) => numbers_of(keys, channel(k)));
   if (channels.every((one) => one !== null)) {
-    return `#${channels.map((one) => Math.floor(number_at(one, time) + 0.5).toString(16).padStart(2, '0')).join('')}`;
+    return `#${channels
+      .map((one) =>
+        Math.floor(number_at(one, time) + 0.5)
+          .toString(16)
+          .padStart(2, '0'),
+      )
+      .join('')}`;
   }
   return keys.reduce<Json>((last, one) => (one.time <= time ? one.value : last), first);
 }
 
 /// Returns true if values can be interpolated: numbers, lists of numbers, colours.
 export function has_values_between(keys: readonly Key[]): boolean {
-  return keys.every(({ value }) => typeof value === 'number' || Array.isArray(value) || (typeof value === 'string' && full_colour(value) !== null));
+  return keys.every(
+    ({ value }) =>
+      typeof value === 'number' || Array.isArray(value) || (typeof value === 'string' && full_colour(value) !== null),
+  );
 }
 
 /// Returns points of the curve of numeric keys up to `end`, or null if the values are no plain numbers.
@@ -96,7 +111,10 @@ export function curve_of(keys: readonly Key[], end: number, count = 160): [numbe
   const times = Array.from({ length: count + 1 }, (_, k) => (end * k) / count);
   // Jumps get a point on both sides.
   for (const { time } of plain) times.push(time - 1e-9, time);
-  return times.filter((one) => one >= 0).sort((a, b) => a - b).map((time) => [time, number_at(plain, time)]);
+  return times
+    .filter((one) => one >= 0)
+    .sort((a, b) => a - b)
+    .map((time) => [time, number_at(plain, time)]);
 }
 
 function tidy(value: number): number {

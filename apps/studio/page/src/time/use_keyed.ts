@@ -4,12 +4,13 @@ import { useSyncExternalStore } from 'react';
 
 import { without } from '../base/lists.ts';
 import { use_part } from '../base/store.ts';
-import type { Json } from '../document/json.ts';
-import { member_of } from '../document/path.ts';
-import type { Studio } from '../studio.ts';
-import { use_studio } from '../studio_context.ts';
+import type { Page } from '../page/page.ts';
+import { use_page } from '../page/use_page.ts';
+import type { Json } from '../values/json.ts';
+import { member_of } from '../values/path.ts';
 import type { Track } from './keys.ts';
-import { dragged_keys, key_at, kKeysPath, keys_edits, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
+import { dragged_keys, key_at, keys_edits, kKeysPath, name_of_path, track_path, tracks_of, with_key } from './keys.ts';
+import { TimeModel } from './time_model.ts';
 import type { Key } from './track.ts';
 import { value_at_time } from './track.ts';
 
@@ -28,19 +29,24 @@ export function keyed_path(path: string): string {
 
 /// Returns the keys at a path, or null if it has no keys.
 export function use_keyed(path: string): Keyed | null {
-  const studio = use_studio();
-  const { time: model } = studio.bench;
+  const page = use_page();
+  const model = page.tool(TimeModel);
   const wanted = keyed_path(path);
-  const written = use_part(studio.document.state, () => model.tracks.find((one) => one.path === wanted) ?? null);
+  const written = use_part(page.document.state, () => model.tracks.find((one) => one.path === wanted) ?? null);
   const time = useSyncExternalStore(model.state.subscribe, () => (written ? model.time : 0));
-  const dragged = use_part(studio.dragged, (values) => (written ? values : kNothing));
+  const dragged = use_part(page.dragged, (values) => (written ? values : kNothing));
   const track = written && with_dragged(written, dragged, model.document, model.tops);
   if (!track) return null;
   return { track, value: value_at_time(track.keys, time), index: key_at(track.keys, time) };
 }
 
 /// Returns the track with the temporary keys of a drag.
-export function with_dragged(track: Track, dragged: Record<string, Json>, document: Json | undefined, tops: ReadonlySet<string>): Track {
+export function with_dragged(
+  track: Track,
+  dragged: Record<string, Json>,
+  document: Json | undefined,
+  tops: ReadonlySet<string>,
+): Track {
   const own = dragged[track_path(track.name)];
   const all = dragged[kKeysPath] ?? member_of(dragged['animation'], 'keys');
   const keys = own !== undefined ? { [track.name]: own } : all;
@@ -48,20 +54,21 @@ export function with_dragged(track: Track, dragged: Record<string, Json>, docume
   return tracks_of(document, tops, keys).find((one) => one.name === track.name) ?? track;
 }
 
-export function commit_keys(studio: Studio, name: string, keys: readonly Key[], label: string): void {
-  void studio.edit(keys_edits(studio.bench.time.document, name, keys), label);
+export function commit_keys(page: Page, name: string, keys: readonly Key[], label: string): void {
+  void page.edit(keys_edits(page.tool(TimeModel).document, name, keys), label);
 }
 
-export function drag_keys(studio: Studio, name: string, keys: readonly Key[]): void {
-  studio.drag(dragged_keys(studio.bench.time.document, { [name]: keys }));
+export function drag_keys(page: Page, name: string, keys: readonly Key[]): void {
+  page.drag(dragged_keys(page.tool(TimeModel).document, { [name]: keys }));
 }
 
 /// Adds a key at the view's time, or removes the key there.
-export function toggle_key(studio: Studio, path: string, keyed: Keyed | null, value: Json): void {
-  const { time: model } = studio.bench;
+export function toggle_key(page: Page, path: string, keyed: Keyed | null, value: Json): void {
+  const model = page.tool(TimeModel);
   const name = keyed?.track.name ?? name_of_path(model.tops, keyed_path(path));
   const label = name.replaceAll('_', ' ');
   if (!model.state.get().is_open) model.toggle();
-  if (keyed && keyed.index >= 0) commit_keys(studio, name, without(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
-  else commit_keys(studio, name, with_key(keyed?.track.keys ?? [], model.time, value), `Key ${label}`);
+  if (keyed && keyed.index >= 0)
+    commit_keys(page, name, without(keyed.track.keys, keyed.index), `Remove a key of ${label}`);
+  else commit_keys(page, name, with_key(keyed?.track.keys ?? [], model.time, value), `Key ${label}`);
 }

@@ -53,7 +53,8 @@ export class Buffers {
   get counts(): { meshes: number; instance_sets: number; batches: number; bytes: number } {
     let sum = 0;
     for (const mesh of this.meshes_.values()) for (const arrays of mesh.copied.values()) sum += bytes_of(arrays);
-    for (const { frames, tints } of this.sets_.values()) sum += texture_bytes(frames) + (tints === this.no_tints_ ? 0 : texture_bytes(tints));
+    for (const { frames, tints } of this.sets_.values())
+      sum += texture_bytes(frames) + (tints === this.no_tints_ ? 0 : texture_bytes(tints));
     return { meshes: this.meshes_.size, instance_sets: this.sets_.size, batches: this.batches_.size, bytes: sum };
   }
 
@@ -97,7 +98,12 @@ export class Buffers {
   add_single(key: string, set_key: string, instance: number): void {
     const frame = this.frame_of(set_key, instance);
     if (frame.length === 0) return;
-    this.put_set(key, { frames: frames_texture(new Float32Array(frame), 1), tints: this.no_tints_, count: 1, tint_scale: kWhite });
+    this.put_set(key, {
+      frames: frames_texture(new Float32Array(frame), 1),
+      tints: this.no_tints_,
+      count: 1,
+      tint_scale: kWhite,
+    });
   }
 
   /// Draws the mesh once for each instance of the set. Replaces what the batch drew before.
@@ -114,7 +120,17 @@ export class Buffers {
     geometry.instanceCount = Math.ceil(set.count / copies);
     arrays.users.add(geometry);
     const { frames, tints, count } = set;
-    const batch = { geometry, mesh: mesh_key, instances_of: set_key, tint_scale: new three.Color(...set.tint_scale), frames, tints, instances: count, copies, solid: mesh.solid };
+    const batch = {
+      geometry,
+      mesh: mesh_key,
+      instances_of: set_key,
+      tint_scale: new three.Color(...set.tint_scale),
+      frames,
+      tints,
+      instances: count,
+      copies,
+      solid: mesh.solid,
+    };
     this.batches_.set(key, batch);
     return batch;
   }
@@ -182,7 +198,11 @@ function arrays_of(mesh: Mesh, copies: number): Arrays {
   for (let k = 0; k < copies; k += 1) {
     for (let c = 0; c < corners.length; c += 1) indices[k * corners.length + c] = (corners[c] ?? 0) + k * mesh.vertices;
   }
-  const made = { attributes, index: new three.BufferAttribute(indices, 1), users: new Set<three.InstancedBufferGeometry>() };
+  const made = {
+    attributes,
+    index: new three.BufferAttribute(indices, 1),
+    users: new Set<three.InstancedBufferGeometry>(),
+  };
   mesh.copied.set(copies, made);
   return made;
 }

@@ -21,7 +21,8 @@ export class Holes {
     if (!context) return null;
     context.drawImage(image, 0, 0, width, height);
     const { data } = context.getImageData(0, 0, width, height);
-    const pixel = (share: number, pixels: number): number => Math.min(pixels - 1, Math.floor((share - Math.floor(share)) * pixels));
+    const pixel = (share: number, pixels: number): number =>
+      Math.min(pixels - 1, Math.floor((share - Math.floor(share)) * pixels));
     const made: IsHole = (u, v) => (data[4 * (pixel(v, height) * width + pixel(u, width)) + 3] ?? 255) < 128;
     this.known_.set(image, made);
     return made;

@@ -40,13 +40,21 @@ export interface Placing {
   copies: number;
 }
 
-type PlacingUniforms = { [key in keyof Placing]: three.IUniform<Placing[key] | null> } & { tinted: three.IUniform<number> };
+type PlacingUniforms = { [key in keyof Placing]: three.IUniform<Placing[key] | null> } & {
+  tinted: three.IUniform<number>;
+};
 
 export type PlacingMaterial = three.ShaderMaterial & { uniforms: PlacingUniforms };
 
 /// Returns the uniforms that every material of batches has.
 export function placing_uniforms(): PlacingUniforms {
-  return { frames: { value: null }, tints: { value: null }, instances: { value: 0 }, copies: { value: 1 }, tinted: { value: 0 } };
+  return {
+    frames: { value: null },
+    tints: { value: null },
+    instances: { value: 0 },
+    copies: { value: 1 },
+    tinted: { value: 0 },
+  };
 }
 
 /// Returns the number of copies of a mesh with this many vertices for this number of instances: a power of two.
@@ -57,7 +65,11 @@ export function copies_for(vertices: number, instances: number): number {
 
 /// Sets the uniforms of a mesh from `placing` and `more` before each drawing. Materials serve many meshes, one after
 /// the other.
-export function place(mesh: three.Mesh, placing: Placing, more?: (uniforms: three.ShaderMaterial['uniforms']) => void): void {
+export function place(
+  mesh: three.Mesh,
+  placing: Placing,
+  more?: (uniforms: three.ShaderMaterial['uniforms']) => void,
+): void {
   mesh.frustumCulled = false; // instances are elsewhere than their mesh
   mesh.matrixAutoUpdate = false;
   mesh.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) => {
@@ -92,7 +104,12 @@ export function tints_texture(tints: Uint8Array, count: number): three.DataTextu
   return texture_of(texels, width, height, three.UnsignedByteType);
 }
 
-function texture_of(texels: Float32Array | Uint8Array, width: number, height: number, type: three.TextureDataType): three.DataTexture {
+function texture_of(
+  texels: Float32Array | Uint8Array,
+  width: number,
+  height: number,
+  type: three.TextureDataType,
+): three.DataTexture {
   const texture = new three.DataTexture(texels as Float32Array<ArrayBuffer>, width, height, three.RGBAFormat, type);
   texture.needsUpdate = true;
   return texture;

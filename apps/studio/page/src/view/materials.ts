@@ -144,4 +144,12 @@ export class Materials {
   }
 }
 
-const kPlain: PacketMaterial = { index: 0, name: '', colour: [0.5, 0.5, 0.5], roughness: 1, translucency: 0, two_sided: true, masked: false };
+const kPlain: PacketMaterial = {
+  index: 0,
+  name: '',
+  colour: [0.5, 0.5, 0.5],
+  roughness: 1,
+  translucency: 0,
+  two_sided: true,
+  masked: false,
+};

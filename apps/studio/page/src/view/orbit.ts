@@ -25,11 +25,21 @@ export class Orbit {
   private readonly target_ = new three.Vector3(0, 1, 0);
 
   get state(): CameraState {
-    return { azimuth: this.azimuth_, altitude: this.altitude_, distance: this.distance_, target: this.target_.toArray(), field_of_view: this.field_of_view_ };
+    return {
+      azimuth: this.azimuth_,
+      altitude: this.altitude_,
+      distance: this.distance_,
+      target: this.target_.toArray(),
+      field_of_view: this.field_of_view_,
+    };
   }
   /// The camera in the form of documents and exports.
   get as_document(): { position: number[]; target: number[]; field_of_view: number } {
-    return { position: this.camera.position.toArray(), target: this.target_.toArray(), field_of_view: this.field_of_view_ };
+    return {
+      position: this.camera.position.toArray(),
+      target: this.target_.toArray(),
+      field_of_view: this.field_of_view_,
+    };
   }
   get distance(): number {
     return this.distance_;
@@ -48,7 +58,12 @@ export class Orbit {
   /// Takes over the pose of another camera. Returns true if this changed anything.
   follow(other: Orbit): boolean {
     if (JSON.stringify(other.state) === JSON.stringify(this.state)) return false;
-    [this.azimuth_, this.altitude_, this.distance_, this.field_of_view_] = [other.azimuth_, other.altitude_, other.distance_, other.field_of_view_];
+    [this.azimuth_, this.altitude_, this.distance_, this.field_of_view_] = [
+      other.azimuth_,
+      other.altitude_,
+      other.distance_,
+      other.field_of_view_,
+    ];
     this.target_.copy(other.target_);
     this.place();
     return true;
@@ -56,7 +71,11 @@ export class Orbit {
 
   /// Restores a pose.
   look(state: CameraState): void {
-    [this.azimuth_, this.altitude_, this.distance_] = [state.azimuth, Math.min(89.5, Math.max(-89.5, state.altitude)), state.distance];
+    [this.azimuth_, this.altitude_, this.distance_] = [
+      state.azimuth,
+      Math.min(89.5, Math.max(-89.5, state.altitude)),
+      state.distance,
+    ];
     this.target_.fromArray(state.target);
     this.open_to(state.field_of_view ?? kFieldOfView);
   }
@@ -120,8 +139,12 @@ export class Orbit {
     const reach = !shows_corners && half.y > 0.6 * Math.max(half.x, half.z) ? kCrownReach : 1;
     let distance = 0.01;
     // Round crowns reach the sides of the box at half their height.
-    const girth = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(Math.cos(k * 45 * kRadians), 0, Math.sin(k * 45 * kRadians)));
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(k & 1 ? reach : -reach, k & 2 ? 1 : -1, k & 4 ? reach : -reach));
+    const girth = [0, 1, 2, 3, 4, 5, 6, 7].map(
+      (k) => new three.Vector3(Math.cos(k * 45 * kRadians), 0, Math.sin(k * 45 * kRadians)),
+    );
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
+      (k) => new three.Vector3(k & 1 ? reach : -reach, k & 2 ? 1 : -1, k & 4 ? reach : -reach),
+    );
     for (const share of [...corners, ...girth]) {
       const point = share.multiply(half).applyMatrix4(inverse);
       distance = Math.max(distance, point.z + Math.abs(point.x) / tan_x, point.z + Math.abs(point.y) / tan_y);
@@ -137,7 +160,11 @@ export class Orbit {
   /// Returns the unit vector from the target to the camera. North is -z and east +x.
   private way_to_eye(): three.Vector3 {
     const [azimuth, altitude] = [this.azimuth_ * kRadians, this.altitude_ * kRadians];
-    return new three.Vector3(Math.cos(altitude) * Math.sin(azimuth), Math.sin(altitude), -Math.cos(altitude) * Math.cos(azimuth));
+    return new three.Vector3(
+      Math.cos(altitude) * Math.sin(azimuth),
+      Math.sin(altitude),
+      -Math.cos(altitude) * Math.cos(azimuth),
+    );
   }
 
   private place(): void {

@@ -62,7 +62,10 @@ export class Overlays {
         depthTest: !in_front,
         uniforms: { size: { value: 6 }, pixel_ratio: { value: 1 } },
       });
-    this.materials_ = { points: [material(true, false), material(true, true)], lines: [material(false, false), material(false, true)] };
+    this.materials_ = {
+      points: [material(true, false), material(true, true)],
+      lines: [material(false, false), material(false, true)],
+    };
   }
 
   /// Adds a layer and replaces the layer of that name. Null removes the layer.
@@ -161,10 +164,14 @@ export function arrow_lines(from: Vec, to: Vec): [Vec, Vec][] {
   const length = way.length();
   if (length === 0) return [];
   way.divideScalar(length);
-  const side = new three.Vector3(Math.abs(way.y) > 0.9 ? 1 : 0, Math.abs(way.y) > 0.9 ? 0 : 1, 0).cross(way).normalize();
+  const side = new three.Vector3(Math.abs(way.y) > 0.9 ? 1 : 0, Math.abs(way.y) > 0.9 ? 0 : 1, 0)
+    .cross(way)
+    .normalize();
   const other = way.clone().cross(side);
   const back = tip.clone().addScaledVector(way, -kHead * length);
   const wide = kHead * kHeadWidth * length;
-  const corners = [side, side.clone().negate(), other, other.clone().negate()].map((across) => back.clone().addScaledVector(across, wide));
+  const corners = [side, side.clone().negate(), other, other.clone().negate()].map((across) =>
+    back.clone().addScaledVector(across, wide),
+  );
   return [[from, to], ...corners.map((corner): [Vec, Vec] => [to, [corner.x, corner.y, corner.z]])];
 }

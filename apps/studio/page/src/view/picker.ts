@@ -24,7 +24,12 @@ export class Picker {
   private readonly holes_ = new Holes();
 
   /// `x` and `y` are pixels from the upper left corner of a picture with this width and height.
-  pick(targets: readonly PickTarget[], camera: three.PerspectiveCamera, [x, y]: [number, number], [width, height]: [number, number]): Picked | null {
+  pick(
+    targets: readonly PickTarget[],
+    camera: three.PerspectiveCamera,
+    [x, y]: [number, number],
+    [width, height]: [number, number],
+  ): Picked | null {
     const ray = ray_through(camera, (2 * (x + 0.5)) / width - 1, 1 - (2 * (y + 0.5)) / height);
     let found: Picked | null = null;
     for (const [target, { batch, picture }] of targets.entries()) {

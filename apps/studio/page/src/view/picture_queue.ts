@@ -44,7 +44,8 @@ export class PictureQueue {
     context.flush();
     this.is_drawing_ = true;
     const look = () => {
-      const is_over = !fence || context.isContextLost() || context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
+      const is_over =
+        !fence || context.isContextLost() || context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
       if (is_over) this.finish(fence);
       else setTimeout(look, 1);
     };

@@ -7,9 +7,9 @@ import { bytes, floats, words } from '../server/packet.ts';
 import type { Batch } from './buffers.ts';
 import { Buffers } from './buffers.ts';
 import { place } from './instances.ts';
+import { Mark } from './mark.ts';
 import type { Light } from './materials.ts';
 import { Materials } from './materials.ts';
-import { Mark } from './mark.ts';
 import type { PickTarget } from './picker.ts';
 import { kLineFragment, kLineVertex } from './plant_shader.ts';
 
@@ -34,7 +34,10 @@ export class PlantScene {
   private readonly mark_ = new Mark(this.root, this.buffers);
   private readonly drawn_ = new Map<string, DrawnBatch>();
   private readonly lines_ = new Map<string, three.LineSegments>();
-  private readonly line_material_ = new three.ShaderMaterial({ vertexShader: kLineVertex, fragmentShader: kLineFragment });
+  private readonly line_material_ = new three.ShaderMaterial({
+    vertexShader: kLineVertex,
+    fragmentShader: kLineFragment,
+  });
   private drawing_: Drawing = 'shaded';
   private hidden_: ReadonlySet<string> = new Set();
   private emphasised_ = '';
@@ -50,7 +53,14 @@ export class PlantScene {
 
   /// All batches that are drawn as surfaces now.
   get seen(): SeenBatch[] {
-    return [...this.drawn_].filter(([, one]) => one.mesh.visible).map(([key, { said, batch }]) => ({ key, component: said.component, batch, picture: this.materials.holes_of(said.material) }));
+    return [...this.drawn_]
+      .filter(([, one]) => one.mesh.visible)
+      .map(([key, { said, batch }]) => ({
+        key,
+        component: said.component,
+        batch,
+        picture: this.materials.holes_of(said.material),
+      }));
   }
 
   /// The number of triangles that are drawn as surfaces now.

@@ -49,7 +49,8 @@ export function listen(canvas: HTMLCanvasElement, orbit: Orbit, actions: ViewAct
   const wait_for_rest = (event: PointerEvent): void => {
     go_on();
     const { offsetX, offsetY } = event;
-    if (event.buttons === 0 && event.pointerType === 'mouse') rest = window.setTimeout(() => actions.rested(offsetX, offsetY), kRest);
+    if (event.buttons === 0 && event.pointerType === 'mouse')
+      rest = window.setTimeout(() => actions.rested(offsetX, offsetY), kRest);
   };
 
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());

@@ -38,7 +38,13 @@ export interface Hit {
 
 /// Returns the first of `count` instances that the ray hits; each has three rows of four numbers in `frames`. Positions
 /// for which `is_hole` is true are not hit.
-export function first_hit(solid: Solid, frames: Float32Array, count: number, ray: Ray, is_hole: IsHole | null): Hit | null {
+export function first_hit(
+  solid: Solid,
+  frames: Float32Array,
+  count: number,
+  ray: Ray,
+  is_hole: IsHole | null,
+): Hit | null {
   const [cx, cy, cz, radius] = solid.sphere;
   const [ox, oy, oz] = ray.from;
   const [dx, dy, dz] = ray.along;
@@ -72,7 +78,14 @@ export function first_hit(solid: Solid, frames: Float32Array, count: number, ray
 }
 
 function sphere_around(positions: Float32Array): readonly [number, number, number, number] {
-  const box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity] as [number, number, number, number, number, number];
+  const box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity] as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
   const at = (k: number): [number, number, number] => [positions[k] ?? 0, positions[k + 1] ?? 0, positions[k + 2] ?? 0];
   for (let k = 0; k + 2 < positions.length; k += 3) {
     const [x, y, z] = at(k);
@@ -114,7 +127,13 @@ function seen_from(frame: Float32Array, { from, along }: Ray): Six | null {
 }
 
 /// Returns the share of the ray at the first triangle that it hits between two shares, from either side.
-function first_triangle({ positions, corners, uv }: Solid, [ox, oy, oz, dx, dy, dz]: Six, nearest: number, farthest: number, is_hole: IsHole | null): number | null {
+function first_triangle(
+  { positions, corners, uv }: Solid,
+  [ox, oy, oz, dx, dy, dz]: Six,
+  nearest: number,
+  farthest: number,
+  is_hole: IsHole | null,
+): number | null {
   let best: number | null = null;
   for (let k = 0; k + 2 < corners.length; k += 3) {
     const [i, j, l] = [corners[k] ?? 0, corners[k + 1] ?? 0, corners[k + 2] ?? 0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of visible parts: a component's id, or a path of the scene.
-import { steps_of } from '../document/path.ts';
+import { steps_of } from '../values/path.ts';
 
 /// Returns the path of a visible obstacle, or null for a component.
 export function scene_path(seen: string): string | null {

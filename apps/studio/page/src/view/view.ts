@@ -11,11 +11,12 @@ import { Ground } from './ground.ts';
 import type { CameraState } from './orbit.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
 import { Overlays } from './overlays.ts';
-import type { Drawing, SeenBatch } from './plant_scene.ts';
-import { PlantScene } from './plant_scene.ts';
-import { Picker } from './picker.ts';
 import { PictureQueue } from './picture_queue.ts';
+import type { Drawing } from './plant_scene.ts';
+import { PlantScene } from './plant_scene.ts';
 import { listen } from './pointer.ts';
+import type { PointedInstance } from './pointing.ts';
+import { Pointing } from './pointing.ts';
 import { Sunlight } from './sunlight.ts';
 import { Surroundings } from './surroundings.ts';
 import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
@@ -39,7 +40,7 @@ export class View {
   readonly bounds = new three.Box3(); // box around everything that is shown
   // Box to which the camera was fitted; empty after the user has moved the camera
   private readonly fitted_ = new three.Box3();
-  private readonly picker_ = new Picker();
+  private readonly pointing_: Pointing;
   private readonly queue_: PictureQueue;
   private readonly pixels_: CanvasPixels;
   private readonly sizes_ = new ResizeObserver(() => this.resize());
@@ -53,19 +54,25 @@ export class View {
   ) {
     this.eye = new Eye(this.orbit, canvas_);
     this.is_software = draws_by_software();
-    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: !this.is_software, alpha: true, powerPreference: 'high-performance' });
+    this.renderer_ = new three.WebGLRenderer({
+      canvas: canvas_,
+      antialias: !this.is_software,
+      alpha: true,
+      powerPreference: 'high-performance',
+    });
     this.renderer_.setClearColor(0, 0);
     this.pixels_ = new CanvasPixels(this.renderer_, this.is_software);
     this.queue_ = new PictureQueue(this.renderer_.getContext() as WebGL2RenderingContext, () => this.draw());
     this.plant = new PlantScene(this.sunlight_.light, this.is_software ? 1 : 4, () => this.ask());
+    this.pointing_ = new Pointing(this.plant, this.orbit, canvas_, events_, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root, this.overlays.root);
     this.scene_.matrixWorldAutoUpdate = false;
     listen(canvas_, this.orbit, {
       moved: () => this.move(),
       fit: () => this.fit(),
       entered: () => events_.entered?.(),
-      clicked: (x, y) => this.click(x, y),
-      rested: (x, y) => this.point(x, y),
+      clicked: (x, y) => this.pointing_.click(x, y),
+      rested: (x, y) => this.pointing_.rest(x, y),
       went_on: () => events_.pointed?.(null),
     });
     canvas_.addEventListener('webglcontextrestored', () => {
@@ -79,7 +86,15 @@ export class View {
   /// Objects of three on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts, overlays: this.overlays.counts };
+    return {
+      geometries,
+      textures,
+      triangles: this.plant.triangles,
+      frames: this.frames_drawn,
+      ...this.plant.buffers.counts,
+      ...this.plant.materials.counts,
+      overlays: this.overlays.counts,
+    };
   }
 
   apply(packet: Packet): void {
@@ -209,11 +224,8 @@ export class View {
   }
 
   /// Returns the batch and the instance at a pixel of the canvas.
-  pick(x: number, y: number): (SeenBatch & { instance: number; position: [number, number, number] }) | null {
-    const seen = this.plant.seen;
-    const found = this.picker_.pick(seen, this.orbit.camera, [x, y], [this.canvas_.clientWidth, this.canvas_.clientHeight]);
-    const batch = found ? seen[found.target] : undefined;
-    return found && batch ? { ...batch, instance: found.instance, position: found.position } : null;
+  pick(x: number, y: number): PointedInstance | null {
+    return this.pointing_.pick(x, y);
   }
 
   private move(): void {
@@ -224,19 +236,6 @@ export class View {
       if (this.is_software) this.ask();
     }, kAfterMove);
     this.ask();
-  }
-
-  private click(x: number, y: number): void {
-    if (!this.events_.clicked || this.plant.seen.length === 0) return;
-    const found = this.pick(x, y);
-    this.events_.clicked(found ? { component: found.component, frame: this.plant.frame_of(found.key, found.instance), position: found.position } : null);
-    if (found) this.plant.mark(found.key, found.instance);
-    this.ask();
-  }
-
-  private point(x: number, y: number): void {
-    const found = this.events_.pointed ? this.pick(x, y) : null;
-    if (found) this.events_.pointed?.({ component: found.component, x, y });
   }
 
   private resize(): void {

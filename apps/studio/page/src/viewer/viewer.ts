@@ -72,7 +72,8 @@ function open_page(bytes: ArrayBuffer): void {
   view.fit();
   listen_to_hands(view, canvas);
   const { triangles, of } = packet.head;
-  element('note').textContent = triangles < of.triangles ? `${kNumbers.format(triangles)} of ${kNumbers.format(of.triangles)} triangles` : '';
+  element('note').textContent =
+    triangles < of.triangles ? `${kNumbers.format(triangles)} of ${kNumbers.format(of.triangles)} triangles` : '';
   if (triangles === 0) element('note').textContent = 'Nothing of this plant can be seen.';
   window.viewer = view;
 }

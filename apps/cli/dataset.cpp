@@ -41,6 +41,7 @@ struct DatasetCommand {
   bool fresh = false;
   bool repair = false;
   bool verify = false;
+  bool allow_old = false;
   std::string root;
   int threads = 0;
   bool quiet = false;
@@ -58,7 +59,8 @@ void verify(const DatasetCommand& command) {
   DatasetCheck check;
   {
     TerminalProgress terminal(command.quiet);
-    check = verify_dataset(folder, components(), models_folder(), terminal.progress(), command.root);
+    check = verify_dataset(folder, components(), models_folder(), terminal.progress(),
+                           {.root = command.root, .allow_old = command.allow_old});
   }
   for (const std::string& warning : check.warnings) print_status("warning: " + warning);
   for (std::size_t k = 0; k < check.faults.size() && k < kFaultsPrinted; ++k) print_status(check.faults[k]);
@@ -71,6 +73,13 @@ void verify(const DatasetCommand& command) {
                              !check.faults.empty()     ? counted(check.faults.size(), "fault")
                              : !check.warnings.empty() ? "as written as far as it was checked"
                                                        : "all as written"));
+  }
+  // One fault is the missing hashes themselves.
+  if (check.is_old && !command.allow_old && check.faults.size() == 1) {
+    throw MachineError(
+        fmt::format("the tables of '{0}' could not be checked; --allow-old accepts them as they are, and 'meristem "
+                    "dataset {0}' adds hashes of them as they are now",
+                    folder));
   }
   if (!check.faults.empty()) {
     throw MachineError(fmt::format(
@@ -209,6 +218,12 @@ void add_dataset(CLI::App& app, Run& run) {
       command->add_flag("--verify", options->verify,
                         "Make nothing; compare all files with the manifest, and the manifest with its hashes and "
                         "with the values that the plan draws");
+  command
+      ->add_flag(
+          "--allow-old", options->allow_old,
+          "With --verify: only warn if an earlier version of the program made the data set, whose tables have no "
+          "hashes and cannot be checked")
+      ->needs(verify_flag);
   fresh->excludes(repair)->excludes(verify_flag);
   repair->excludes(verify_flag);
   add_plugin_option(*command);
@@ -217,7 +232,7 @@ void add_dataset(CLI::App& app, Run& run) {
   command->footer(
       "Example: meristem dataset oaks.json -o oaks\n"
       "         meristem dataset oaks --verify\n"
-      "Exit codes: 0 done, 1 failed or not as written, 2 wrong plan, 3 some plants have failed");
+      "Exit codes: 0 done, 1 failed, not as written or not checked, 2 wrong plan, 3 some plants have failed");
   command->callback([options, &run] { run = [options] { options->verify ? verify(*options) : make(*options); }; });
 }
 

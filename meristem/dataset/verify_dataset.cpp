@@ -67,16 +67,16 @@ std::string difference_of(const std::string& now, const std::string& before) {
 class DatasetVerifier {
  public:
   DatasetVerifier(std::string folder, const Registry& registry, std::string models, Progress& progress,
-                  std::string root)
+                  DatasetCheckOptions options)
       : folder_(std::move(folder)),
         registry_(registry),
         models_(std::move(models)),
-        root_(std::move(root)),
+        options_(std::move(options)),
         progress_(progress) {}
 
   DatasetCheck run() {
-    FileAccess{.root = root_}.require_within(folder_);
-    require_links_within(folder_, root_);
+    FileAccess{.root = options_.root}.require_within(folder_);
+    require_links_within(folder_, options_.root);
     std::error_code error;
     if (!fs::exists(dataset_info_path(folder_), error)) throw no_dataset(folder_);
     const bool is_readable = read_info();
@@ -118,7 +118,7 @@ class DatasetVerifier {
   void read_plan() {
     const std::string file = folder_plan_path(folder_);
     try {
-      plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_, .root = root_});
+      plan_ = read_dataset_plan(begun_plan_text(folder_), file, registry_, {.models = models_, .root = options_.root});
     } catch (const std::exception& error) {
       // check_plan reports the fault, unless a document has changed.
       const auto* const input = dynamic_cast<const InputError*>(&error);
@@ -140,10 +140,12 @@ class DatasetVerifier {
   void check_info(bool is_readable) {
     const std::string file = dataset_info_path(folder_);
     if (info_.format < kDatasetFormat && info_.is_as_written) {
-      check_.warnings.push_back(fmt::format(
-          "{}: an earlier version of the program made this data set, without hashes of its tables. Measures, "
-          "errors and the data card are not checked. 'meristem dataset {}' adds the hashes",
-          file, folder_));
+      check_.is_old = true;
+      std::vector<std::string>& lines = options_.allow_old ? check_.warnings : check_.faults;
+      lines.push_back(
+          fmt::format("{}: the tables could not be checked: an earlier version of the program made this data set, "
+                      "without hashes of its tables. Measures, errors and the data card may have changed",
+                      file));
       return;
     }
     if (!is_readable || info_.is_as_written) return;
@@ -324,7 +326,7 @@ class DatasetVerifier {
   std::string folder_;
   const Registry& registry_;
   std::string models_;
-  std::string root_;
+  DatasetCheckOptions options_;
   Progress& progress_;
   DatasetInfo info_;
   std::optional<DatasetPlan> plan_;
@@ -425,8 +427,8 @@ std::vector<std::string> strange_tables(const DatasetInfo& info, const std::stri
 }
 
 DatasetCheck verify_dataset(const std::string& folder, const Registry& registry, const std::string& models,
-                            Progress& progress, const std::string& root) {
-  return DatasetVerifier(folder, registry, models, progress, root).run();
+                            Progress& progress, const DatasetCheckOptions& options) {
+  return DatasetVerifier(folder, registry, models, progress, options).run();
 }
 
 }  // namespace meristem

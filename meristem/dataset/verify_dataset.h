@@ -46,15 +46,22 @@ struct DatasetCheck {
   std::vector<std::string> faults;    ///< one line each: faults of the whole set first, then faults in the order of the
                                       ///< tables
   std::vector<std::string> warnings;  ///< checks that were impossible, one line each
+  bool is_old = false;                ///< true if the tables have no hashes, so that they could not be checked
+};
+
+/// Options of a check.
+struct DatasetCheckOptions {
+  std::string root{};      ///< no file outside this folder is read, even through links; empty allows every file
+  bool allow_old = false;  ///< true makes missing hashes of a data set of format 1 a warning, and not a fault
 };
 
 /// Checks the data set in a folder. Reads every file of each plant and compares sizes and hashes with the manifest.
 /// Compares each table with its hash, and draws the values of each row again from plan and seed. Compares plan,
 /// documents, data card and arrays with dataset.json. Finds files in the folder that do not belong to the data set.
-/// `models` is the folder of shipped models. No file outside `root` is read, even through links in the folder; an empty
-/// `root` allows every file. Throws InputError if the folder holds no data set, lies outside `root`, or has a link that
-/// leads outside. Throws Cancelled.
+/// Tables of format 1 have no hashes and cannot be checked: this is a fault unless `allow_old` is set. `models` is the
+/// folder of shipped models. Throws InputError if the folder holds no data set, lies outside the root, or has a link
+/// that leads outside. Throws Cancelled.
 DatasetCheck verify_dataset(const std::string& folder, const Registry& registry, const std::string& models,
-                            Progress& progress, const std::string& root = {});
+                            Progress& progress, const DatasetCheckOptions& options = {});
 
 }  // namespace meristem

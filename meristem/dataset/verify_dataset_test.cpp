@@ -26,9 +26,9 @@ constexpr const char* kStem = R"({"meristem": 1, "variables": {"tall": {"value":
 
 DatasetPlan stem_plan(const std::string& text = kRods) { return rod_plan(text, kStem); }
 
-DatasetCheck checked(const std::string& path) {
+DatasetCheck checked(const std::string& path, const DatasetCheckOptions& options = {}) {
   Progress progress;
-  return verify_dataset(path, builtin_components(), "", progress);
+  return verify_dataset(path, builtin_components(), "", progress, options);
 }
 
 std::vector<std::string> verified(const std::string& path) { return checked(path).faults; }
@@ -449,29 +449,36 @@ void make_as_before(const std::string& rods, const DatasetPlan& plan) {
   write_content(fs::path(rods) / "dataset.json", as_of_format_1(plan.hash, plan.documents[0].bundle.hash()));
 }
 
-TEST(VerifyDataset, AFolderWithoutHashesIsWarnedOfAndGetsThem) {
+TEST(VerifyDataset, AFolderWithoutHashesIsNotCertifiedAndGetsThem) {
   const TemporaryFolder folder;
   const std::string rods = folder / "rods";
   const DatasetPlan plan = stem_plan();
   make_plants(plan, folder / "whole");
   make_as_before(rods, plan);
   const DatasetCheck check = checked(rods);
-  EXPECT_TRUE(check.faults.empty()) << testing::PrintToString(check.faults);
-  ASSERT_EQ(check.warnings.size(), 1U);
-  EXPECT_NE(check.warnings[0].find("without hashes of its tables"), std::string::npos);
+  EXPECT_TRUE(check.is_old);
+  EXPECT_TRUE(check.warnings.empty());
+  ASSERT_EQ(check.faults.size(), 1U) << testing::PrintToString(check.faults);
+  EXPECT_NE(check.faults[0].find("dataset.json: the tables could not be checked"), std::string::npos);
+  const DatasetCheck allowed = checked(rods, {.allow_old = true});
+  EXPECT_TRUE(allowed.is_old);
+  EXPECT_TRUE(allowed.faults.empty()) << testing::PrintToString(allowed.faults);
+  EXPECT_EQ(allowed.warnings, check.faults);
 
   // Values from the plan are still checked.
   const std::string table = file_content(fs::path(rods) / "manifest/00000.csv");
   std::vector<std::string> lines = lines_of(table);
   lines[3] = with_field(lines[3], kTall, other_digit);
   write_content(fs::path(rods) / "manifest/00000.csv", joined(lines));
-  const auto faults = verified(rods);
+  const auto faults = checked(rods, {.allow_old = true}).faults;
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_NE(faults[0].find("00000.csv:4: row 000002, column 'tall'"), std::string::npos) << faults[0];
+  EXPECT_EQ(verified(rods).size(), 2U);
 
   EXPECT_EQ(make_plants(plan, rods), 1U);
   EXPECT_EQ(files_below(rods), files_below(folder / "whole"));
-  EXPECT_TRUE(checked(rods).warnings.empty());
+  EXPECT_TRUE(verified(rods).empty());
+  EXPECT_FALSE(checked(rods).is_old);
 }
 
 TEST(VerifyDataset, AFolderWithoutHashesGetsItsFormatBeforeFilesOfThatFormat) {

@@ -228,14 +228,15 @@ void require_finished(const py::object& path, std::uint64_t rows) {
                  .file = folder});
 }
 
-py::dict check_of(const py::object& path, const py::object& root, int threads, const py::object& progress) {
+py::dict check_of(const py::object& path, const py::object& root, bool allow_old, int threads,
+                  const py::object& progress) {
   const std::string folder = path_of(path);
-  const std::string own_root = path_of(root);
+  const DatasetCheckOptions options{.root = path_of(root), .allow_old = allow_old};
   // Both query Python, whose lock the call releases.
   const Registry& types = component_types();
   const std::string models = models_folder();
   const DatasetCheck check = run_call(
-      progress, threads, [&](Progress& inner) { return verify_dataset(folder, types, models, inner, own_root); });
+      progress, threads, [&](Progress& inner) { return verify_dataset(folder, types, models, inner, options); });
   py::dict made;
   made["plants"] = check.plants;
   made["rows"] = check.rows;
@@ -348,12 +349,13 @@ The folder of a killed process is removed when another process makes a folder wi
   module.def("require_finished", &require_finished, py::arg("folder"), py::arg("rows"),
              "Raises InputError if the data set in a folder has another number of plants.");
   module.def(
-      "verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("root") = "", py::arg("threads") = 0,
-      py::arg("progress") = py::none(),
+      "verify_dataset", &check_of, py::arg("folder"), py::kw_only(), py::arg("root") = "", py::arg("allow_old") = false,
+      py::arg("threads") = 0, py::arg("progress") = py::none(),
       R"(Compares all files of the data set in a folder with the manifest, and the manifest with its hashes and the plan.
 
 Returns a dict of plants, rows, failed, files, bytes, faults and warnings. faults is a list of lines, empty if the data
-set is unchanged. warnings lists parts that could not be checked. With a `root`, no file outside that folder is read,
+set is unchanged. warnings lists parts that could not be checked. Tables of earlier versions of the program have no
+hashes and cannot be checked: this is a fault, or with `allow_old` a warning. With a `root`, no file outside that folder is read,
 wherever links in the folder lead. Raises InputError if the folder holds no data set, lies outside the root, or has a
 link that leads out of the root.)");
 }

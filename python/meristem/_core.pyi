@@ -520,6 +520,7 @@ def verify_dataset(
     folder: str | os.PathLike[str],
     *,
     root: str | os.PathLike[str] = "",
+    allow_old: bool = False,
     threads: int = 0,
     progress: Progress | _ProgressCallback | None = None,
 ) -> dict[str, Any]: ...

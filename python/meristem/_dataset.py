@@ -92,13 +92,16 @@ class Dataset:
         with whole_file(Path(path)) as partial:
             _write_parquet(self, partial)
 
-    def verify(self, *, root: str | os.PathLike[str] = "", threads: int = 0) -> list[str]:
+    def verify(
+        self, *, root: str | os.PathLike[str] = "", allow_old: bool = False, threads: int = 0
+    ) -> list[str]:
         """Compares all files with the manifest, and the manifest with its hashes and the plan.
 
-        Returns the faults, one line each. Warns of parts that cannot be checked, such as tables without a hash. With a
-        `root`, no file outside this folder is read, as in verify_dataset.
+        Returns the faults, one line each. Tables of earlier versions of the program have no hashes and cannot be
+        checked: this is a fault, or with `allow_old` a warning. With a `root`, no file outside this folder is read, as
+        in verify_dataset.
         """
-        check = verify_dataset(self.folder, root=root, threads=threads)
+        check = verify_dataset(self.folder, root=root, allow_old=allow_old, threads=threads)
         for warning in check["warnings"]:
             warnings.warn(warning, stacklevel=2)
         faults: list[str] = check["faults"]

@@ -115,7 +115,7 @@ def test_verify_finds_each_changed_value_and_repair_puts_it_back(tmp_path: Path)
         assert digest(rods) == before
 
 
-def test_tables_without_hashes_are_warned_of(tmp_path: Path) -> None:
+def test_tables_without_hashes_are_a_fault_unless_they_are_allowed(tmp_path: Path) -> None:
     made = meristem.dataset(rod(), plan(3), tmp_path / "rods", processes=1)
     info = json.loads((made.folder / "dataset.json").read_text())
     for name in ("files", "tables", "hash"):
@@ -124,8 +124,11 @@ def test_tables_without_hashes_are_warned_of(tmp_path: Path) -> None:
     info["meristem_dataset_folder"] = 1
     (made.folder / "dataset.json").write_text(json.dumps(info))
     shutil.rmtree(made.folder / "checks")
-    with pytest.warns(UserWarning, match="without hashes of its tables"):
-        assert made.verify() == []
+    faults = made.verify()
+    assert len(faults) == 1 and "the tables could not be checked" in faults[0]
+    assert meristem.verify_dataset(made.folder)["faults"] == faults
+    with pytest.warns(UserWarning, match="the tables could not be checked"):
+        assert made.verify(allow_old=True) == []
     made = meristem.dataset(rod(), plan(3), tmp_path / "rods", processes=1)
     assert made.found == 3 and made.verify() == []
 

@@ -202,6 +202,31 @@ class DataSets(cli_case.Case):
             self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "--repair")
             self.assertEqual(self.content("rods"), whole)
 
+    def test_tables_without_hashes_are_not_certified(self):
+        self.assert_ends(DONE, "dataset", "plan.json", "-o", "rods", "-q")
+        whole = self.content("rods")
+        info = json.loads(self.read("rods/dataset.json"))
+        for name in ("files", "tables", "hash"):
+            del info[name]
+        del info["documents"][0]["files"]
+        info["meristem_dataset_folder"] = 1
+        self.write("rods/dataset.json", json.dumps(info))
+        shutil.rmtree(os.path.join(self.folder, "rods/checks"))
+        told = self.assert_ends(FAILED, "dataset", "rods", "--verify")
+        self.assertIn("rods/dataset.json: the tables could not be checked", told)
+        self.assertIn("--allow-old accepts them", told)
+        self.assertNotIn("as written", told)
+        told = self.assert_ends(DONE, "dataset", "rods", "--verify", "--allow-old")
+        self.assertIn("warning: rods/dataset.json: the tables could not be checked", told)
+        self.assertIn("as written as far as it was checked", told)
+        os.remove(os.path.join(self.folder, "rods/plants/0000/000030.mtg"))
+        told = self.assert_ends(FAILED, "dataset", "rods", "--verify", "--allow-old")
+        self.assertIn("000030.mtg is missing", told)
+        self.assert_ends(WRONG_INPUT, "dataset", "rods", "--allow-old")
+        self.assert_ends(DONE, "dataset", "rods", "-q")
+        self.assertEqual(self.content("rods"), whole)
+        self.assertIn("all as written", self.assert_ends(DONE, "dataset", "rods", "--verify"))
+
     def test_links_lead_nowhere_outside_the_root(self):
         os.mkdir(os.path.join(self.folder, "sets"))
         shutil.copy(os.path.join(self.folder, "rod.json"), os.path.join(self.folder, "sets"))

@@ -54,8 +54,11 @@ Patch edit(const LocatedTree& tree, std::uint8_t kind, const std::string& path, 
       return move_value(tree, path, kind / 10);
     case 8:
       return set_note(tree, path, value.text() != nullptr ? *value.text() : "a note\nof two lines");
-    case 9:
-      return insert_plant_part(tree, LocatedTree(write_json(value)), {.component = kind / 20, .link = kind / 20});
+    case 9: {
+      TreeEdit edit(tree);
+      insert_plant_part(edit, LocatedTree(write_json(value)), {.component = kind / 20, .link = kind / 20});
+      return edit.patch();
+    }
     default:
       return rename_member(tree, path, "new");
   }
@@ -81,6 +84,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(is_sound(patch, text.size()));
   const std::string edited = apply_patch(text, patch);
   require(apply_patch(edited, inverse_patch(text, patch)) == text);
-  if (!patch.empty()) parse_json(edited);  // an exception ends the fuzzer
+  if (patch.empty()) return 0;
+  LocatedTree changed(text);
+  changed.apply(patch);  // an exception ends the fuzzer
+  require(changed.text() == edited && *changed.root().value == parse_json(edited));
   return 0;
 }

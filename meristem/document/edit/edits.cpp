@@ -15,6 +15,7 @@
 #include "meristem/document/edit/plant_part.h"
 #include "meristem/document/edit/rename.h"
 #include "meristem/document/edit/text_edit.h"
+#include "meristem/document/edit/tree_edit.h"
 #include "meristem/document/tables.h"
 
 namespace meristem {
@@ -28,8 +29,9 @@ std::string whole_path(const LocatedTree& tree, const std::string& path) {
   const std::vector<std::string> keys = head_table().names();
   const bool is_key = std::find(keys.begin(), keys.end(), first) != keys.end() || first.empty();
   if (first.size() == path.size()) {
-    const Value* variables = tree.root().value->find("variables");
-    const bool is_variable = variables != nullptr && variables->find(path) != nullptr;
+    const std::size_t variables = tree.index_of(tree.root(), "variables");
+    const bool is_variable =
+        variables != TextNode::kNone && tree.index_of(tree.part(tree.root(), variables), path) != TextNode::kNone;
     return is_variable || !is_key ? "variables." + path : path;
   }
   return is_key ? path : "components." + path;
@@ -63,17 +65,15 @@ bool names_component(const Value& link, const std::string& id) {
 }
 
 /// Removes a component with its links. The last link is removed first, so that other indices stay valid.
-Patch remove_component(const LocatedTree& tree, const std::string& path, const std::string& id,
-                       const Progress* progress) {
-  Patch patch = remove_value(tree, path);
-  const Value* links = tree.root().value->find("links");
-  if (links == nullptr || links->list() == nullptr) return patch;
+void remove_component(TreeEdit& document, const std::string& path, const std::string& id) {
+  document.take(remove_value(document.tree(), path));
+  const Value* links = document.tree().root().value->find("links");
+  if (links == nullptr || links->list() == nullptr) return;
+  std::vector<std::size_t> gone;
   for (std::size_t k = links->list()->size(); k-- > 0;) {
-    if (!names_component((*links->list())[k], id)) continue;
-    const LocatedTree present(apply_patch(tree.text(), patch), progress);
-    patch = joined_patches(patch, remove_value(present, fmt::format("links[{}]", k)));
+    if (names_component((*links->list())[k], id)) gone.push_back(k);
   }
-  return patch;
+  for (const std::size_t k : gone) document.take(remove_value(document.tree(), fmt::format("links[{}]", k)));
 }
 
 /// Returns all paths of expressions that can be read.
@@ -121,8 +121,7 @@ LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std:
     const auto placed_by = [&](const std::string& placer) {
       return places(document ? &*document : nullptr, placer, first);
     };
-    part = LocatedTree(apply_patch(part.text(), rename_component(part, id, name, context.registry, placed_by)),
-                       context.reading.progress);
+    part.apply(rename_component(part, id, name, context.registry, placed_by), context.reading.progress);
     first_names[name] = first;
   };
   while (!names.empty()) {
@@ -166,67 +165,76 @@ LocatedTree with_own_variables(LocatedTree part, const LocatedTree& tree, const 
     }
     const std::string name = other->first;
     const Patch patch = rename_variable(part, name, free, context.registry, expression_paths(part, context));
-    part = LocatedTree(apply_patch(part.text(), patch), context.reading.progress);
+    part.apply(patch, context.reading.progress);
   }
 }
 
-struct Patcher {
-  const LocatedTree& tree;
+struct EditMaker {
+  TreeEdit& document;
   const EditContext& context;
 
-  Patch operator()(const SetValue& edit) const {
-    std::string path = whole_path(tree, edit.path);
-    require_named(tree, path);
+  const LocatedTree& tree() const { return document.tree(); }
+
+  void operator()(const SetValue& edit) const {
+    std::string path = whole_path(tree(), edit.path);
+    require_named(tree(), path);
     // The bare name of a variable stands for its value.
     const bool is_bare = edit.path.find_first_of(".[") == std::string::npos;
     if (is_bare && edit.value.object() == nullptr && path.starts_with("variables.")) {
-      const PathTarget target = follow_path(tree, path);
+      const PathTarget target = follow_path(tree(), path);
       if (target.missing.empty() && target.last().value->object() != nullptr) path += ".value";
       if (!target.missing.empty() && edit.path == path.substr(std::string_view("variables.").size())) {
         throw_missing(target, path);
       }
     }
-    return set_value(tree, path, edit.value);
+    set_value(document, path, edit.value);
   }
-  Patch operator()(const UnsetValue& edit) const {
-    const std::string path = whole_path(tree, edit.path);
-    const PathTarget target = follow_path(tree, path);
-    if (target.missing.empty()) return remove_value(tree, path);
-    if (target.missing.front().is_index) throw_missing(target, path);
-    return {};
+  void operator()(const UnsetValue& edit) const {
+    const std::string path = whole_path(tree(), edit.path);
+    const PathTarget target = follow_path(tree(), path);
+    if (target.missing.empty()) {
+      document.take(remove_value(tree(), path));
+    } else if (target.missing.front().is_index) {
+      throw_missing(target, path);
+    }
   }
-  Patch operator()(const InsertValue& edit) const {
-    return insert_value(tree, whole_path(tree, edit.path), edit.value, edit.index);
+  void operator()(const InsertValue& edit) const {
+    document.take(insert_value(tree(), whole_path(tree(), edit.path), edit.value, edit.index));
   }
-  Patch operator()(const RemoveValue& edit) const {
-    const std::string path = whole_path(tree, edit.path);
-    const std::string id = named_in(tree, path, "components");
-    return id.empty() ? remove_value(tree, path) : remove_component(tree, path, id, context.reading.progress);
+  void operator()(const RemoveValue& edit) const {
+    const std::string path = whole_path(tree(), edit.path);
+    const std::string id = named_in(tree(), path, "components");
+    id.empty() ? document.take(remove_value(tree(), path)) : remove_component(document, path, id);
   }
-  Patch operator()(const RenameValue& edit) const {
-    const std::string path = whole_path(tree, edit.path);
-    if (const std::string id = named_in(tree, path, "components"); !id.empty()) {
-      return rename_component(tree, id, edit.name, context.registry,
+  void operator()(const RenameValue& edit) const { document.take(renamed(edit)); }
+  void operator()(const SetNote& edit) const {
+    document.take(set_note(tree(), whole_path(tree(), edit.path), edit.note));
+  }
+  void operator()(const InsertPart& edit) const {
+    LocatedTree part = with_names(LocatedTree(edit.text, context.reading.progress), edit.names, context);
+    part = with_own_variables(std::move(part), tree(), context);
+    insert_plant_part(document, part, {.component = edit.index, .link = edit.link_index});
+  }
+  void operator()(const MoveValue& edit) const { move_value(document, whole_path(tree(), edit.path), edit.index); }
+
+ private:
+  Patch renamed(const RenameValue& edit) const {
+    const std::string path = whole_path(tree(), edit.path);
+    if (const std::string id = named_in(tree(), path, "components"); !id.empty()) {
+      return rename_component(tree(), id, edit.name, context.registry,
                               [&](const std::string& placer) { return places(context.document, placer, id); });
     }
-    if (const std::string variable = named_in(tree, path, "variables"); !variable.empty()) {
-      return rename_variable(tree, variable, edit.name, context.registry, expression_paths(tree, context));
+    if (const std::string variable = named_in(tree(), path, "variables"); !variable.empty()) {
+      return rename_variable(tree(), variable, edit.name, context.registry, expression_paths(tree(), context));
     }
-    return rename_member(tree, path, edit.name);
+    return rename_member(tree(), path, edit.name);
   }
-  Patch operator()(const SetNote& edit) const { return set_note(tree, whole_path(tree, edit.path), edit.note); }
-  Patch operator()(const InsertPart& edit) const {
-    LocatedTree part = with_names(LocatedTree(edit.text, context.reading.progress), edit.names, context);
-    part = with_own_variables(std::move(part), tree, context);
-    return insert_plant_part(tree, part, {.component = edit.index, .link = edit.link_index});
-  }
-  Patch operator()(const MoveValue& edit) const { return move_value(tree, whole_path(tree, edit.path), edit.index); }
 };
 
 }  // namespace
 
-Patch patch_of(const Edit& edit, const LocatedTree& tree, const EditContext& context) {
-  return std::visit(Patcher{tree, context}, edit);
+void make_edit(const Edit& edit, TreeEdit& document, const EditContext& context) {
+  std::visit(EditMaker{document, context}, edit);
 }
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates an edit of a document into a patch of its text.
+// Translates an edit of a document into patches of its text.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-class LocatedTree;
+class TreeEdit;
 
 /// The data, besides the text, that edits of names need.
 struct EditContext {
@@ -18,7 +18,7 @@ struct EditContext {
   ReadOptions reading;       ///< options for reading the text
 };
 
-/// Returns the patch of an edit. Throws an InputError if the edit is impossible.
-Patch patch_of(const Edit& edit, const LocatedTree& tree, const EditContext& context);
+/// Makes an edit. Throws an InputError if the edit is impossible.
+void make_edit(const Edit& edit, TreeEdit& document, const EditContext& context);
 
 }  // namespace meristem

@@ -140,4 +140,21 @@ Patch joined_patches(const Patch& first, const Patch& second) {
   return patch_of(made);
 }
 
+void PatchJoiner::add(Patch patch) {
+  if (patch.empty()) return;
+  runs_.push_back({std::move(patch), 1});
+  while (runs_.size() > 1 && runs_[runs_.size() - 2].count <= runs_.back().count) {
+    Run last = std::move(runs_.back());
+    runs_.pop_back();
+    runs_.back().patch = joined_patches(runs_.back().patch, last.patch);
+    runs_.back().count += last.count;
+  }
+}
+
+Patch PatchJoiner::joined() const {
+  Patch joined;
+  for (auto run = runs_.rbegin(); run != runs_.rend(); ++run) joined = joined_patches(run->patch, joined);
+  return joined;
+}
+
 }  // namespace meristem

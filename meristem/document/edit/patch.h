@@ -31,6 +31,22 @@ std::string apply_patch(std::string_view text, const Patch& patch);
 /// Returns the patch that turns the patched text back into `text`.
 Patch inverse_patch(std::string_view text, const Patch& patch);
 
+/// Joins successive patches. Joins pairs of about equal size, so that n patches take time in proportion to n log n.
+class PatchJoiner {
+ public:
+  /// Adds the next patch. Its offsets refer to the text after all patches so far.
+  void add(Patch patch);
+  /// Returns one patch for all.
+  Patch joined() const;
+
+ private:
+  struct Run {
+    Patch patch;
+    std::size_t count = 0;  // patches that were joined
+  };
+  std::vector<Run> runs_;  // each has at least as many patches as the next one
+};
+
 /// Returns one patch for two successive ones. Offsets of `second` refer to the text that `first` has made.
 Patch joined_patches(const Patch& first, const Patch& second);
 

@@ -33,15 +33,15 @@ class PathReader {
 
   bool is_done() const { return rest_.empty(); }
 
-  /// Returns the next step. `at` is the value at the end of the previous steps, or null.
-  PathStep next(const Value* at) {
+  /// Returns the next step. `at` is the value at the end of the previous steps; its value may be null.
+  PathStep next(const LocatedTree& tree, LocatedValue at) {
     const bool is_first = rest_.size() == path_.size();
     if (rest_[0] == '[') return bracket();
     if (!is_first) {
       if (rest_[0] != '.') throw_malformed(path_);
       rest_.remove_prefix(1);
     }
-    std::size_t length = longest_member(at);
+    std::size_t length = longest_member(tree, at);
     if (length == 0) length = std::min(rest_.find_first_of(".["), rest_.size());
     if (length == 0) throw_malformed(path_);
     PathStep step{.name = std::string(rest_.substr(0, length))};
@@ -50,15 +50,14 @@ class PathReader {
   }
 
  private:
-  std::size_t longest_member(const Value* at) const {
-    std::size_t longest = 0;
-    if (at == nullptr || at->object() == nullptr) return longest;
-    for (const auto& [name, member] : *at->object()) {
-      if (name.size() > longest && rest_.starts_with(name) && ends_step(rest_.substr(name.size()))) {
-        longest = name.size();
-      }
+  /// Returns the length of the longest name of a member with which the rest begins, or 0.
+  std::size_t longest_member(const LocatedTree& tree, LocatedValue at) const {
+    if (at.value == nullptr || at.value->object() == nullptr) return 0;
+    for (std::size_t length = rest_.size(); length > 0; --length) {
+      if (!ends_step(rest_.substr(length))) continue;
+      if (tree.index_of(at, rest_.substr(0, length)) != TextNode::kNone) return length;
     }
-    return longest;
+    return 0;
   }
 
   PathStep bracket() {
@@ -99,16 +98,10 @@ class PathReader {
 };
 
 /// Returns the index of the part at a step.
-std::size_t find_part(const Value& at, const PathStep& step) {
-  if (step.is_index) {
-    const bool is_there = at.list() != nullptr && step.index < at.list()->size();
-    return is_there ? step.index : TextNode::kNone;
-  }
-  if (at.object() == nullptr) return TextNode::kNone;
-  const Value::Object& members = *at.object();
-  const auto found = std::find_if(members.begin(), members.end(),
-                                  [&](const Value::Member& member) { return member.first == step.name; });
-  return found == members.end() ? TextNode::kNone : static_cast<std::size_t>(found - members.begin());
+std::size_t find_part(const LocatedTree& tree, LocatedValue at, const PathStep& step) {
+  if (!step.is_index) return tree.index_of(at, step.name);
+  const Value::List* const list = at.value->list();
+  return list != nullptr && step.index < list->size() ? step.index : TextNode::kNone;
 }
 
 }  // namespace
@@ -119,8 +112,8 @@ PathTarget follow_path(const LocatedTree& tree, std::string_view path) {
   PathReader reader(path);
   while (!reader.is_done()) {
     const bool is_there = target.missing.empty();
-    PathStep step = reader.next(is_there ? target.last().value : nullptr);
-    const std::size_t place = is_there ? find_part(*target.last().value, step) : TextNode::kNone;
+    PathStep step = reader.next(tree, is_there ? target.last() : LocatedValue());
+    const std::size_t place = is_there ? find_part(tree, target.last(), step) : TextNode::kNone;
     if (place == TextNode::kNone) {
       target.missing.push_back(std::move(step));
     } else {

@@ -14,6 +14,7 @@
 #include "meristem/document/edit/part_edit.h"
 #include "meristem/document/edit/path.h"
 #include "meristem/document/edit/text_edit.h"
+#include "meristem/document/edit/tree_edit.h"
 #include "meristem/document/json.h"
 #include "meristem/document/mentions.h"
 
@@ -42,12 +43,9 @@ LocatedValue top_member(const LocatedTree& tree, std::string_view name) {
 
 const std::string& name_in(LocatedValue object, std::size_t index) { return (*object.value->object())[index].first; }
 
-std::optional<std::size_t> index_in(LocatedValue object, std::string_view name) {
-  const Value::Object* members = object.value == nullptr ? nullptr : object.value->object();
-  for (std::size_t k = 0; members != nullptr && k < members->size(); ++k) {
-    if ((*members)[k].first == name) return k;
-  }
-  return std::nullopt;
+std::optional<std::size_t> index_in(const LocatedTree& tree, LocatedValue object, std::string_view name) {
+  const std::size_t index = tree.index_of(object, name);
+  return index == TextNode::kNone ? std::nullopt : std::optional(index);
 }
 
 std::pair<std::string, std::string> ends_of(const Value& link) {
@@ -86,72 +84,54 @@ std::string moved_lines(std::string_view text, std::string_view from, std::strin
   }
 }
 
-/// Builds a document by adding one written part after another.
-class Builder {
- public:
-  explicit Builder(const LocatedTree& tree) : tree_(tree.text()) {}
-
-  const LocatedTree& tree() const { return tree_; }
-  const Patch& patch() const { return patch_; }
-
-  /// Returns a top-level list or object, which is added if it is missing.
-  LocatedValue require(std::string_view name, Value empty) {
-    if (top_member(tree_, name).value == nullptr) take(set_value(tree_, name, empty));
-    return top_member(tree_, name);
+/// Returns the indentation of the parts of a list or object.
+std::string indent_of_parts(const LocatedTree& tree, LocatedValue container) {
+  const std::string& text = tree.text();
+  const TextNode& node = tree.at(container);
+  if (part_count(*container.value) > 0) {
+    const std::size_t first = tree.at(tree.part(container, 0)).first();
+    if (line_begin(text, first) > node.begin) return std::string(indent_at(text, first));
   }
+  return std::string(indent_at(text, node.begin)) + std::string(indent_unit_of(text));
+}
 
-  /// Inserts a part of another document as it is written there.
-  void insert(std::string_view name, const LocatedTree& from, LocatedValue container, std::size_t index,
-              std::optional<std::size_t> place) {
-    const bool is_object = container.value->object() != nullptr;
-    const LocatedValue into = require(name, is_object ? Value(Value::Object{}) : Value(Value::List{}));
-    const std::size_t count = part_count(*into.value);
-    WrittenPart written = remove_part(from, container, index).written;
-    const std::size_t first = from.at(from.part(container, index)).first();
-    written.text = moved_lines(written.text, indent_at(from.text(), first), indent_unit_of(from.text()),
-                               indent_of_parts(into), indent_unit_of(tree_.text()), line_end_of(tree_.text()));
-    written.comments = moved_lines(written.comments, "", "", "", "", line_end_of(tree_.text()));
-    take(insert_part(tree_, into, std::min(place.value_or(count), count), {.written = &written}));
+/// Inserts a part of the document `from` into the top-level list or object of that name as it is written there. Adds
+/// the list or object if it is missing.
+void insert_written(TreeEdit& document, std::string_view name, const LocatedTree& from, LocatedValue container,
+                    std::size_t index, std::optional<std::size_t> place) {
+  const bool is_object = container.value->object() != nullptr;
+  if (top_member(document.tree(), name).value == nullptr) {
+    set_value(document, name, is_object ? Value(Value::Object{}) : Value(Value::List{}));
   }
+  const LocatedTree& tree = document.tree();
+  const LocatedValue into = top_member(tree, name);
+  const std::size_t count = part_count(*into.value);
+  WrittenPart written = remove_part(from, container, index).written;
+  const std::size_t first = from.at(from.part(container, index)).first();
+  written.text = moved_lines(written.text, indent_at(from.text(), first), indent_unit_of(from.text()),
+                             indent_of_parts(tree, into), indent_unit_of(tree.text()), line_end_of(tree.text()));
+  written.comments = moved_lines(written.comments, "", "", "", "", line_end_of(tree.text()));
+  document.take(insert_part(tree, into, std::min(place.value_or(count), count), {.written = &written}));
+}
 
-  void take(const Patch& next) {
-    if (next.empty()) return;
-    patch_ = joined_patches(patch_, next);
-    tree_ = LocatedTree(apply_patch(tree_.text(), next));
-  }
-
- private:
-  std::string indent_of_parts(LocatedValue container) const {
-    const std::string& text = tree_.text();
-    const TextNode& node = tree_.at(container);
-    if (part_count(*container.value) > 0) {
-      const std::size_t first = tree_.at(tree_.part(container, 0)).first();
-      if (line_begin(text, first) > node.begin) return std::string(indent_at(text, first));
-    }
-    return std::string(indent_at(text, node.begin)) + std::string(indent_unit_of(text));
-  }
-
-  LocatedTree tree_;
-  Patch patch_;
-};
-
-void insert_component(Builder& builder, const LocatedTree& from, LocatedValue components, std::size_t index,
+void insert_component(TreeEdit& document, const LocatedTree& from, LocatedValue components, std::size_t index,
                       std::optional<std::size_t> place) {
   const std::string note = note_on(from, components, index);
   const std::string& name = name_in(components, index);
-  builder.insert("components", from, components, index, place);
+  insert_written(document, "components", from, components, index, place);
   // A note after the component was copied with it.
   const std::string path = path_below("components", name);
-  const PathTarget target = find_path(builder.tree(), path);
-  const std::string come = note_on(builder.tree(), target.container(), target.places.back());
-  if (come != note) builder.take(set_note(builder.tree(), path, note));
+  const LocatedTree& tree = document.tree();
+  const PathTarget target = find_path(tree, path);
+  const std::string come = note_on(tree, target.container(), target.places.back());
+  if (come != note) document.take(set_note(tree, path, note));
 }
 
 /// Adds the variables that a value uses, directly and through other variables.
 void add_variables(const LocatedTree& tree, const Value& value, std::set<std::string>& named) {
   const LocatedValue variables = top_member(tree, "variables");
   for_each_mention(value, [&](std::string_view name) {
-    const std::optional<std::size_t> index = index_in(variables, name);
+    const std::optional<std::size_t> index = index_in(tree, variables, name);
     if (!index || !named.insert(std::string(name)).second) return;
     // The sentence of a variable uses no other variable.
     const Value& variable = (*variables.value->object())[*index].second;
@@ -162,19 +142,20 @@ void add_variables(const LocatedTree& tree, const Value& value, std::set<std::st
 
 }  // namespace
 
-std::string part_text(const LocatedTree& tree, const std::vector<std::string>& components) {
+std::string part_text(const LocatedTree& tree, const std::vector<std::string>& components, const Progress* progress) {
   const LocatedValue all = top_member(tree, "components");
   const std::set<std::string> wanted(components.begin(), components.end());
   for (const std::string& id : components) {
-    if (!index_in(all, id)) {
+    if (!index_in(tree, all, id)) {
       throw InputError(Diagnostic{.message = fmt::format("there is no component '{}'", id), .path = "components"});
     }
   }
-  Builder builder{LocatedTree(kEmptyPart)};
+  LocatedTree made(kEmptyPart);
+  TreeEdit part(&made, progress);
   std::set<std::string> named;
   for (std::size_t k = 0; all.value != nullptr && k < part_count(*all.value); ++k) {
     if (!wanted.contains(name_in(all, k))) continue;
-    insert_component(builder, tree, all, k, std::nullopt);
+    insert_component(part, tree, all, k, std::nullopt);
     add_variables(tree, (*all.value->object())[k].second, named);
   }
   const LocatedValue links = top_member(tree, "links");
@@ -182,40 +163,38 @@ std::string part_text(const LocatedTree& tree, const std::vector<std::string>& c
     const Value& link = (*links.value->list())[k];
     const auto [from, to] = ends_of(link);
     if (!wanted.contains(from) || !wanted.contains(to)) continue;
-    builder.insert("links", tree, links, k, std::nullopt);
+    insert_written(part, "links", tree, links, k, std::nullopt);
     add_variables(tree, link, named);
   }
   const LocatedValue variables = top_member(tree, "variables");
   for (std::size_t k = 0; !named.empty() && k < part_count(*variables.value); ++k) {
-    if (named.contains(name_in(variables, k))) builder.insert("variables", tree, variables, k, std::nullopt);
+    if (named.contains(name_in(variables, k))) insert_written(part, "variables", tree, variables, k, std::nullopt);
   }
-  return builder.tree().text();
+  return part.tree().text();
 }
 
-Patch insert_plant_part(const LocatedTree& tree, const LocatedTree& part, const PartPlace& place) {
-  Builder builder{tree};
+void insert_plant_part(TreeEdit& document, const LocatedTree& part, const PartPlace& place) {
   const LocatedValue variables = top_member(part, "variables");
   for (std::size_t k = 0; variables.value != nullptr && k < part_count(*variables.value); ++k) {
-    if (!index_in(top_member(builder.tree(), "variables"), name_in(variables, k))) {
-      builder.insert("variables", part, variables, k, std::nullopt);
+    if (!index_in(document.tree(), top_member(document.tree(), "variables"), name_in(variables, k))) {
+      insert_written(document, "variables", part, variables, k, std::nullopt);
     }
   }
   const LocatedValue components = top_member(part, "components");
   for (std::size_t k = 0; components.value != nullptr && k < part_count(*components.value); ++k) {
     const std::string& id = name_in(components, k);
-    if (index_in(top_member(builder.tree(), "components"), id)) {
+    if (index_in(document.tree(), top_member(document.tree(), "components"), id)) {
       throw InputError(Diagnostic{.message = fmt::format("there is a component '{}' already", id),
                                   .expected = "a name that is free",
                                   .path = path_below("components", id)});
     }
-    insert_component(builder, part, components, k,
+    insert_component(document, part, components, k,
                      place.component ? std::optional(*place.component + k) : std::nullopt);
   }
   const LocatedValue links = top_member(part, "links");
   for (std::size_t k = 0; links.value != nullptr && k < part_count(*links.value); ++k) {
-    builder.insert("links", part, links, k, place.link ? std::optional(*place.link + k) : std::nullopt);
+    insert_written(document, "links", part, links, k, place.link ? std::optional(*place.link + k) : std::nullopt);
   }
-  return builder.patch();
 }
 
 }  // namespace meristem

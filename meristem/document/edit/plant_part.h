@@ -10,13 +10,15 @@
 #include <vector>
 
 #include "meristem/document/edit/located_tree.h"
-#include "meristem/document/edit/patch.h"
+#include "meristem/document/edit/tree_edit.h"
 
 namespace meristem {
 
 /// Returns a document with these components as they are written in `tree`, including their notes. Throws an InputError
-/// for names that no component has.
-std::string part_text(const LocatedTree& tree, const std::vector<std::string>& components);
+/// for names that no component has. Throws Cancelled soon after `progress` was asked to stop. Null: it cannot be
+/// stopped.
+std::string part_text(const LocatedTree& tree, const std::vector<std::string>& components,
+                      const Progress* progress = nullptr);
 
 /// The positions of a part's components and links in a document; unset: after all others.
 struct PartPlace {
@@ -26,6 +28,6 @@ struct PartPlace {
 
 /// Inserts all components of `part` into the document, with their notes, links and variables. The components' names
 /// must be free. If both have a variable, the document's is kept.
-Patch insert_plant_part(const LocatedTree& tree, const LocatedTree& part, const PartPlace& place);
+void insert_plant_part(TreeEdit& document, const LocatedTree& part, const PartPlace& place);
 
 }  // namespace meristem

@@ -29,11 +29,8 @@ namespace {
 
 /// Returns the member of an object with its position. Its value is null if the member does not exist.
 LocatedValue member_of(const LocatedTree& tree, LocatedValue object, std::string_view name) {
-  const Value::Object* members = object.value == nullptr ? nullptr : object.value->object();
-  for (std::size_t k = 0; members != nullptr && k < members->size(); ++k) {
-    if ((*members)[k].first == name) return tree.part(object, k);
-  }
-  return {};
+  const std::size_t index = tree.index_of(object, name);
+  return index == TextNode::kNone ? LocatedValue() : tree.part(object, index);
 }
 
 /// Calls `take(id, grammar, path)` for each grammar in the document.

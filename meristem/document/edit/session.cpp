@@ -10,11 +10,12 @@
 #include "meristem/document/edit/located_tree.h"
 #include "meristem/document/edit/note.h"
 #include "meristem/document/edit/plant_part.h"
+#include "meristem/document/edit/tree_edit.h"
 
 namespace meristem {
 
 std::string plant_part(const std::string& text, const std::vector<std::string>& components, const Progress* progress) {
-  return part_text(LocatedTree(text, progress), components);
+  return part_text(LocatedTree(text, progress), components, progress);
 }
 
 std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text, const Progress* progress) {
@@ -70,14 +71,12 @@ Change Session::take_over(Patch patch, const Progress* progress) {
 
 Change Session::edit(const std::vector<Edit>& edits, const Progress* progress) {
   Patch patch;
-  std::string text = text_;
   try {
-    for (const Edit& edit : edits) {
-      const Patch next =
-          patch_of(edit, LocatedTree(text, progress), {file_, *registry_, document(), reading(progress)});
-      text = apply_patch(text, next);
-      patch = joined_patches(patch, next);
-    }
+    LocatedTree tree(text_, progress);
+    TreeEdit all(&tree, progress);
+    const EditContext context{file_, *registry_, document(), reading(progress)};
+    for (const Edit& edit : edits) make_edit(edit, all, context);
+    patch = all.patch();
   } catch (const InputError& error) {
     std::vector<Diagnostic> faults = error.diagnostics();
     for (Diagnostic& fault : faults) fault.file = file_;

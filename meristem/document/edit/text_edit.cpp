@@ -66,25 +66,22 @@ void write_over_differences(const LocatedTree& tree, LocatedValue old, const Val
 
 /// Changes the existing value at `path` to `value`: first parts are inserted and removed one by one, then numbers and
 /// texts are replaced.
-Patch rewritten(const LocatedTree& tree, std::string_view path, const Value& value) {
-  Patch patch;
-  std::optional<LocatedTree> changed;  // result of the steps so far
-  const auto present = [&]() -> const LocatedTree& { return changed ? *changed : tree; };
+void rewrite(TreeEdit& edit, std::string_view path, const Value& value) {
   for (int step = 0; step < kMostSteps; ++step) {
-    const LocatedValue old = find_path(present(), path).last();
-    const std::optional<PartDifference> found = first_part_difference(present(), old, value);
+    const LocatedTree& present = edit.tree();
+    const LocatedValue old = find_path(present, path).last();
+    const std::optional<PartDifference> found = first_part_difference(present, old, value);
     if (!found) {
       Patch rest;
-      write_over_differences(present(), old, value, rest);
-      return joined_patches(patch, rest);
+      write_over_differences(present, old, value, rest);
+      edit.take(std::move(rest));
+      return;
     }
-    const Patch next = found->added != nullptr
-                           ? insert_part(present(), found->container, found->index, {found->name, found->added})
-                           : remove_part(present(), found->container, found->index).patch;
-    changed.emplace(apply_patch(present().text(), next));
-    patch = joined_patches(patch, next);
+    edit.take(found->added != nullptr
+                  ? insert_part(present, found->container, found->index, {found->name, found->added})
+                  : remove_part(present, found->container, found->index).patch);
   }
-  return {written_over(tree, find_path(tree, path).last(), value)};
+  edit.take({written_over(edit.tree(), find_path(edit.tree(), path).last(), value)});
 }
 
 /// Returns the value for the first missing step so that the last missing step has `value`.
@@ -102,9 +99,16 @@ Value with_steps(const PathTarget& target, const Value& value, std::string_view 
 }  // namespace
 
 Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value) {
+  TreeEdit edit(tree);
+  set_value(edit, path, value);
+  return edit.patch();
+}
+
+void set_value(TreeEdit& edit, std::string_view path, const Value& value) {
   check_value(value, path);
+  const LocatedTree& tree = edit.tree();
   const PathTarget target = follow_path(tree, path);
-  if (target.missing.empty()) return rewritten(tree, path, value);
+  if (target.missing.empty()) return rewrite(edit, path, value);
   const PathStep& step = target.missing.front();
   if (step.is_index) throw_missing(target, path);
   const Value made = with_steps(target, value, path);
@@ -112,10 +116,10 @@ Patch set_value(const LocatedTree& tree, std::string_view path, const Value& val
   if (last.value->is_null()) {
     Value::Object around;
     around.emplace_back(step.name, made);
-    return {written_over(tree, last, Value(std::move(around)))};
+    return edit.take({written_over(tree, last, Value(std::move(around)))});
   }
   if (last.value->object() == nullptr) throw_missing(target, path);
-  return insert_part(tree, last, part_count(*last.value), {&step.name, &made});
+  edit.take(insert_part(tree, last, part_count(*last.value), {&step.name, &made}));
 }
 
 Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
@@ -159,7 +163,7 @@ Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_
   Value::Object named;
   named.emplace_back(std::string(name), Value());
   check_value(Value(std::move(named)), path);
-  if (container.value->find(name) != nullptr) {
+  if (tree.index_of(container, name) != TextNode::kNone) {
     refuse(path, fmt::format("there is a '{}' already", name), "a name that is free");
   }
   const TextNode& node = tree.at(target.last());
@@ -187,19 +191,26 @@ void take_note_along(const LocatedTree& tree, LocatedValue container, std::size_
 }  // namespace
 
 Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index) {
+  TreeEdit edit(tree);
+  move_value(edit, path, index);
+  return edit.patch();
+}
+
+void move_value(TreeEdit& edit, std::string_view path, std::size_t index) {
+  const LocatedTree& tree = edit.tree();
   const PathTarget target = find_path(tree, path);
   const LocatedValue container = target.container();
   const std::size_t count = part_count(*container.value);
   if (index >= count) {
     refuse(path, fmt::format("there is no element {} among {}", index, count), fmt::format("0 to {}", count - 1));
   }
-  if (index == target.places.back()) return {};
+  if (index == target.places.back()) return;
   RemovedPart removed = remove_part(tree, container, target.places.back());
   take_note_along(tree, container, target.places.back(), removed);
-  const LocatedTree without(apply_patch(tree.text(), removed.patch));
+  edit.take(std::move(removed.patch));
   const std::vector<std::size_t> above(target.places.begin(), target.places.end() - 1);
-  const LocatedValue left = value_at(without, above);
-  return joined_patches(removed.patch, insert_part(without, left, index, {.written = &removed.written}));
+  const LocatedTree& without = edit.tree();
+  edit.take(insert_part(without, value_at(without, above), index, {.written = &removed.written}));
 }
 
 }  // namespace meristem

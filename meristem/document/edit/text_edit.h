@@ -16,6 +16,7 @@
 
 #include "meristem/document/edit/located_tree.h"
 #include "meristem/document/edit/patch.h"
+#include "meristem/document/edit/tree_edit.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
@@ -23,6 +24,8 @@ namespace meristem {
 /// Sets the value at a path. Missing members on the way are added after the others; elements of lists must exist.
 /// Within lists and objects only differences are rewritten.
 Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value);
+/// Adds the patches to an edit.
+void set_value(TreeEdit& edit, std::string_view path, const Value& value);
 
 /// Inserts an element before the path's index, or after the last one; a missing list is added. Or adds a missing
 /// member, after all others or at `index`.
@@ -37,5 +40,7 @@ Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_
 
 /// Moves a member or element within its object or list to `index`.
 Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index);
+/// Adds the patches to an edit.
+void move_value(TreeEdit& edit, std::string_view path, std::size_t index);
 
 }  // namespace meristem

@@ -254,11 +254,39 @@ Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
 
 std::size_t comment_count(const std::string& text) { return comments_between(text, 0, text.size()).size(); }
 
+/// A tree after patches must have the values and positions of the tree of its text.
+void expect_same_tree(const LocatedTree& one, LocatedValue a, const LocatedTree& other, LocatedValue b) {
+  const TextNode& found = one.at(a);
+  const TextNode& right = other.at(b);
+  ASSERT_EQ(found.begin, right.begin);
+  ASSERT_EQ(found.end, right.end);
+  ASSERT_EQ(found.name_begin, right.name_begin);
+  ASSERT_EQ(found.name_end, right.name_end);
+  ASSERT_EQ(found.comma, right.comma);
+  ASSERT_EQ(found.parts.size(), right.parts.size());
+  ASSERT_EQ(part_count(*a.value), part_count(*b.value));
+  for (std::size_t k = 0; k < part_count(*a.value) && !::testing::Test::HasFatalFailure(); ++k) {
+    if (a.value->object() != nullptr) {
+      ASSERT_EQ(one.index_of(a, (*a.value->object())[k].first), k);
+    }
+    expect_same_tree(one, one.part(a, k), other, other.part(b, k));
+  }
+}
+
+void expect_tree_of_its_text(const LocatedTree& tree, const std::string& text) {
+  ASSERT_EQ(tree.text(), text);
+  const LocatedTree fresh(text);
+  ASSERT_TRUE(*tree.root().value == *fresh.root().value);
+  expect_same_tree(tree, tree.root(), fresh, fresh.root());
+}
+
 /// Some edits in turn, which can be taken back one by one and all together.
 void check_edits(const std::string& first, std::uint64_t seed, int edits) {
   Draws draw(seed);
   Value expected = parse_json(first);
   std::string text = first;
+  LocatedTree changed(first);
+  PatchJoiner joiner;
   Patch all;
   for (int k = 0; k < edits && part_count(expected) > 0; ++k) {
     const LocatedTree tree(text);
@@ -269,9 +297,13 @@ void check_edits(const std::string& first, std::uint64_t seed, int edits) {
                                                                     << text << "\n--->\n"
                                                                     << edited;
     ASSERT_EQ(apply_patch(edited, inverse_patch(text, patch)), text);
+    changed.apply(patch);
+    ASSERT_NO_FATAL_FAILURE(expect_tree_of_its_text(changed, edited)) << text << "\n--->\n" << edited;
     all = joined_patches(all, patch);
+    joiner.add(patch);
     text = edited;
   }
+  EXPECT_EQ(joiner.joined(), all);
   EXPECT_EQ(apply_patch(first, all), text);
   EXPECT_EQ(apply_patch(text, inverse_patch(first, all)), first);
 }
@@ -303,6 +335,84 @@ TEST(TextEditProperty, NumbersAndMembersThatAreSetLeaveAllComments) {
       EXPECT_EQ(comment_count(edited), comment_count(text)) << text << "\n--->\n" << edited;
     }
   }
+}
+
+/// Objects with many members are searched by name, and trees forget their shifts after many patches.
+TEST(TextEditProperty, ATreeStaysThatOfItsTextThroughThousandsOfEdits) {
+  Draws draw(11);
+  Value::Object members, element{{"a", 1}, {"b", Value::List{1, 2}}};
+  for (int k = 0; k < 200; ++k) members.emplace_back("m" + std::to_string(k), element);
+  Value expected(Value::Object{{"many", members}, {"list", Value::List(200, Value(element))}});
+  LocatedTree tree(write_json(expected));
+  Value::Object& many = *expected.find("many")->object();
+  int next = 0;
+  const auto path_of = [&](std::size_t k) { return "many." + many[k].first; };
+  for (int edit = 0; edit < 3000 && !::testing::Test::HasFatalFailure(); ++edit) {
+    const std::size_t k = draw.below(many.size());
+    const auto at = many.begin() + static_cast<std::ptrdiff_t>(k);
+    switch (draw.below(5)) {
+      case 0:
+        tree.apply(set_value(tree, path_of(k) + ".a", edit));
+        *at->second.find("a") = Value(edit);
+        break;
+      case 1: {
+        const std::string name = "n" + std::to_string(next++);
+        tree.apply(insert_value(tree, "many." + name, Value(element), k));
+        many.insert(at, {name, Value(element)});
+        break;
+      }
+      case 2:
+        tree.apply(remove_value(tree, path_of(k)));
+        many.erase(at);
+        break;
+      case 3: {
+        const std::size_t to = draw.below(many.size());
+        tree.apply(move_value(tree, path_of(k), to));
+        move_part(many, k, to);
+        break;
+      }
+      default: {
+        const std::string name = "r" + std::to_string(next++);
+        tree.apply(rename_member(tree, path_of(k), name));
+        at->first = name;
+        break;
+      }
+    }
+    ASSERT_EQ(tree.index_of(tree.part(tree.root(), 0), "m" + std::to_string(edit % 200)) == TextNode::kNone,
+              expected.find("many")->find("m" + std::to_string(edit % 200)) == nullptr);
+    if (edit % 100 == 99) expect_tree_of_its_text(tree, tree.text());
+    ASSERT_TRUE(*tree.root().value == expected);
+  }
+}
+
+TEST(TextEditProperty, APatchOfPlacesFarApartReadsOnlyTheseParts) {
+  Value::Object members;
+  for (int k = 0; k < 5000; ++k) members.emplace_back("m" + std::to_string(k), Value::Object{{"a", 1}, {"b", 2}});
+  const std::string text = write_json(Value(Value::Object{{"one", members}, {"two", members}}));
+  LocatedTree tree(text);
+  Patch patch;
+  for (const char* const path : {"one.m7.a", "one.m4000.b", "two.m1.a", "two.m4999.b"}) {
+    for (Splice& splice : set_value(tree, path, 12345)) patch.push_back(std::move(splice));
+  }
+  const std::size_t before = tree.parsed_bytes();
+  tree.apply(patch);
+  EXPECT_LT(tree.parsed_bytes() - before, 200U);
+  expect_tree_of_its_text(tree, apply_patch(text, patch));
+}
+
+TEST(TextEditProperty, APatchThatBreaksTheTextIsToldWithItsPlaceInTheWholeText) {
+  const std::string text = "{\n  \"a\": [1, 2],\n  \"b\": [1, 2]\n}\n";
+  LocatedTree tree(text);
+  try {
+    tree.apply({{text.rfind('2'), 1, "?"}});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].line, 3);
+    EXPECT_EQ(error.diagnostics()[0].column, 12);
+  }
+  LocatedTree other(text);
+  EXPECT_THROW(other.apply({{text.find("\"b\""), 3, "\"a\""}, {text.size(), 0, "x"}}), InputError);
+  EXPECT_THROW(other.apply({{text.size() + 1, 0, "x"}}), std::invalid_argument);
 }
 
 std::vector<std::string> model_texts() {

@@ -30,7 +30,7 @@ Values = Mapping[str, Any]
 class BatchResult:
     """One plant of a batch."""
 
-    seed: int
+    seed: int  #: seed of the plant
     values: dict[str, Any]  #: values by path, from `grid` or `samples`, without the values of `set`
     result: Any  #: a dict of measures, or the result of the function
 

@@ -62,7 +62,7 @@ class _Job:
 class Dataset:
     """A complete data set in a folder."""
 
-    folder: Path
+    folder: Path  #: folder of the manifest and of all files
     plants: int  #: number of all plants, including failed plants
     found: int  #: number of plants that existed before the call
     faults: tuple[str, ...]  #: faults that were found and repaired: one line each, the first hundred

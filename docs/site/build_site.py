@@ -17,6 +17,7 @@ from urllib.parse import unquote
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import python_model  # noqa: E402
 import stage  # noqa: E402
+import theme  # noqa: E402
 
 LINK = re.compile(r'<(?:a|img|link|script)\b[^>]*?\b(?:href|src)="([^"]*)"')
 ANCHOR = re.compile(r'\b(?:id|name)="([^"]+)"')
@@ -55,7 +56,9 @@ def main() -> int:
         [sys.executable, "-B", "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-E", "-j", jobs,
          "-c", str(stage.SITE), "-d", str(output / "doctrees"), "-D", f"reference_work={output / 'doxygen'}",
          str(output / "pages"), str(html)])
-    faults = broken_links(html) if html.exists() else []
+    if (html / "_static").exists():
+        theme.mend_theme(html)
+    faults = broken_links(html)
     print(*(f"broken link: {fault}" for fault in faults[:100]), sep="\n", end="\n" if faults else "")
     return 1 if run.returncode or faults else 0
 

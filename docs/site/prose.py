@@ -16,7 +16,7 @@ from docutils import nodes
 #: Returns the address of a name relative to the page, or None.
 Resolve = Callable[[str], Optional[str]]
 
-WORD = re.compile(r"(`[^`]+`|\b(?:\w+(?:\.|::))*\w+\(\)|\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b)")
+WORD = re.compile(r"(`[^`]+`|\b(?:\w+(?:\.|::))*\w+\(\)|\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b|\bk[A-Z]\w+\b)")
 
 
 def link(text: str, address: str) -> nodes.reference:

@@ -106,6 +106,8 @@ def contents(pages: dict[PurePosixPath, str]) -> list[tuple[str, list[str]]]:
         listed = [name for name in dict.fromkeys(names) if name in pages and name not in seen]
         seen.update(listed)
         found.append((heading, [docname(name) for name in listed]))
+    found[0][1].insert(0, docname(PAGE_LIST))
+    found[-1][1].extend(["reference/python/index", "reference/cpp/index"])
     others = [page for page in pages if page not in seen and page != PAGE_LIST]
     order = ["README.md", "docs/architecture.md", "CONTRIBUTING.md"]
     others.sort(key=lambda page: (order.index(str(page)) if str(page) in order else len(order), str(page)))
@@ -116,8 +118,8 @@ def docname(page: PurePosixPath) -> str:
     return page.with_suffix("").as_posix()
 
 
-def toctree(caption: str, names: list[str], depth: int = 1) -> str:
-    lines = [".. toctree::", "   :hidden:", f"   :maxdepth: {depth}", f"   :caption: {caption}", ""]
+def toctree(caption: str, names: list[str]) -> str:
+    lines = [".. toctree::", "   :hidden:", *([f"   :caption: {caption}"] if caption else []), ""]
     return "\n".join([*lines, *(f"   /{name}" for name in names), "", ""])
 
 
@@ -128,7 +130,7 @@ def titled(title: str, *parts: str) -> str:
     return "\n".join([title, "=" * len(title), "", *parts, ""])
 
 
-def write_cpp_pages(site: Site, headers: list[str]) -> list[str]:
+def write_cpp_pages(site: Site, headers: list[str]) -> None:
     names = list(rooms(site.root))
     for header in headers:
         page = header.removeprefix("meristem/").removesuffix(".h")
@@ -137,18 +139,18 @@ def write_cpp_pages(site: Site, headers: list[str]) -> list[str]:
     for room in names:
         write(site.folder / "reference" / "cpp" / f"{room}.rst", titled(f"Room {room}", f".. cpp-room:: {room}"))
     write(site.folder / "reference" / "cpp" / "names.rst", titled("All C++ names", ".. cpp-names:: all"))
-    shutil.copy2(SITE / "cpp.rst", site.folder / "reference" / "cpp" / "index.rst")
-    return ["reference/cpp/index", *(f"reference/cpp/{room}" for room in names), "reference/cpp/names"]
+    listed = toctree("", [f"reference/cpp/{name}" for name in [*names, "names"]])
+    write(site.folder / "reference" / "cpp" / "index.rst", (SITE / "cpp.rst").read_text(encoding="utf-8") + "\n" + listed)
 
 
-def write_python_pages(site: Site, classes: list[str]) -> list[str]:
+def write_python_pages(site: Site, classes: list[str]) -> None:
     titles = {"functions": "Functions", "errors": "Errors", "grass": "meristem.grass"}
     for name in [*classes, *titles]:
         write(site.folder / "reference" / "python" / f"{name}.rst",
               titled(titles.get(name, name), f".. python-page:: {name}"))
-    shutil.copy2(SITE / "python.rst", site.folder / "reference" / "python" / "index.rst")
-    return ["reference/python/index", "reference/python/functions", *(f"reference/python/{name}" for name in classes),
-            "reference/python/errors", "reference/python/grass"]
+    listed = toctree("", [f"reference/python/{name}" for name in ["functions", *classes, "errors", "grass"]])
+    write(site.folder / "reference" / "python" / "index.rst",
+          (SITE / "python.rst").read_text(encoding="utf-8") + "\n" + listed)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -178,10 +180,9 @@ def collect_pages(root: Path, folder: Path, classes: list[str]) -> Site:
     pages = {page: text for page, text in tree.texts.items() if not page.parts[0].startswith(".")}
     for page, text in pages.items():
         write(folder / page, staged_page(site, page, set(pages), text))
-    parts = [toctree(caption, names) for caption, names in [("Manual", [docname(PAGE_LIST)]), *contents(pages)]]
-    cpp = write_cpp_pages(site, public_headers(root))
-    parts.insert(-1, toctree("Python reference", write_python_pages(site, classes)))
-    parts.insert(-1, toctree("C++ reference", cpp))
+    write_cpp_pages(site, public_headers(root))
+    write_python_pages(site, classes)
+    parts = [toctree(caption, names) for caption, names in contents(pages)]
     first = (SITE / "index.rst").read_text(encoding="utf-8")
     for picture in re.findall(r"image:: /(\S+)", first):
         copy(site, picture)

@@ -39,6 +39,7 @@ STRIP_FROM_PATH = .
 # Characters of doxygen's commands, and private characters that stand for them while doxygen reads.
 ESCAPES = {ord(character): chr(0xE000 + index) for index, character in enumerate("\\\\<>&@#%~")}
 UNESCAPES = {ord(private): chr(character) for character, private in ESCAPES.items()}
+ROW = chr(0xE100)  # begins a row of a table, which stays a line
 LONGEST_VALUE = 60  # characters of an initial value that a signature shows
 
 
@@ -108,7 +109,8 @@ def text_of(element: Element | None) -> str:
 
     for paragraph in element:
         read(paragraph, "")
-    cleaned = [re.sub(r"\s+", " ", block).translate(UNESCAPES).strip() for block in blocks]
+    cleaned = [re.sub(r"\s+", " ", block).translate(UNESCAPES).replace(" " + ROW, "\n|").replace(ROW, "|").strip()
+               for block in blocks]
     return "\n\n".join(block for block in cleaned if block not in ("", "-"))
 
 
@@ -125,7 +127,7 @@ def pieces_of(element: Element | None, fallback: str = "") -> list[Piece]:
     for child in element:
         marked += f"\1{child.get('refid', '')}\2{''.join(child.itertext())}\3{child.tail or ''}"
     marked = re.sub(r"\s+", " ", marked)
-    for before, after in (("< ", "<"), (" >", ">"), (" &", "&"), (" *", "*"), ("( ", "("), (" )", ")")):
+    for before, after in (("< ", "<"), (" >", ">"), (" &", "&"), (" *", "*"), ("( ", "("), (" )", ")"), (" '", "'")):
         marked = marked.replace(before, after)
     pieces = []
     for part in re.split("(\1[^\3]*\3)", marked):
@@ -303,7 +305,8 @@ def first_sentence(text: str) -> str:
 
 def escaped(text: str) -> str:
     """Returns the text of a header with comments in which no character is a command for doxygen."""
-    return re.sub(r"(///<?)(.*)", lambda comment: comment[1] + comment[2].translate(ESCAPES), text)
+    text = re.sub(r"(///<?)(.*)", lambda comment: comment[1] + comment[2].translate(ESCAPES), text)
+    return re.sub(r"(///) \|", rf"\1 {ROW}", text)
 
 
 def run_doxygen(root: Path, folder: Path, paths: list[str]) -> list[str]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Turns comments and docstrings into nodes of a page.
 
-A text is a series of paragraphs separated by empty lines. An indented block is code, and paragraphs that begin with "- "
-are items of a list. `Names` in backticks, names of classes such as MeshScene, and calls such as grow() become links if
+A text is a series of paragraphs separated by empty lines. An indented block is code, paragraphs that begin with "- " are
+items of a list, and lines that begin with "|" are rows of a table. `Names` in backticks, names of classes such as MeshScene, and calls such as grow() become links if
 the reference has them.
 """
 
@@ -43,12 +43,14 @@ def inline(text: str, resolve: Resolve) -> list[nodes.Node]:
 
 
 def blocks_of(text: str) -> Iterator[tuple[str, str]]:
-    """Yields kind and text of each block: "paragraph", "item" or "code"."""
+    """Yields kind and text of each block: "paragraph", "item", "table" or "code"."""
     lines: list[str] = []
 
     def block() -> tuple[str, str]:
         if all(line.startswith("    ") or not line for line in lines):
             return "code", "\n".join(line[4:] for line in lines)
+        if lines[0].startswith("|"):
+            return "table", "\n".join(lines)
         joined = " ".join(line.strip() for line in lines)
         return ("item", joined[2:]) if joined.startswith("- ") else ("paragraph", joined)
 
@@ -73,6 +75,10 @@ def prose(text: str, resolve: Resolve, language: str) -> list[nodes.Node]:
                 block = before.astext() + "\n\n" + block
                 found.pop()
             found.append(code_block(block, "none" if language == "cpp" and ";" not in block else language))
+        elif kind == "table":
+            cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in block.splitlines()]
+            rows = [[inline(cell, resolve) for cell in row] for row in cells[2:]]
+            found.append(table(rows, [1] * len(cells[0]), cells[0]))
         elif kind == "item":
             items = before if isinstance(before, nodes.bullet_list) else nodes.bullet_list()
             if items is not before:

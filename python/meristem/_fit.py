@@ -68,7 +68,14 @@ class FitProgress:
 
 @dataclass(frozen=True)
 class FitResult:
-    """The best values that a fit has found."""
+    """The best values that a fit has found.
+
+    fit() returns it:
+
+        tulip = meristem.read("tulip")
+        found = meristem.fit(tulip, {"stem_length": (0.2, 0.6)}, {"height": 0.45}, growths=20, processes=1)
+        print(found.values, "with an error of", found.error)
+    """
 
     values: dict[str, float | int]  #: the best values, by variable
     error: float  #: error of the best values; see FitPoint

@@ -97,7 +97,7 @@ class Prose(unittest.TestCase):
         self.assertEqual(prose.first_sentence(text), "Trees.")
 
     def test_links(self) -> None:
-        known = {"Plant": "plant.html", "grow": "grow.html", "MeshScene": "scene.html"}
+        known = {"kNoNode": "no.html", "Plant": "plant.html", "grow": "grow.html", "MeshScene": "scene.html"}
         found = prose.inline("A `Plant` of grow() in a MeshScene. Plant it.", known.get)
         self.assertEqual([node["refuri"] for one in found for node in one.findall(prose.nodes.reference)],
                          ["plant.html", "grow.html", "scene.html"])

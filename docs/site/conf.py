@@ -26,12 +26,13 @@ html_title = f"Meristem {release}"
 html_logo = html_favicon = str(stage.ROOT / "apps/studio/page/src/icon.svg")
 html_static_path = [str(stage.SITE / "static")]
 html_css_files = ["site.css"]
+html_js_files = [("site.js", {"defer": "defer"})]
 html_copy_source = False
 html_show_sphinx = False
 html_show_copyright = False
 html_use_index = False
 html_domain_indices = False
-# The colours are those of the studio's page (apps/studio/page/src/style/base.css).
+# The studio's page has equal colours (apps/studio/page/src/style/base.css).
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#217a48", "color-brand-content": "#1a663b",
                             "color-api-name": "#1d231f"},
@@ -39,8 +40,9 @@ html_theme_options = {
                            "color-api-name": "#e4e9e5"},
 }
 pygments_style = "friendly"
-pygments_dark_style = "monokai"
+pygments_dark_style = "github-dark"
 highlight_language = "none"
+smartquotes = False  # quotes in the manual and in comments are often those of code
 
 
 def setup(app):

@@ -136,7 +136,7 @@ class Page(Directive):
 
 def description(language: str, kind: str, anchor: str, signatures: list[list[nodes.Node]],
                 content: list[nodes.Node]) -> addnodes.desc:
-    """Returns the description of a name: its signatures and its content. The anchor is that of the first signature."""
+    """Returns the description of a name: its signatures and its content. The first signature has the anchor."""
     node = addnodes.desc(domain=language, objtype=kind, noindex=False, classes=[language, kind])
     for index, signature in enumerate(signatures):
         ids = [anchor] if index == 0 else []
@@ -202,7 +202,7 @@ class CppPage(Page):
         if one.qualified not in self.reference.examples:
             return []
         sentence, code = self.reference.examples[one.qualified]
-        return [nodes.paragraph("", "", nodes.strong("", "Example. "), *inline(sentence, self.resolver(""))),
+        return [nodes.paragraph("", "", nodes.strong("", "Example: "), *inline(sentence, self.resolver(""))),
                 code_block(code, "cpp")]
 
 

@@ -2,7 +2,8 @@
 """A Sphinx extension: pages that are not in the sidebar share it with a page that is.
 
 Sphinx builds the sidebar of every page from all tables of contents, which takes half of its time. The page of a C++
-header shows the sidebar of its room, and the page of a source file that of the first page. Only the addresses differ.
+header shows the sidebar of its room. The page of a source file shows the sidebar of the first page. Only the addresses
+differ.
 """
 
 from __future__ import annotations

@@ -4,9 +4,9 @@
 In:  the Markdown pages of the source tree, the public headers, the names of the Python module.
 Out: the pages at the paths that they have in the source tree, and index.rst, reference/cpp/* and reference/python/*.
 
-The Markdown is written for readers of the repository. Three things change in the copies: a link to a file that is no
-page becomes `source:PATH` (source_pages.py), a picture in a table becomes a thumbnail with a link to the picture, and
-the first page lists all others. Lines stay, so that messages name the right ones.
+The Markdown is written for readers of the repository. Two things change in the copies. A link to a file
+that is no page becomes `source:PATH` (source_pages.py). A picture in a table becomes a thumbnail with a link to the
+picture. Lines stay, so that messages name the right ones.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ def docname(page: PurePosixPath) -> str:
 
 def toctree(caption: str, names: list[str]) -> str:
     lines = [".. toctree::", "   :hidden:", *([f"   :caption: {caption}"] if caption else []), ""]
-    return "\n".join([*lines, *(f"   /{name}" for name in names), "", ""])
+    return "\n".join([*lines, *(f"   {name}" if " </" in name else f"   /{name}" for name in names), "", ""])
 
 
 # --- references -------------------------------------------------------------------------------------------------------
@@ -147,8 +147,10 @@ def write_python_pages(site: Site, classes: list[str]) -> None:
     titles = {"functions": "Functions", "errors": "Errors", "grass": "meristem.grass"}
     for name in [*classes, *titles]:
         write(site.folder / "reference" / "python" / f"{name}.rst",
-              titled(titles.get(name, name), f".. python-page:: {name}"))
-    listed = toctree("", [f"reference/python/{name}" for name in ["functions", *classes, "errors", "grass"]])
+              titled(titles.get(name, f"meristem.{name}"), f".. python-page:: {name}"))
+    names = [f"{titles.get(name, name)} </reference/python/{name}>"
+             for name in ["functions", *classes, "errors", "grass"]]
+    listed = toctree("", names)
     write(site.folder / "reference" / "python" / "index.rst",
           (SITE / "python.rst").read_text(encoding="utf-8") + "\n" + listed)
 
@@ -183,6 +185,8 @@ def collect_pages(root: Path, folder: Path, classes: list[str]) -> Site:
     write_cpp_pages(site, public_headers(root))
     write_python_pages(site, classes)
     parts = [toctree(caption, names) for caption, names in contents(pages)]
+    for page in SITE.glob("*.rst"):
+        site.sources.update(re.findall(r"<source:([^>]+)>", page.read_text(encoding="utf-8")))
     first = (SITE / "index.rst").read_text(encoding="utf-8")
     for picture in re.findall(r"image:: /(\S+)", first):
         copy(site, picture)

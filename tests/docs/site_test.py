@@ -17,7 +17,9 @@ import cpp_model  # noqa: E402
 import prose  # noqa: E402
 import python_model  # noqa: E402
 import reference  # noqa: E402
+import sidebar  # noqa: E402
 import stage  # noqa: E402
+import theme  # noqa: E402
 
 
 class InAFolder(unittest.TestCase):
@@ -60,6 +62,11 @@ class CppModel(InAFolder):
     def test_a_header_without_purpose(self) -> None:
         header = self.read("", head="")
         self.assertEqual(cpp_model.faults_of([header]), ["meristem/plant/tree.h:1: the header does not state its purpose"])
+
+    def test_rows_of_a_table_stay_lines(self) -> None:
+        header = self.read("/// Ages:\n///\n/// | a | b |\n/// | --- | --- |\n/// | 1 | 2 |\nint age();")
+        self.assertEqual(header.declarations[0].text, "Ages:\n\n| a | b |\n| --- | --- |\n| 1 | 2 |")
+        self.assertEqual([kind for kind, _ in prose.blocks_of(header.declarations[0].text)], ["paragraph", "table"])
 
     def test_comments_stay_as_they_are(self) -> None:
         text = "Escapes `\\u001b`, \"#rrggbb\", optional<int>, a@b, 50 %, `child[first[k])`'s end -- and `x`."
@@ -130,6 +137,24 @@ class Pages(InAFolder):
         self.assertEqual(build_site.broken_links(self.root),
                          ["a.html: b.html#there: the page has no such place", "a.html: c.html: there is no such file",
                           "a.html: e.png: there is no such file"])
+
+
+class Sidebar(unittest.TestCase):
+    def test_links_are_those_of_the_page(self) -> None:
+        html = '<a href="#">plant</a> <a href="base.html">base</a> <a href="../../README.html">a</a> <a href="https://d.org">d</a>'
+        moved = sidebar.moved(html, "reference/cpp/plant/mtg/mtg", sidebar.owner_of("reference/cpp/plant/mtg/mtg") or "")
+        self.assertEqual(moved, '<a href="../../plant.html">plant</a> <a href="../../base.html">base</a> '
+                                '<a href="../../../../README.html">a</a> <a href="https://d.org">d</a>')
+        self.assertIsNone(sidebar.owner_of("reference/cpp/plant"))
+
+
+class Theme(unittest.TestCase):
+    def test_systems_that_prefer_dark_pages_get_them(self) -> None:
+        css = '@import url(/javascript/a.css);\n@media not print {\n  body[data-theme="dark"] {\n    --a: b; } }\n'
+        made = theme.mended_style(css)
+        self.assertNotIn("@import", made)
+        self.assertRegex(made, r'prefers-color-scheme: dark\) \{\s+body:not\(\[data-theme="light"\]\) \{\s+--a: b; \}')
+        self.assertEqual(theme.mended_style(made), made)
 
 
 if __name__ == "__main__":

@@ -31,7 +31,8 @@ void skeleton() {
 
   float length = 0;
   for (NodeIndex node = 0; node < stem.node_count(); ++node) {
-    if (!stem.is_root(node)) length += glm::distance(stem.position[node], stem.position[stem.parent[node]]);
+    if (stem.is_root(node)) continue;
+    length += glm::distance(stem.position[node], stem.position[stem.parent[node]]);
   }
   expect(std::abs(length - 2) < 1e-6F);
   expect(tip_distance(stem)[root] == length);

@@ -211,8 +211,8 @@ def is_exempt(member: Element, name: str, owner: str) -> bool:
         return False
     is_special = name in (owner, "~" + owner, "operator=")
     copies = is_special and re.match(rf"\((?:const)?{re.escape(owner)}&", arguments) is not None
-    return name.startswith("~") or name == "operator==" or copies or arguments.endswith(("=default", "=delete", "override")) or \
-        member.find("reimplements") is not None or (is_special and arguments == "()")
+    is_plain = name.startswith("~") or name == "operator==" or copies or (is_special and arguments == "()")
+    return is_plain or arguments.endswith(("=default", "=delete", "override")) or member.find("reimplements") is not None
 
 
 def is_hidden(member: Element, name: str, owner: str) -> bool:

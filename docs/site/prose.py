@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Turns comments and docstrings into nodes of a page.
 
-A text is a series of paragraphs separated by empty lines. An indented block is code, paragraphs that begin with "- " are
-items of a list, and lines that begin with "|" are rows of a table. `Names` in backticks, names of classes such as MeshScene, and calls such as grow() become links if
-the reference has them.
+A text is a series of paragraphs separated by empty lines. An indented block is code, paragraphs that begin with "- "
+are items of a list, and lines that begin with "|" are rows of a table. `Names` in backticks, names of classes such as
+MeshScene, and calls such as grow() become links if the reference has them.
 """
 
 from __future__ import annotations

@@ -145,8 +145,8 @@ def description(language: str, kind: str, anchor: str, signatures: list[list[nod
     return node
 
 
-def quiet(text: str) -> nodes.inline:
-    return nodes.inline(text, text, classes=["sig-quiet"])
+def quiet(text: str, *classes: str) -> nodes.inline:
+    return nodes.inline(text, text, classes=["sig-quiet", *classes])
 
 
 class CppPage(Page):
@@ -162,7 +162,7 @@ class CppPage(Page):
         return resolve
 
     def signature(self, one: cpp_model.Declaration) -> list[nodes.Node]:
-        found: list[nodes.Node] = [quiet(one.template), addnodes.desc_sig_space(), nodes.Text("\n")] if one.template else []
+        found: list[nodes.Node] = [quiet(one.template, "sig-template")] if one.template else []
         for piece in one.signature:
             place = self.reference.ids.get(piece.target) if piece.target else None
             if place and piece.target != one.id:

@@ -140,7 +140,8 @@ def write_cpp_pages(site: Site, headers: list[str]) -> None:
         write(site.folder / "reference" / "cpp" / f"{room}.rst", titled(f"Room {room}", f".. cpp-room:: {room}"))
     write(site.folder / "reference" / "cpp" / "names.rst", titled("All C++ names", ".. cpp-names:: all"))
     listed = toctree("", [f"reference/cpp/{name}" for name in [*names, "names"]])
-    write(site.folder / "reference" / "cpp" / "index.rst", (SITE / "cpp.rst").read_text(encoding="utf-8") + "\n" + listed)
+    first = (SITE / "cpp.rst").read_text(encoding="utf-8")
+    write(site.folder / "reference" / "cpp" / "index.rst", first + "\n" + listed)
 
 
 def write_python_pages(site: Site, classes: list[str]) -> None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mends what the theme furo lacks as Debian 12 packs it.
 
-Debian's style sheet has no rules for systems that prefer dark pages, and imports a file that is not there. Its script is
-a module without its bundle. Other versions of furo stay as they are.
+Debian's style sheet has no rules for systems that prefer dark pages, and imports a file that is not there. Its script
+is a module without its bundle. Other versions of furo stay as they are.
 """
 
 from __future__ import annotations

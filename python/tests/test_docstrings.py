@@ -14,8 +14,8 @@ import meristem
 from meristem import grass
 
 #: Classes whose docstrings must have an example, besides those that have one by chance.
-MAIN = ["BatchResult", "Dataset", "DatasetPlan", "Document", "FitResult", "Mesh", "Organs", "Plant", "Progress", "Scene",
-        "Session", "Skeleton", "Target", "Trace", "Word", "grass", "meristem"]
+MAIN = ["BatchResult", "Dataset", "DatasetPlan", "Document", "FitResult", "Mesh", "Organs", "Plant", "Progress",
+        "Scene", "Session", "Skeleton", "Target", "Trace", "Word", "grass", "meristem"]
 
 
 def documented() -> Iterator[tuple[str, str]]:

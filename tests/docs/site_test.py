@@ -61,7 +61,8 @@ class CppModel(InAFolder):
 
     def test_a_header_without_purpose(self) -> None:
         header = self.read("", head="")
-        self.assertEqual(cpp_model.faults_of([header]), ["meristem/plant/tree.h:1: the header does not state its purpose"])
+        self.assertEqual(cpp_model.faults_of([header]),
+                         ["meristem/plant/tree.h:1: the header does not state its purpose"])
 
     def test_rows_of_a_table_stay_lines(self) -> None:
         header = self.read("/// Ages:\n///\n/// | a | b |\n/// | --- | --- |\n/// | 1 | 2 |\nint age();")
@@ -141,8 +142,10 @@ class Pages(InAFolder):
 
 class Sidebar(unittest.TestCase):
     def test_links_are_those_of_the_page(self) -> None:
-        html = '<a href="#">plant</a> <a href="base.html">base</a> <a href="../../README.html">a</a> <a href="https://d.org">d</a>'
-        moved = sidebar.moved(html, "reference/cpp/plant/mtg/mtg", sidebar.owner_of("reference/cpp/plant/mtg/mtg") or "")
+        html = ('<a href="#">plant</a> <a href="base.html">base</a> <a href="../../README.html">a</a> '
+                '<a href="https://d.org">d</a>')
+        page = "reference/cpp/plant/mtg/mtg"
+        moved = sidebar.moved(html, page, sidebar.owner_of(page) or "")
         self.assertEqual(moved, '<a href="../../plant.html">plant</a> <a href="../../base.html">base</a> '
                                 '<a href="../../../../README.html">a</a> <a href="https://d.org">d</a>')
         self.assertIsNone(sidebar.owner_of("reference/cpp/plant"))
